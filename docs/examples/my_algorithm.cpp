@@ -3,7 +3,7 @@
 //   robosim classic d --algorithm ./my_algorithm.cpp
 //   robosim classic d --algorithm ./my_algorithm.cpp --trace
 //
-// This one tosses a coin at every junction, until it has stood on seven ends of lines.
+// This example tosses a coin at every junction until it has visited seven dead ends.
 
 #include <robosim/cells.h>
 

@@ -1,6 +1,6 @@
 # Compares two sketches of one sweep:  awk -F, -f paired.awk TABLE
-# Prints the mean difference of time_s, the second sketch less the first, with its 95 % confidence interval (of the
-# normal distribution: use 30 seeds or more). A pair is one seed with which both sketches reached the goal.
+# Prints the mean difference of time_s, second sketch minus first sketch, with its 95 % confidence interval (of
+# the normal distribution: use 30 seeds or more). A pair is one seed for which both sketches reached the goal.
 NR == 1 { for (i = 1; i <= NF; i++) column[$i] = i; next }
 NR == 2 { first = $column["sketch"] }
 $column["verdict"] == "reached" {

@@ -26,7 +26,7 @@ void report(benchmark::State& state) {
   state.counters["times_real_time"] = benchmark::Counter(seconds, benchmark::Counter::kIsRate);
 }
 
-// The whole simulation: robot, world and judge too.
+// Simulates a whole run: chip, robot, world and judge.
 void whole(benchmark::State& state, const std::filesystem::path& sketch) {
   const grid::Map map = grid::read_map(grid::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");
@@ -43,7 +43,8 @@ void whole(benchmark::State& state, const std::filesystem::path& sketch) {
   report(state);
 }
 
-// The chip alone, its pins open, in steps of `range` milliseconds: 1 is the lockstep, 1000 next to none.
+// Runs the chip alone, with open pins, in steps of `range` milliseconds. 1 is the lockstep's step; 1000 has
+// almost no overhead.
 void chip(benchmark::State& state, const std::filesystem::path& sketch) {
   const auto image = image_of(sketch);
   const SimTime step = state.range(0) * kMillisecond;
@@ -56,7 +57,7 @@ void chip(benchmark::State& state, const std::filesystem::path& sketch) {
   report(state);
 }
 
-// The whole simulation, in the midst of a run.
+// A whole simulation, stopped after its first second.
 class Midway {
  public:
   Midway() : executor_(*robot_.board, image_of(build::find_sketch("PidFollower"))), simulation_(setup_) {

@@ -1,6 +1,7 @@
-// Measures the robot on cells: moves per second on map d, in bulk and one by one, and a plain copy of the
-// original's sensing for comparison. Then a full scan of a tree of a million stations. Required: in bulk
-// at least 8 times the copy's speed and 1e8 moves a second, and at most 0.5 s for the scan after reading.
+// Measures the robot on cells: moves per second on map d, in bulk and one by one. A direct copy of the
+// original's sensing is measured for comparison. Then measures a full scan of a tree with a million stations.
+// Required in bulk: at least 8 times the copy's speed, and 1e8 moves per second. Required for the scan: at
+// most 0.5 s after reading.
 #include <benchmark/benchmark.h>
 
 #include "sim/cells/survey.h"
@@ -13,7 +14,7 @@ namespace {
 using namespace robosim;
 using namespace robosim::cells;
 
-constexpr int kMoves = 100'000;  // between two looks at the clock
+constexpr int kMoves = 100'000;  // between two readings of the clock
 
 void count_moves(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * kMoves);
@@ -76,7 +77,7 @@ void OriginalsSensingWalksMapD(benchmark::State& state) {
 }
 BENCHMARK(OriginalsSensingWalksMapD);
 
-// Packs the cells, scans all of it into a graph.
+// Packs the cells, then scans all of them into a graph.
 void CellsScanAMillionStations(benchmark::State& state) {
   const grid::Map map = grid::generate(grid::Family::tree, 1'000'000, 1);
   const grid::Start start = grid::default_start(map);

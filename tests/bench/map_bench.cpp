@@ -1,6 +1,6 @@
-// Measures reading a map of 8000 x 8000 cells (64 MB, the largest map), against the minimum of any reader:
-// read() of the cached file and a copy into fresh pages. Required: at most twice that time, and one byte per
-// cell. Then measures structures derived from maps, and the generation of large maps.
+// Measures reading a map of 8000 x 8000 cells (64 MB, the largest map). The reference is the minimum of any
+// reader: read() of the cached file and a copy into fresh pages. Required: at most twice that time, and one
+// byte per cell. Then measures structures derived from maps, and the generation of large maps.
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -28,7 +28,7 @@ constexpr std::size_t kChunk = 256 * 1024;
 
 enum Form : std::int64_t { digits, displayed };
 
-// A comb: a trunk down the middle and a branch in every fourth row, within walls.
+// A comb: a trunk down the middle and a branch in every fourth row, enclosed by walls.
 class LargeMap {
  public:
   explicit LargeMap(Form form)
@@ -102,7 +102,7 @@ void BM_BuildStripesDashed(benchmark::State& state) {
 }
 BENCHMARK(BM_BuildStripesDashed)->Unit(benchmark::kMicrosecond);
 
-// One query of the distance to the nearest line, as a sensor makes it.
+// Measures one query of the distance to the nearest line, as a sensor makes it.
 void BM_NearestStripeOval(benchmark::State& state) {
   const Map map = read_map(find_map("oval"));
   const Stripes stripes(map, 0.05);

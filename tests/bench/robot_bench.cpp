@@ -1,4 +1,4 @@
-// Measures a tick of a whole robot: parts, body and walls, with the noise of the profile `typical`.
+// Measures one tick of a whole robot: parts, body and walls, with the noise of the profile `typical`.
 
 #include <benchmark/benchmark.h>
 
@@ -15,8 +15,8 @@
 namespace robosim {
 namespace {
 
-// An uno5 goes round in circles on the oval's floor. `state.range(0)`: ticks between two reads of all five
-// sensors.
+// Drives an uno5 in circles on the oval's floor. `state.range(0)` is the number of ticks between two reads of
+// all five sensors.
 void robot_tick(benchmark::State& state) {
   const grid::Map map = grid::read_map(grid::find_map("oval"));
   const robot::Description description = robot::load_description("uno5");
@@ -52,7 +52,7 @@ BENCHMARK(robot_tick)
     ->Arg(5)
     ->Arg(1000000000);
 
-// Measures a tick of 64 robots in a batch; the time is that of one robot.
+// Measures one tick of 64 robots in a batch, and reports the time per robot.
 void batch_tick(benchmark::State& state) {
   constexpr std::size_t kRobots = 64;
   const grid::Map map = grid::read_map(grid::find_map("oval"));

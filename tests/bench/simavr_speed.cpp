@@ -1,7 +1,6 @@
-// Measures the speed relative to libsimavr: a whole run with robot and world, against a plain loop of
-// avr_run() over the same ELF file, alternately. Times vary by a factor of two between machines and hours,
-// their ratio varies less. `robosim_bench_avr --benchmark_filter=libsimavr` prints the median of the
-// ratio.
+// Measures the speed relative to libsimavr. A whole run with robot and world alternates with a bare loop of
+// avr_run() over the same ELF file. The times vary by a factor of two between machines and hours, but their
+// ratio varies less. `robosim_bench_avr --benchmark_filter=libsimavr` prints the median of the ratio.
 extern "C" {
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>
@@ -27,7 +26,7 @@ const std::filesystem::path kSketches = ROBOSIM_BENCH_SKETCHES;
 /// Returns this process's processor time in seconds.
 double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Runs the program. Returns why it has not come to its end; "" = it has.
+/// Runs the program in Robosim. Returns why it did not run to its end, or "".
 std::string run_ours(const std::filesystem::path& image, const grid::Map& map,
                      const robot::Description& robot, SimTime length) {
   exec::AvrExecutor executor(*robot.board, image);
@@ -39,8 +38,8 @@ std::string run_ours(const std::filesystem::path& image, const grid::Map& map,
   return outcome.verdict == judge::Verdict::reached ? "" : outcome.why;
 }
 
-/// Runs libsimavr as its users do, except that it does not sleep when the chip does. Its own callback for
-/// that waits in real time, and takes six times as much processor time for SleepsIdle.
+/// Runs libsimavr as its users do, but without its sleep callback. The callback waits in real time, and takes
+/// six times as much processor time for SleepsIdle.
 std::string run_libsimavr(const std::filesystem::path& image, const BoardSpec& board, SimTime length) {
   elf_firmware_t firmware{};
   if (elf_read_firmware(image.c_str(), &firmware) != 0) return "libsimavr cannot read the ELF file";

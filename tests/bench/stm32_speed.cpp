@@ -1,5 +1,5 @@
 // Measures the emulated Blue Pill's speed as a multiple of real time, on one core, at 8 and at 72 MHz. It is
-// a separate executable, since a program with libunicorn (GPL-2) must not link another emulator.
+// a separate executable, because a program with libunicorn (GPL-2) must not link another emulator.
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr SimTime kSimulated = 10 * kSecond;
 
-// The whole simulation: robot, world and judge too.
+// Simulates a whole run: chip, robot, world and judge.
 void whole(benchmark::State& state, const char* board, const std::filesystem::path& sketch) {
   const grid::Map map = grid::read_map(grid::find_map("oval"));
   const robot::Description robot = robot::parse_description(
@@ -38,7 +38,7 @@ void whole(benchmark::State& state, const char* board, const std::filesystem::pa
   state.counters["times_real_time"] = benchmark::Counter(seconds, benchmark::Counter::kIsRate);
 }
 
-// The whole simulation, in the midst of a run.
+// A whole simulation, stopped after its first second.
 class Midway {
  public:
   Midway() : executor_(*robot_.board, image()), simulation_(setup_) { simulation_.run_until(kSecond); }

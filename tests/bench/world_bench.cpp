@@ -1,4 +1,4 @@
-// Measures the world alone: a tick of one body, and the cost of a sensor's view of the floor.
+// Measures the world alone: one tick of one body, and one reading of the floor by a sensor.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -10,7 +10,7 @@ namespace {
 
 using namespace robosim;
 
-// Returns a rounded rectangle of line, 3 m x 2 m, on an open floor.
+// Returns a map with a line along a rounded rectangle, 3 m x 2 m, on an open floor.
 grid::Map loop_map(double corner_m) {
   grid::Map map;
   map.width = 40;
@@ -27,8 +27,8 @@ grid::Map loop_map(double corner_m) {
 
 constexpr int kSensors = 5;
 
-// Drives a circle over the lines and beside them. Every `read_every` ticks (0 = never) five sensors 9.5 mm
-// apart, 60 mm ahead of the axle, look at the floor.
+// Drives a circle over and next to the lines. Every `read_every` ticks (0 = never), five sensors read the
+// floor. They are 9.5 mm apart and 60 mm ahead of the axle.
 void drive_and_read(benchmark::State& state, double corner_m, int read_every) {
   const grid::Map map = loop_map(corner_m);
   world::World world(map);
@@ -59,7 +59,7 @@ BENCHMARK(world_tick_with_five_sensors_round);
 void world_tick_with_five_sensors_every_5_ms(benchmark::State& state) { drive_and_read(state, 0.0, 5); }
 BENCHMARK(world_tick_with_five_sensors_every_5_ms);
 
-// Points all over the map: most are off the line, as most of a floor is.
+// Returns points all over the map. Most of them are off the line, like most of a floor.
 std::vector<Vec2> points() {
   std::vector<Vec2> all;
   unsigned random = 1;
@@ -83,8 +83,8 @@ void floor_coverage_square(benchmark::State& state) { coverage(state, 0.0, false
 BENCHMARK(floor_coverage_square);
 void floor_coverage_round(benchmark::State& state) { coverage(state, 0.15, false); }
 BENCHMARK(floor_coverage_round);
-// Reads the loop, 3.2 by 2.2 m, as a path. `paint` are keys of one of its long sides and of two bends;
-// `marks` lie next to it.
+// Reads a 3.2 m x 2.2 m loop as a path. `paint` adds keys to one long side and two bends. `marks` is the
+// number of marks next to the line.
 void read_path(benchmark::State& state, const std::string& paint, int marks = 0) {
   const std::string bend = "{ radius = \"150 mm\", angle = \"90 deg\"";
   std::string beside;
@@ -121,7 +121,7 @@ BENCHMARK(floor_worn);
 void floor_coverage_raster(benchmark::State& state) { coverage(state, 0.0, true); }
 BENCHMARK(floor_coverage_raster);
 
-// Measures along the line, within 15 mm of its centre.
+// Measures the distance along the line, at points within 15 mm of its centre.
 void distance_to_line(benchmark::State& state, double corner_m) {
   const grid::Map map = loop_map(corner_m);
   const world::Floor floor(map);

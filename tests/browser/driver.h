@@ -1,5 +1,5 @@
 // Debian's chromium without a window, driven by its chromedriver (W3C WebDriver). All tests of a program
-// share one.
+// share one browser.
 #pragma once
 
 #include <httplib.h>
@@ -19,8 +19,8 @@
 #include "tests/support/require_target.h"
 #include "tests/system/command.h"
 
-/// Where the browser is missing, the test or SetUp ends here: skipped, and failed if ROBOSIM_REQUIRE names
-/// it. One that is there and does not start fails either way.
+/// Skips the test or SetUp if the browser is missing, or fails if ROBOSIM_REQUIRE names the browser. A
+/// browser that does not start is a failure in both cases.
 #define ROBOSIM_NEEDS_BROWSER()                                                                           \
   do {                                                                                                    \
     if (std::filesystem::exists("/usr/bin/chromedriver") && std::filesystem::exists("/usr/bin/chromium")) \
@@ -51,7 +51,7 @@ class Started {
     if (where_.empty()) throw std::runtime_error(start.words[0] + " does not start: it says " + said);
   }
   const std::string& where() const { return where_; }
-  /// Ends it as Ctrl-C does.
+  /// Ends the program as Ctrl-C does.
   Ending end() {
     child_->send(SIGINT);
     return child_->wait();
@@ -81,7 +81,7 @@ class Driver {
   }
   ~Driver() { http_.Delete(session_); }
 
-  /// Opens a page as one that was not open before.
+  /// Opens a page afresh, even if the same page is already open.
   void open(const std::string& url, int width = 1300, int height = 850) {
     call(session_ + "/url", {{"url", "about:blank"}});
     const nlohmann::json screen{
@@ -89,8 +89,8 @@ class Driver {
     call(session_ + "/goog/cdp/execute", {{"cmd", "Emulation.setDeviceMetricsOverride"}, {"params", screen}});
     call(session_ + "/url", {{"url", url}});
   }
-  /// Runs the body of an async function, and returns its result. It may use `$`, `key(name)`, `until(is)` and
-  /// `drawn()`, which waits until the page has been laid out and drawn again.
+  /// Runs the body of an async function, and returns its result. The body may use `$`, `key(name)`,
+  /// `until(is)` and `drawn()`, which waits until the page has been laid out and drawn again.
   nlohmann::json run(const std::string& body) {
     const std::string script =
         "const done = arguments[0]; const $ = (id) => document.getElementById(id);"
@@ -130,13 +130,14 @@ class Driver {
   std::string session_;
 };
 
-/// Returns the browser of this program; starts it at the first call.
+/// Returns the browser of this program. Starts the browser at the first call.
 inline Driver& browser() {
   static Driver driver;
   return driver;
 }
 
-/// A page of a run from the disk; `page` in the body is its own object, null where there is nothing to show.
+/// Opens a run's page from disk, and returns the result of `body`. In the body, `page` is the page's own
+/// object, or null if there is no run.
 inline nlohmann::json in_page(const std::filesystem::path& page, const std::string& body, int width = 1400,
                               int height = 900) {
   browser().open("file://" + page.string(), width, height);

@@ -11,7 +11,7 @@
 
 namespace robosim::test {
 
-/// One suite in several files, so that its cases share a browser and a recording.
+/// A suite that several files share, so that its cases share a browser and a recording.
 class Page : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {

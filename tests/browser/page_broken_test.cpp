@@ -37,7 +37,7 @@ TEST_F(Page, SaysInOneSentenceThatItsRecordingIsBroken) {
   }
 }
 
-// The page is cut off in its style, in its recording, or in its program: none of its own code runs.
+// Cuts the page off in its style, its recording or its program. The page's own code does not run.
 TEST_F(Page, SaysThatItIsCutOff) {
   const std::string good = read_file(file());
   const std::size_t begins = good.find("octet-stream\">") + 14;
@@ -54,7 +54,7 @@ TEST_F(Page, SaysThatItIsCutOff) {
   EXPECT_THAT(over.get<std::string>(), HasSubstr("cut off"));
 }
 
-// The file is opened by "Compare…": the page stays as it was, with what was laid over its run before.
+// Opens broken files with "Compare…". The page and the run laid over it stay unchanged.
 TEST_F(Page, SaysWhatIsBrokenInAFileThatIsToBeComparedWith) {
   const std::string good = read_file(*folder / "run.rec");
   const auto made = [](const std::string& header) {

@@ -11,7 +11,7 @@ namespace {
 using Json = nlohmann::json;
 
 TEST_F(Page, DrawsTheFloorWhereTheSimulationHasIt) {
-  // The middle of each stripe, 3 mm within its edges and 3 mm outside; the robot is elsewhere.
+  // Samples the middle of each stripe, and points 3 mm inside and outside its edges. The robot is elsewhere.
   const Json wrong = in_page(file(), R"(
     page.player.seek(0);
     page.run.t = page.run.t.slice(0, 1);  // no trail
@@ -50,7 +50,7 @@ TEST_F(Page, DrawsTheFloorWhereTheSimulationHasIt) {
   EXPECT_EQ(wrong["wrong"].size(), 0u) << wrong["wrong"].dump();
 }
 
-// Paint beyond the floor's edge is clipped: only wall is there.
+// Paint beyond the floor's edge is clipped: only the wall is drawn there.
 TEST_F(Page, EndsTheFloorAtItsEdge) {
   std::string map = read_file(std::filesystem::path(ROBOSIM_MAPS) / "oval.map");
   map.insert(map.rfind("+++"),
@@ -84,7 +84,7 @@ TEST_F(Page, EndsTheFloorAtItsEdge) {
   }
 }
 
-// A door, paint, bare floor, an obstacle that moves, a lamp: each where it is at the moment that is shown.
+// A door, paint, bare floor, a moving obstacle and a lamp are drawn as they are at the displayed moment.
 TEST_F(Page, DrawsAWorldThatChanges) {
   write_file(*folder / "changes.script",
              "at 1s door 5,8 5,10 shut for 1s\nat 1s obstacle 4,3 radius 40mm to 10,3 in 2s for 3s\n"
@@ -132,7 +132,7 @@ TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
                                        "--script", "scan.script", "--record", "scan.html"},
                                       folder->path());
   ASSERT_EQ(ended.status, 0) << ended.err;
-  // A node has the graph's colour around it only after it was reported.
+  // A node is drawn in the graph's colour only after it was reported.
   const Json shown = in_page(*folder / "scan.html", R"(
     const { nodes, edges } = page.run.told, { height, cell } = page.run.floor;
     const stations = page.run.started.stations.map((s) => [s.name, (s.x + 0.5) * cell, height - (s.y + 0.5) * cell]);
@@ -153,7 +153,7 @@ TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
   EXPECT_EQ(shown["after"], Json::parse("[true,true,true,true,true,true]"));
 }
 
-// Painting an hour's laps again at each moment would take a browser many seconds.
+// Redrawing an hour's laps at each moment would take a browser many seconds.
 TEST_F(Page, PaintsALongRunWithFewStrokes) {
   const Ended ended = robosim_command(
       {"run", "PidFollower", "--map", "oval", "--goal", "none", "--for", "400s", "--record", "long.html"},

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// People look at these: a wide screen and a phone's, light and dark.
+// Takes pictures for people to look at: a wide screen and a phone's, light and dark.
 TEST_F(Page, IsPhotographed) {
   const std::filesystem::path pictures = ROBOSIM_PICTURES;
   for (const char* tab : {"plots", "pins", "serial", "events", "wiring"}) {
@@ -23,8 +23,8 @@ TEST_F(Page, IsPhotographed) {
   }
 }
 
-/// Returns the share of two pictures' points that differ; of the whole if their sizes do. Another version of
-/// the browser draws the edges of letters a little differently.
+/// Returns the fraction of points that differ between two pictures, or 1 if their sizes differ. Another
+/// version of the browser draws the edges of letters slightly differently.
 double difference(const std::filesystem::path& a, const std::filesystem::path& b) {
   browser().open("about:blank");
   const auto source = [](const std::filesystem::path& file) {

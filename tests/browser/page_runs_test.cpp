@@ -47,7 +47,7 @@ TEST_F(Page, LaysAnotherRecordingOverTheRun) {
 }
 
 TEST_F(Page, BeginsWithTheRunThatReplayHasLaidOverIt) {
-  // A log of a robot that stands where the recorded one begins.
+  // A log of a robot that stands where the recorded run begins.
   const auto samples = recording->stream("samples");
   write_file(*folder / "my \"log\" ü.csv", fmt::format("t_s;x_mm;y_mm;volts\n0;{0};{1};7,4\n9;{0};{1};7,1\n",
                                                        samples[1][0], samples[2][0]));

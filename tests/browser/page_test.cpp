@@ -1,5 +1,5 @@
-// Tests the page of `robosim run --record run.html` in a browser: moments, and every number against the
-// recording.
+// Tests the page of `robosim run --record run.html` in a browser: the displayed moments, and every number
+// against the recording.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

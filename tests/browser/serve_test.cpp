@@ -1,4 +1,4 @@
-// Tests the page of `robosim serve` in a browser: a user's folder is built, run and acted on.
+// Tests the page of `robosim serve` in a browser: builds, runs and controls sketches of a user's folder.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
 
-// Until a run is shown, and nothing is under way.
+// Waits until a run is displayed and no work is in progress.
 constexpr const char* kShown =
     "const shown = () => $('replay').contentWindow?.robosim;"
     "const ready = () => until(() => !$('replay').hidden && shown()?.touchable && $('stop').hidden && "
@@ -77,7 +77,7 @@ TEST_F(Serve, SendsTextsToASketchOfTheFolder) {
   EXPECT_THAT(lines, Contains("say \"hi\""));
 }
 
-// Runs as fast as it can: the test need not wait.
+// The run is not slowed to real time, so that the test need not wait.
 TEST_F(Serve, WatchesARunWhileItRuns) {
   const Json seen = in_page("sketch=./Echo&map=oval&robot=uno5&seconds=3000&live=1", R"(
     await until(() => shown()?.run.live && shown().player.playing);
@@ -120,8 +120,8 @@ TEST_F(Serve, WatchesARunWhileItRuns) {
   EXPECT_EQ(seen["kept"], seen["lines"]) << "its recording is shown in the end";
 }
 
-// Two of the library's on one line, in a file; the second one is acted on, then both are watched while they
-// drive.
+// Runs two robots from a file, PidFollower and Echo, on one line. The second one is controlled, then both are
+// watched as they drive.
 TEST_F(Serve, RunsSeveralRobotsAndActsOnTheOneThatIsLookedAt) {
   folder_.write("two.toml",
                 "map = \"oval\"\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\ngoal = \"none\"\n"
@@ -313,7 +313,7 @@ TEST_F(Serve, ShowsWhatTheCompilerSays) {
   EXPECT_THAT(said.get<std::string>(), HasSubstr("Broken.ino:1:16: error: 'oops' was not declared"));
 }
 
-// Whatever runs, it is not another one.
+// A link with an unknown or invalid part runs nothing, not a substitute.
 TEST_F(Serve, RunsNothingElseThanALinkAsksFor) {
   for (const auto& [link, sentence] :
        {std::pair{"sketch=./Nobody&map=oval&run=1",
@@ -347,7 +347,8 @@ TEST_F(Serve, SaysThatItsServerIsGone) {
       in_page("sketch=./Echo", R"(await until(() => document.documentElement.dataset.ready); return 1;)");
   EXPECT_EQ(state, 1);
   EXPECT_TRUE(server_->end().ok());
-  for (const char* deed : {"", "$('state').textContent = ''; $('run').click();"})  // to who looks on, too
+  for (const char* deed : {"", "$('state').textContent = ''; $('run').click();"})  // notifies users who only
+                                                                                   // watch, too
     EXPECT_THAT(
         browser()
             .run(std::string(deed) + "await until(() => $('state').textContent.includes('has stopped')); "

@@ -1,4 +1,4 @@
-// Tests the bench in a tab (docs/howto/tab.md), served by a plain file server and without one.
+// Tests the bench in a tab (docs/howto/tab.md), with and without a plain file server.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
-// Helpers of the page's tests: pass a file to the page, and run until it prints or shows something.
+// Helpers of the page's tests: pass a file to the page, run a sketch, and wait until the page prints a
+// message or displays a run.
 constexpr const char* kTab = R"(
   const shown = () => $('replay').contentWindow?.robosim;
   const give = async (name, content) => {

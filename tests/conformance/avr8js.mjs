@@ -1,5 +1,5 @@
-// node avr8js.mjs FOLDER FLASH.bin CYCLES LOOP: runs a program of tests/conformance/avr on avr8js, which FOLDER has
-// (`npm install avr8js`), and prints "ended" or "stopped" and the bytes that it reported.
+// node avr8js.mjs FOLDER FLASH.bin CYCLES LOOP: runs a program of tests/conformance/avr on the avr8js in
+// FOLDER (`npm install avr8js`). Prints "ended" or "stopped", and the bytes that the program reported.
 import { createRequire } from 'node:module';
 import { readFileSync } from 'node:fs';
 

@@ -1,4 +1,4 @@
-// A chip on a bench: the test sets levels and voltages at its pins, and gets a list of the chip's
+// A chip on a bench: the test sets levels and voltages at its pins, and receives a list of the chip's
 // actions.
 #pragma once
 
@@ -26,7 +26,7 @@ class Bench final : public avr::ChipEnvironment {
 
   /// Runs until the program ends, something stops it, or `cycles` have passed.
   avr::Chip::Stop run(avr::Cycle cycles) { return chip.run_to(chip.cycle() + cycles); }
-  /// Connects this USART's output to its input, so that it receives its frames one frame later.
+  /// Connects this USART's output to its input. Each frame is received one frame after it was sent.
   void wire_to_itself(int usart) { loop_ = usart; }
   /// Changes a pin's level, and notifies the chip if it listens.
   void set_level(int pin, bool level) {
@@ -34,14 +34,14 @@ class Bench final : public avr::ChipEnvironment {
     chip.edge(pin, level, chip.cycle());
   }
 
-  std::map<int, bool> levels;          ///< of pins, by number; others have their pull-up's
-  std::map<int, double> voltages;      ///< of channels
-  std::map<int, double> pin_voltages;  ///< of pins with an analog voltage; others have their level's
-  std::map<int, PinDrive> drives;      ///< how the chip drives its pins
+  std::map<int, bool> levels;          ///< by pin number; a pin that is not listed has its pull-up's level
+  std::map<int, double> voltages;      ///< by channel
+  std::map<int, double> pin_voltages;  ///< by pin with an analog voltage; other pins use their level
+  std::map<int, PinDrive> drives;      ///< how the chip drives each pin
   std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;
   std::vector<std::pair<avr::Cycle, int>> samples;        ///< converted channels, with times
-  std::map<int, bool> listens_to;                         ///< pins whose edges the chip wants
-  std::vector<std::pair<avr::Cycle, avr::Cycle>> frames;  ///< what a received frame takes, and since when
+  std::map<int, bool> listens_to;                         ///< whether the chip wants a pin's edges
+  std::vector<std::pair<avr::Cycle, avr::Cycle>> frames;  ///< duration of a received frame, and since when
   std::vector<std::uint8_t> reported;
   bool ended = false;
   int resets = 0;

@@ -16,19 +16,19 @@ namespace robosim::conformance {
 struct Program {
   std::filesystem::path file;
   std::string name;                                   ///< name of the file, without its ending
-  std::string sentence;                               ///< what must hold
+  std::string sentence;                               ///< the required behaviour
   std::string source;                                 ///< "DS40002061B, 15.7.2"
-  std::vector<std::optional<std::uint8_t>> expected;  ///< none: any
-  std::uint64_t cycles = 100000;                      ///< after which it is stopped
-  std::vector<std::string> chips{"atmega328p"};       ///< the chips for which it holds, as avr-gcc calls them
-  int loop = -1;                                      ///< the USART whose TX is wired to its RX; -1 = none
+  std::vector<std::optional<std::uint8_t>> expected;  ///< nullopt matches any byte
+  std::uint64_t cycles = 100000;                      ///< the program is stopped after this number
+  std::vector<std::string> chips{"atmega328p"};       ///< the chips that behave so, by their avr-gcc names
+  int loop = -1;                                      ///< the USART whose TX is connected to its RX, or -1
 };
 
-/// The chip that avr-gcc calls so. Throws std::runtime_error where no board has it.
+/// Returns the chip with this avr-gcc name. Throws std::runtime_error if no board has it.
 const ChipSpec& chip_named(const std::string& name);
 
-/// Returns all programs of a folder, by name. Throws std::runtime_error if one lacks its sentence, source or
-/// expectation.
+/// Returns all programs of a folder, by name. Throws std::runtime_error if a program has no sentence, source
+/// or expectation.
 std::vector<Program> programs_in(const std::filesystem::path& folder);
 
 /// Returns the program's flash, compiled by avr-gcc for a chip ("atmega328p"). Throws std::runtime_error with

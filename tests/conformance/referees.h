@@ -1,4 +1,4 @@
-// Other emulators, which run the same programs for comparison. Nothing that is shipped links them.
+// Other emulators, which run the same programs for comparison. No shipped program links them.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace robosim::conformance {
 
-/// A program's report, and whether it reached its end.
+/// A program's report, and whether the program reached its end.
 struct Report {
   std::vector<std::uint8_t> bytes;
   bool ended = false;
@@ -23,7 +23,7 @@ bool is_right(const Program& program, const Report& report);
 Report run_on_ours(const Program& program, std::span<const std::uint8_t> flash);
 /// Runs a program on unchanged libsimavr, by avr_run().
 Report run_on_simavr(const Program& program, std::span<const std::uint8_t> flash);
-/// Runs a program on avr8js, an ATmega328P, by node and avr8js.mjs. Returns nothing if either is missing.
+/// Runs a program for the ATmega328P on avr8js, by node and avr8js.mjs. Returns nothing if either is missing.
 /// $ROBOSIM_AVR8JS is the folder in which `npm install avr8js` was run.
 std::optional<Report> run_on_avr8js(const Program& program, std::span<const std::uint8_t> flash);
 

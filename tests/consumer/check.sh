@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# tests/consumer/check.sh BUILD FOLDER: installs what was built in BUILD below FOLDER, and does there what a user does with
-# an installed Robosim: a new project, its checks, its test in C++, a project with tests of every kind; a missing target.
+# tests/consumer/check.sh BUILD FOLDER: installs the build in BUILD below FOLDER. Then does what a user does
+# with an installed Robosim: creates a project, runs its checks and its C++ test, and builds a project with
+# every kind of test. Last, uses a missing target.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
@@ -18,15 +19,16 @@ done
 installed/bin/robosim new demo
 (cd demo && ../installed/bin/robosim test)
 
-# Both projects in one build, so that the harness is compiled once.
+# Builds both projects together, so that the harness is compiled once.
 cmake -S "$here" -B build -G Ninja "-Drobosim_ROOT=$PWD/installed" "-DDEMO=$PWD/demo" "-DTARGETS=$targets"
 cmake --build build
 ctest --test-dir build --output-on-failure --no-tests=error
 
-# With the sources instead of a package CMake gives the same targets and functions. Built is this elsewhere.
+# With the sources instead of a package, CMake provides the same targets and functions. They are only
+# configured here.
 cmake -S "$here" -B sources -G Ninja "-DROBOSIM_SOURCE=$here/../.." "-DDEMO=$PWD/demo" "-DTARGETS=$targets"
 
-# A target without its package: status 5, and the package's name.
+# A target without its package gives status 5 and the package's name.
 rm -f installed/libexec/robosim/robosim-avr
 status=0
 installed/bin/robosim run ./demo --target avr 2>missing.txt || status=$?

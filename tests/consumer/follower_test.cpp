@@ -1,4 +1,4 @@
-// Tests the sketch's purpose on every target.
+// Tests the sketch's behaviour on every target.
 #include <robosim/testing.h>
 
 using namespace robosim::testing;  // NOLINT

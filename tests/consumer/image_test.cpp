@@ -1,4 +1,4 @@
-// Tests the image that the build has made for the chip.
+// Tests the image that the build compiled for the chip.
 #include <robosim/testing.h>
 
 using namespace robosim::testing;  // NOLINT

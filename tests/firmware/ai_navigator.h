@@ -1,4 +1,4 @@
-// Runs AiNavigator on a test's floor: commands a scan, and drives to stations.
+// Runs AiNavigator on a test's floor: starts a scan, and sends the robot to stations.
 #pragma once
 
 #include <robosim/testing.h>

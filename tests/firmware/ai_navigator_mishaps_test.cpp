@@ -1,4 +1,4 @@
-// Tests AiNavigator in changed situations: it is carried away, an obstacle stays, the power fails.
+// Tests AiNavigator in changed situations: it is carried away, an obstacle stays, or the power fails.
 #include <chrono>
 
 #include "tests/firmware/ai_navigator.h"
@@ -19,7 +19,7 @@ TEST_F(AiNavigatorAgain, DrivesOverTwoJunctionsAfterItWasSwitchedOff) {
   EXPECT_EQ(robot().station(), "1");
 }
 
-// There the headings of the map are not those that the walker counts from how it was switched on.
+// After power-on at station 3, the walker's headings differ from the map's.
 TEST_F(AiNavigatorAgain, DrivesOverTwoJunctionsAfterItWasSwitchedOffFacingAnotherWay) {
   put_on(kRingOfThree);
   scan();

@@ -117,7 +117,8 @@ TEST_P(AiNavigator, NoticesThatItsMapIsDamaged) {
 TEST_P(AiNavigator, DoesNotTrustAPlaceThatIsDamaged) {
   constexpr int kPlace = 1021;
   scan();
-  robot().act("fault eeprom flip " + std::to_string(kPlace) + " 1");  // another station of its map
+  robot().act("fault eeprom flip " + std::to_string(kPlace) + " 1");  // changes it to another station of its
+                                                                      // map
   robot().power_off(200_ms);
   ASSERT_TRUE(robot().run_until(serial_says("I do not know where I am"), within(2_s)));
 }
@@ -161,9 +162,9 @@ TEST_P(AiNavigator, LightsAnLedOnAJunctionAndTheSecondAtAStation) {
   EXPECT_EQ(robot().station(), "3");
 }
 
-// Switched on again it has the right map, if it had written all of it, or none.
+// After a power cut the robot has either the complete, correct map or no map.
 TEST(AiNavigatorsMemory, NeverHoldsAWrongGraphWhereverThePowerIsCut) {
-  constexpr std::ptrdiff_t kEndOfMap = 1021;  // behind it is where it stands
+  constexpr std::ptrdiff_t kEndOfMap = 1021;  // the bytes after the map store the robot's place
   std::vector<std::uint8_t> whole;
   AtEveryPowerCut({.sketch = "AiNavigator", .map = kTee}, [&](Simulation& robot) {
     const Event asks_for_a_scan = serial_says("press the button: I will scan.\r\n");
@@ -172,7 +173,7 @@ TEST(AiNavigatorsMemory, NeverHoldsAWrongGraphWhereverThePowerIsCut) {
     ASSERT_TRUE(robot.run_until(serial_says("destination?") || asks_for_a_scan, within(2_min)));
     const std::vector<std::uint8_t> eeprom = robot.eeprom();
     const std::vector<std::uint8_t> map(eeprom.begin(), eeprom.begin() + kEndOfMap);
-    if (whole.empty()) whole = map;  // the run without a cut
+    if (whole.empty()) whole = map;  // of the run without a power cut
     const Graph kept = explored(eeprom);
     if (kept.nodes.empty()) {
       EXPECT_THAT(robot, Not(SerialSays("I have a map")));

@@ -1,4 +1,4 @@
-// Tests which of several ways AiNavigator takes, and what its map has of them.
+// Tests which of several routes AiNavigator takes, and what its map stores about them.
 #include "firmware/src/nav/Plan.h"
 #include "tests/firmware/ai_navigator.h"
 #include "tests/firmware/explored.h"
@@ -28,7 +28,7 @@ ___________________________________
 ___________________________________
 )";
 
-/// Its left wheel seems to run half a percent less far than it does.
+/// The left encoder reports half a percent less distance than the wheel travels.
 constexpr const char* kUnequalWheels = R"(
 base = "uno5"
 remove = ["encoder_left"]
@@ -68,8 +68,8 @@ TEST_F(AiNavigatorAgain, TakesTheShorterOfTwoWaysOverOtherJunctions) {
   }
 }
 
-// At its second junction the one behind it is farther than any that the search has come to; and the third is
-// met first by the longer of its ways.
+// At the second junction, the next one is farther than any junction that the search has reached. The third
+// junction is reached first by the longer of its two routes.
 TEST_F(AiNavigatorAgain, GoesStraightThroughARowOfJunctionsWithWaysRound) {
   put_on(kTwoRings);
   scan();

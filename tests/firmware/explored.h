@@ -10,7 +10,7 @@
 
 namespace robosim::testing {
 
-/// AiNavigator's map, from the EEPROM; empty if there is none, or a damaged one.
+/// Returns AiNavigator's map from the EEPROM, or an empty one if the map is missing or damaged.
 inline nav::FixedNetwork<60> map_in(const std::vector<std::uint8_t>& eeprom) {
   struct Source {
     const std::vector<std::uint8_t>& bytes;

@@ -7,7 +7,7 @@ using namespace robosim::testing;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A follows its line; B, further on in the other direction, is in its way.
+/// Robot A follows its line. Robot B comes towards it on the same line, further on.
 FleetTrial two(const std::string& target) {
   return {.robots =
               {{.name = "A", .sketch = "PidFollower", .goal = "laps:1"},

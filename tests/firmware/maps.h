@@ -1,7 +1,8 @@
-// Small floors, so that a chip scans them in seconds.
+// Small floors that a chip scans in seconds.
 #pragma once
 
-/// Three stations and a junction: 1 at the left, where the robot starts, 2 below, 3 at the right.
+/// Three stations and a junction: station 1 at the left, where the robot starts, station 2 below, station 3
+/// at the right.
 inline constexpr const char* kTee = R"(+++
 name = "tee"
 +++
@@ -33,8 +34,8 @@ __________________________________________________
 __________________________________________________
 )";
 
-/// Two junctions on the way from station 1 to station 2, and two ways between them: straight on, 4 cells, or
-/// round by the south, 16.
+/// Two junctions between station 1 and station 2, connected by two routes: 4 cells straight on, or 16 cells
+/// by the south.
 inline constexpr const char* kRing = R"(+++
 name = "ring"
 +++
@@ -53,7 +54,7 @@ _________________
 _________________
 )";
 
-/// Adds a third junction, with a station, to the way round of 20 cells; the straight way has 12.
+/// Adds a third junction, with a station, on the longer route of 20 cells. The straight route has 12 cells.
 inline constexpr const char* kWideRing = R"(+++
 name = "wide ring"
 +++
@@ -70,8 +71,8 @@ ________________________
 ________________________
 )";
 
-/// From station 1 to station 3 over all junctions in a row it is 21 cells. Two ways round leave that row:
-/// from the second junction by the north, 20 cells for 12, and from the third by the south, 18 for 8.
+/// Station 1 and station 3 are 21 cells apart along the row of junctions. There are two detours: from the
+/// second junction by the north (20 cells instead of 12), and from the third by the south (18 instead of 8).
 inline constexpr const char* kTwoRings = R"(+++
 name = "two rings"
 +++
@@ -93,8 +94,8 @@ ____________________________
 ____________________________
 )";
 
-/// Two ways from junction 1 to junction 2, as in the first. Station 3 is to the left of junction 1, and its
-/// line leaves it to the side, as station 1 sees it.
+/// Two routes from junction 1 to junction 2, as in kRing. Station 3 is to the left of junction 1, at the end
+/// of a line that leaves the junction sideways as seen from station 1.
 inline constexpr const char* kRingOfThree = R"(+++
 name = "ring of three"
 +++

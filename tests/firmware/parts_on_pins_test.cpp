@@ -1,4 +1,4 @@
-// Tests sketches that use robots' parts on plain pins, on every target.
+// Tests sketches that use robots' parts through plain pins, on every target.
 #include <robosim/testing.h>
 
 #include "tests/firmware/sketches.h"
@@ -28,7 +28,7 @@ name = "room"
 ########################
 )";
 
-// uno3 without its line sensors; a distance sensor turns on a servo in front.
+// uno3 without its line sensors, with a distance sensor on a servo in front.
 constexpr const char* kLooksAround = R"(
 base = "uno3"
 remove = ["left_sensor", "middle_sensor", "right_sensor", "start", "bumper", "buzzer", "LED", "LED2"]
@@ -67,7 +67,7 @@ TEST_P(OnPins, ASonarSeesAnObstacleThatIsPutInTheWay) {
   const Drive drive = robot.run_until(serial_says("left"), within(5_s));
   ASSERT_TRUE(drive);
   EXPECT_THAT(drive, NeverCollides());
-  const double before_it = 1050 - 60 - 75;  // where the sensor's front touches it
+  const double before_it = 1050 - 60 - 75;  // pose at which the sensor's front touches the obstacle
   EXPECT_GT(robot.pose().x_mm, before_it - 250) << "it drives on to 25 cm";
   EXPECT_LT(robot.pose().x_mm, before_it) << "and rolls out";
 }
@@ -128,7 +128,7 @@ type = "bluetooth"
 pins = { txd = 2, rxd = 3 }
 )";
 
-// The library is the AVR core's.
+// The test uses the SoftwareSerial library of the AVR core.
 TEST(SoftwareSerialOnAvr, APhoneDrivesARobot) {
   ROBOSIM_SKIP_WITHOUT("avr");
   Simulation robot({.sketch = test_sketch("PhoneDrives"), .map = "oval", .robot = kPhone, .target = "avr"});

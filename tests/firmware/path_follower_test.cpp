@@ -1,5 +1,5 @@
-// Tests LeftPath and RightPath: on a floor without loops they visit every station and return home, one by
-// the left hand and one by the right.
+// Tests LeftPath and RightPath: on a floor without loops they visit every station and return home. LeftPath
+// follows the left-hand rule, RightPath the right-hand rule.
 #include <robosim/testing.h>
 
 #include "tests/firmware/maps.h"

@@ -48,7 +48,7 @@ TEST_P(PidFollower, ComesBackToTheLineAfterItWasPushedOff) {
   robot().run_for(100_ms);
   for (const char* sensor : {"S1", "S2", "S3", "S4", "S5"})
     robot().act("fault " + std::string(sensor) + " stuck 60 for 250ms");
-  robot().run_for(4_s);  // which way it swings, and how often, turns on a millisecond
+  robot().run_for(4_s);  // the direction and number of swings depend on a millisecond
   EXPECT_THAT(robot().run_for(2_s), Follows(line(), within(25_mm)));
 }
 

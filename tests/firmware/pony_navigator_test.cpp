@@ -1,4 +1,5 @@
-// Tests PonyNavigator, on the robot of the m-graph paper: it explores a tree of lines and obeys the radio.
+// Tests PonyNavigator, on the robot of the m-graph paper: it explores a tree of lines and obeys radio
+// commands.
 #include <robosim/testing.h>
 
 #include <algorithm>
@@ -122,7 +123,7 @@ TEST(PonyNavigatorsObstacle, LeavesItRoomToTurnBack) {
   robot.act("send radio 3");
   const Drive way = robot.run_until(serial_says("no way: there is an obstacle"), within(1_min));
   ASSERT_TRUE(way);
-  double met = 0, turned = 0;  // how far along, at most
+  double met = 0, turned = 0;  // farthest x positions
   for (const Moment& moment : way.moments()) {
     met = std::max(met, moment.pose.x_mm);
     if (moment.left * moment.right < 0) turned = std::max(turned, moment.pose.x_mm);

@@ -1,4 +1,4 @@
-// Tests Shuttle, which measures its way by an interrupt.
+// Tests Shuttle, which measures distance by an interrupt.
 #include <robosim/testing.h>
 
 #include <regex>

@@ -1,4 +1,4 @@
-// Finds sketches that exist only for tests: small ones, with parts that Robosim's examples do not have.
+// Finds sketches that exist only for tests. They are small, and use parts that Robosim's examples do not use.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@ namespace {
 
 using namespace robosim::testing;
 
-/// millis() begins so that it wraps after two seconds: 49.7 days after power-on, on a chip.
+/// millis() starts so that it wraps after two seconds. On a chip it wraps 49.7 days after power-on.
 constexpr Duration kAlmostWrapped = std::chrono::milliseconds((1LL << 32) - 2000);
 
 Trial trial_on(const std::string& target, Duration clock_start = {}) {
@@ -32,7 +32,7 @@ class TunableFollower : public RobotTest, public testing::WithParamInterface<std
     robot().send(command + "\n");
     ASSERT_TRUE(robot().run_until(serial_says(answer), within(500_ms))) << "to " << command;
   }
-  /// Returns the number after a word of `status`: "speed", "odometer", "battery".
+  /// Returns the number after a word of `status`: "speed", "odometer" or "battery".
   long long status(const std::string& word) {
     robot().send("status\n");
     const Drive answer = robot().run_until(serial_says(" mV\r\n"), within(500_ms));
@@ -101,7 +101,7 @@ TEST_P(TunableFollower, StopsWhereThereIsNoLine) {
   EXPECT_THAT(robot().run_for(500_ms), StopsWithin(200_ms));
 }
 
-/// A line with a gap that it takes more than a quarter of a second to cross when it is slowest.
+/// A line with a gap. At its slowest speed, the robot takes more than a quarter of a second to cross the gap.
 constexpr const char* kGap = R"(+++
 name = "gap"
 cell = "25 mm"

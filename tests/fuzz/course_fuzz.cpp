@@ -1,5 +1,5 @@
-// Imports arbitrary bytes as a course of another tool. It is rejected with the file's name, or becomes a map
-// that can be written, read again and driven on.
+// Imports arbitrary bytes as a course of another tool. Either the file is rejected with its name, or it
+// becomes a map that can be written, read again and driven on.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace robosim;
 
-constexpr std::size_t kLargeFloor = 4'000'000;  // cells: allowed, but slow to look at again and again
+constexpr std::size_t kLargeFloor = 4'000'000;  // cells: allowed, but slow to scan repeatedly
 
 void drive_on(const grid::Map& map) {
   if (map.cells.size() > kLargeFloor) return;

@@ -1,5 +1,5 @@
-// Reads arbitrary bytes as a program for a chip, in ELF and in Intel HEX. It is rejected with a message that
-// names the file, or its content is not longer than the file.
+// Reads arbitrary bytes as a program for a chip, in ELF and in Intel HEX. Either the file is rejected with a
+// message that names it, or its content is not longer than the file.
 #include <cstddef>
 #include <cstdint>
 #include <string>

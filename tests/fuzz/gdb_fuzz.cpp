@@ -1,5 +1,5 @@
-// Sends arbitrary bytes as a debugger. The processor gets only requests that packets contain, and the run
-// continues when the debugger disconnects.
+// Sends arbitrary bytes as a debugger. The processor receives only requests that the packets contain, and the
+// run continues when the debugger disconnects.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -54,7 +54,7 @@ struct Past final : History {
 
 constexpr std::uint16_t kFirstPort = 20'000, kPorts = 10'000;
 
-/// Listens at a port that is free.
+/// Listens on a free port.
 Server& listen(std::optional<Server>& server, std::uint16_t& port, std::atomic<bool>& interrupted) {
   for (;;) {
     try {
@@ -69,20 +69,20 @@ Server& listen(std::optional<Server>& server, std::uint16_t& port, std::atomic<b
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static std::uint16_t port = kFirstPort;
-  if (size > 1 << 15) return 0;  // capacity of the socket without a reader
+  if (size > 1 << 15) return 0;  // what the socket's buffer can store without a reader
   std::atomic<bool> interrupted{false};
   std::optional<Server> server;
   listen(server, port, interrupted);
 
   const Descriptor debugger(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
-  const linger at_once{1, 0};  // so that the port is free again
+  const linger at_once{1, 0};  // makes the port free again immediately
   ::setsockopt(debugger.get(), SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(port);
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   if (::connect(debugger.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
-    ++port;  // the machine keeps that one for a while
+    ++port;  // the kernel keeps the old port busy for a while
     return 0;
   }
   require(::send(debugger.get(), data, size, MSG_NOSIGNAL) == static_cast<ssize_t>(size),

@@ -1,5 +1,5 @@
-// Reads arbitrary bytes as a map file. It is rejected with a place, or is a valid map: it can be written,
-// read again, walked, and converted to a graph and to geometry.
+// Reads arbitrary bytes as a map file. Either the file is rejected with a place, or it is a valid map: it can
+// be written, read again, walked, and converted to a graph and to geometry.
 #include <algorithm>
 #include <cstdint>
 #include <string>
@@ -33,7 +33,7 @@ std::string outcome(std::string_view text, std::size_t piece) {
   }
 }
 
-// A path's stripes are where the path is.
+// Checks that a path's stripes are on the path.
 void use_course(const Map& map, const Start& start) {
   const Path& path = map.course.paths.front();
   if (map.cells.size() > 4096 || map.cell_m < 0.01 || path.length() > 50.0) return;
@@ -65,7 +65,7 @@ void use(const Map& map) {
           "the graph has no stations but those of the walk");
   require(difference(graph, graph).empty(), "a graph is equal to itself");
   require(!draw(map, network, start, {80, 40, false}).empty(), "a picture");
-  if (map.cells.size() > 4096 || map.cell_m < 0.01) return;  // geometry takes time in proportion
+  if (map.cells.size() > 4096 || map.cell_m < 0.01) return;  // the geometry takes time for each cell
   const Stripes stripes(map, 0.1);
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     const CellAt cell = map.cell_at(i);

@@ -1,6 +1,6 @@
 // Reads arbitrary bytes as files of other tools: platformio.ini, sketch.yaml and arduino-cli's
-// build.options.json. Each is rejected, or gives a project whose board is known, rejected or not
-// named. The first byte chooses the file.
+// build.options.json. Each file is rejected, or gives a project whose board is known, rejected or not named.
+// The first byte selects the file.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -17,7 +17,7 @@ namespace {
 using namespace robosim;
 namespace fs = std::filesystem;
 
-/// A sketch's folder, once for all inputs; gone with the program.
+/// A sketch's folder for all inputs, which is removed at the end of the program.
 struct Folder {
   fs::path path;
   Folder() {

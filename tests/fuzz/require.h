@@ -1,4 +1,5 @@
-// Checks conditions that must hold for every input, in every kind of build (unlike assert()).
+// Checks conditions that must be true for every input. Unlike assert(), they are checked in every kind of
+// build.
 #pragma once
 
 #include <cstdio>

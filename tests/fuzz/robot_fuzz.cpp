@@ -1,4 +1,5 @@
-// Reads arbitrary bytes as a robot file. It is rejected with a message, or makes a robot with a body.
+// Reads arbitrary bytes as a robot file. Either the file is rejected with a message, or it describes a robot
+// with a body.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

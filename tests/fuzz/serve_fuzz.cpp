@@ -1,5 +1,5 @@
-// Sends arbitrary headers and bodies to `robosim serve`. It answers in HTTP or not at all. It writes nothing
-// outside of the served folder, nor through a link in it.
+// Sends arbitrary headers and bodies to `robosim serve`. The server answers in HTTP or not at all. It does
+// not write outside of the served folder, nor through a link in that folder.
 #include <netinet/in.h>
 #include <stdlib.h>
 #include <sys/socket.h>
@@ -24,7 +24,7 @@ namespace {
 using namespace robosim;
 namespace fs = std::filesystem;
 
-/// A served folder with links that lead out, and its server: once for all inputs.
+/// A served folder with links that lead out of it, and its server. All inputs share them.
 class Served {
  public:
   Served() {

@@ -1,5 +1,5 @@
-// Reads arbitrary bytes as files of values: TOML (checks.toml, front matter), rows of tables, bundles of
-// coverage data.
+// Reads arbitrary bytes as files of values: TOML (checks.toml, front matter), rows of tables, and coverage
+// data.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
-// Reads arbitrary bytes as a line of the runner protocol, at either end. It is rejected with a message, or is
-// valid: it can be written and read again.
+// Reads arbitrary bytes as a line of the runner protocol, at either end. Either the line is rejected with a
+// message, or it is valid: it can be written and read again.
 #include <cstddef>
 #include <cstdint>
 #include <string>

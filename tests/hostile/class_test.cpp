@@ -1,5 +1,5 @@
-// Tests a class of thirty sketches on one machine, five of them hostile. The others get their verdicts, and
-// by strace no process of the command reads or writes anything outside.
+// Tests a class of thirty sketches on one machine, five of them hostile. The other sketches get their
+// verdicts. strace confirms that no process of the command reads or writes anything outside.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using testing::HasSubstr;
 const std::string kCheck =
     "[[check]]\nname = \"lap\"\nmap = \"oval\"\nrobot = \"uno5\"\ngoal = \"laps:1\"\nfor = \"25s\"\n";
 
-/// Follows the line with Arduino's functions, or drives straight on.
+/// Returns a sketch that follows the line with Arduino's functions, or drives straight on.
 std::string driver(int speed, bool looks) {
   const auto sees = [&](int one, int other) {
     return looks ? fmt::format("analogRead(A{}) > 400 || analogRead(A{}) > 400", one, other) : "false";

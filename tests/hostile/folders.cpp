@@ -12,7 +12,7 @@ using Entries = std::vector<Entry>;
 const std::string kBody = "void setup() {}\nvoid loop() { delay(1); }\n";
 const std::string kS = kSecretHere;
 
-/// Written out only where the file is made: all together are large.
+/// Marks a repeated text. It is expanded only when its file is written, because all files together are large.
 std::string repeated(const std::string& text, int times) {
   return fmt::format("\x02{}\x03{}\x04", times, text);
 }
@@ -20,7 +20,7 @@ std::string repeated(const std::string& text, int times) {
 Entry file(const std::string& path, const std::string& content) { return {path, content}; }
 Entry link(const std::string& path, const std::string& to) { return {path, to, Kind::link}; }
 Entry ino(const std::string& before) { return file("S.ino", before + "\n" + kBody); }
-/// Returns a folder with a source, and nothing else that is hostile.
+/// Returns a folder with this source, and nothing else that is hostile.
 Entries source(const std::string& text) { return {ino(text)}; }
 
 class Folders {
@@ -47,7 +47,7 @@ class Folders {
   std::vector<Input> all_;
 };
 
-// A line each.
+// One line for each input.
 // clang-format off
 void Folders::add_names() {
   const std::pair<const char*, std::string> names[] = {

@@ -1,5 +1,5 @@
 // Tests hostile sketches, folders and requests, each against the whole command. docs/explanation/security.md
-// lists the guarantees. It takes an hour: cmake --workflow --preset hostile.
+// lists the guarantees. The test takes an hour: cmake --workflow --preset hostile.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -30,10 +30,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kGivenUp_s = 900.0;  ///< a command that takes longer is endless
+constexpr double kGivenUp_s = 900.0;  ///< a command that takes longer is considered endless
 constexpr double kLate_s = 10.0;
 constexpr std::size_t kMostMemory_kb = 300 * 1024;
-/// Phrases of messages about limits of docs/explanation/security.md, which may last longer than kLate_s.
+/// Phrases in messages about limits of docs/explanation/security.md. A run that reaches such a limit may take
+/// longer than kLate_s.
 constexpr const char* kLimits[] = {"loops without end",
                                    "slept",
                                    "sleeps",
@@ -43,7 +44,7 @@ constexpr const char* kLimits[] = {"loops without end",
                                    "the request is too slow",
                                    "printed more than"};
 
-/// Returns the command that was built, or another one to compare it with.
+/// Returns the built command, or another one to compare it with.
 std::string command() {
   const char* const other = ::getenv("ROBOSIM_HOSTILE_COMMAND");
   return other ? other : ROBOSIM_COMMAND;
@@ -57,7 +58,7 @@ struct Record {
   std::vector<std::string> findings;
 };
 
-/// The machine of a user: a class's folder, files that are none of anybody's business, a home, a cache.
+/// A user's machine: a class's folder, private files outside of it, a home and a cache.
 class Place {
  public:
   static Place& get() {
@@ -71,7 +72,7 @@ class Place {
             {kPortHere, std::to_string(port_.number())}};
   }
 
-  /// Replaces the sketch S. False: this user cannot make such a file.
+  /// Replaces the sketch S. Returns false if this user may not create such a file.
   bool write_sketch(const Input& input) {
     fs::remove_all(sketch());
     const bool made = make(sketch(), input.entries, replaced());
@@ -79,7 +80,7 @@ class Place {
     canaries_.take();
     return made;
   }
-  /// Returns files that a command has changed and must not change.
+  /// Returns the protected files that a command has opened or changed.
   std::vector<std::string> touched() {
     std::vector<std::string> all = canaries_.take();
     for (std::string& one : all) one = "touched: " + one;
@@ -358,7 +359,7 @@ class Server {
     if (::read(output.read.get(), text, sizeof text) <= 0) throw std::runtime_error("no server");
     output_ = std::move(output.read);
   }
-  /// Chosen before the server is there: requests name it.
+  /// The port is chosen before the server starts, because requests name it.
   static int port() {
     static const int number = QuietPort().number();
     return number;
@@ -458,7 +459,7 @@ TEST_P(Requests, DoNoHarm) {
   if (!next.text.starts_with("HTTP/1.1 200"))
     found("the next request is not answered: " + next.text.substr(0, 12));
   for (const std::string& one : end_processes_left(pid)) found("process left: " + one);
-  // Files that docs/howto/serving.md allows the server to write, and the folder of its runs.
+  // The files that docs/howto/serving.md allows the server to write, and the folder of its runs.
   static const std::regex plain(
       "(written|changed|removed): "
       "(served(/[A-Za-z0-9][A-Za-z0-9_-]*(\\.(hex|elf|toml|map))?(/[A-Za-z0-9_-]+\\.ino)?)?"

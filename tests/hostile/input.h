@@ -1,5 +1,5 @@
-// Hostile inputs as data: names of a mechanism and a variant, and the files or requests to write or send. No
-// two inputs share both names.
+// Hostile inputs as data: the names of a mechanism and a variant, and the files to write or the requests to
+// send. No two inputs share both names.
 #pragma once
 
 #include <ostream>
@@ -8,21 +8,21 @@
 
 namespace robosim::hostile {
 
-/// Placeholder in texts for the absolute path of a file that no input may read. The next one stands for a
+/// Placeholders in texts: kSecretHere for the absolute path of a file that no input may read, kPortHere for a
 /// port that no input may reach.
 constexpr const char* kSecretHere = "@SECRET@";
 constexpr const char* kPortHere = "@PORT@";
 /// Content of the secret file and environment variable. Its appearance in any output is a finding.
 constexpr const char* kSecret = "hunter2hunter2";
-/// A line that begins with this is one that an input has forged.
+/// Prefix of a line that an input has forged.
 constexpr const char* kForged = "FORGED";
 
 enum class Kind { file, folder, link, hard_link, pipe, socket, device, sparse };
 
 struct Entry {
   std::string path;     ///< below the sketch's folder, which is called S
-  std::string content;  ///< of a file, where "\2TIMES\3TEXT\4" stands for a long text; where a link leads;
-                        ///< bytes of a sparse file, whose content are zeros
+  std::string content;  ///< of a file ("\2TIMES\3TEXT\4" stands for a repeated text); a link's target; the
+                        ///< number of zero bytes of a sparse file
   Kind kind = Kind::file;
 };
 
@@ -32,8 +32,8 @@ struct Input {
   std::string mechanism, variant;
   std::vector<Entry> entries;
   Target target = Target::both;
-  bool compiles = false;     ///< where not confined: a sketch that does not compile tests nothing
-  bool on_terminal = false;  ///< output goes to a terminal, with the serial text
+  bool compiles = false;     ///< if not confined: a sketch that does not compile tests nothing
+  bool on_terminal = false;  ///< whether output goes to a terminal, including the serial text
 };
 
 inline std::ostream& operator<<(std::ostream& out, const Input& input) {
@@ -47,15 +47,15 @@ std::vector<Input> folders();
 
 struct HostileRequest {
   std::string mechanism, variant;
-  std::vector<std::string> parts;  ///< sent one after the other, as the server takes them
-  bool stays_open = false;         ///< the client sends no more, and does not close
+  std::vector<std::string> parts;  ///< sent one after the other, as fast as the server reads them
+  bool stays_open = false;         ///< whether the client stays connected after its last byte
 };
 
 inline std::ostream& operator<<(std::ostream& out, const HostileRequest& request) {
   return out << request.mechanism << "/" << request.variant;
 }
 
-/// `host`: the server's name and port, as it expects them.
+/// `host` is the server's name and port, as the server expects them.
 std::vector<HostileRequest> requests(const std::string& host);
 
 }  // namespace robosim::hostile

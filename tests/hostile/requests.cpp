@@ -23,7 +23,7 @@ class Requests {
            bool stays_open = false) {
     all_.push_back({mechanism, variant, std::move(parts), stays_open});
   }
-  /// `lines`: header lines, each with its end.
+  /// Returns a request's first line, Host header and `lines`: header lines, each with its end.
   std::string head(const std::string& first, const std::string& lines = "") const {
     return fmt::format("{} HTTP/1.1\r\nHost: {}\r\n{}\r\n", first, host_, lines);
   }
@@ -46,7 +46,7 @@ class Requests {
   std::vector<HostileRequest> all_;
 };
 
-// A line each.
+// One line for each request.
 // clang-format off
 void Requests::add_framing() {
   const std::string body = R"({"name":"a.map","text":"S"})";

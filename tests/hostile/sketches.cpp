@@ -7,7 +7,8 @@
 namespace robosim::hostile {
 namespace {
 
-/// For every sketch. P is the path of the secret, B a buffer whose text is sent after the attack.
+/// The beginning of every sketch. P is the path of the secret, B a buffer whose text is sent after the
+/// attack.
 constexpr const char* kBeginning = R"(#define P "@SECRET@"
 static long B[2048];
 extern "C" { long c_syscall(...) __asm__("syscall"); long c_write(int, const void*, unsigned long) __asm__("write");
@@ -64,7 +65,7 @@ constexpr const char* kCalls[] = {
     "signals sigaction 31, B, 0", "signals signal 14, 1", "signals signal 11, 1", "signals siginterrupt 2, 0",
     "signals sigaltstack B, 0", "signals pthread_kill B, 9"};
 
-/// System calls as such, with arguments; "-1" and the like are numbers that the kernel does not know.
+/// Raw system calls, with arguments. A number such as "-1" is a call that the kernel does not have.
 constexpr const char* kSystemCalls[] = {
     "io_uring_setup 8, B", "bpf 5, B, 128", "userfaultfd 0", "perf_event_open B, 0, -1, -1, 0", "keyctl 0, -3, 0",
     "add_key \"user\", \"x\", B, 8, -3", "process_vm_readv 1, B, 1, B, 1, 0", "process_vm_writev 1, B, 1, B, 1, 0",
@@ -183,7 +184,7 @@ constexpr Row kRows[] = {
     {"loading", "is_the_image", "extern \"C\" __attribute__((visibility(\"default\"))) const long robosim_image[16] = {IMAGE_VERSION, 0, (long)&c_exit};", ""},
     {"loading", "has_a_main", "int main() { return 0; }", ""},
     {"loading", "has_the_operators", "void* operator new(size_t) { return 0; } void operator delete(void*) { c_exit(0); }", "delete new int;"},
-    // Messages that only Robosim may write.
+    // Forged messages, which only Robosim may write.
     {"forgery", "each_descriptor", "", "for (int fd = 0; fd < 256; ++fd) c_write(fd, LINE, sizeof LINE - 1); c_exit(0);"},
     {"forgery", "pipe", "", "c_write(3, LINE, sizeof LINE - 1); c_exit(0);"},
     {"forgery", "guessed_keys", "", "for (long k = -64; k < 64; ++k) c_syscall(1, 3, LINE, sizeof LINE - 1, k, k); c_exit(0);"},
@@ -197,7 +198,7 @@ constexpr Row kRows[] = {
     {"forgery", "image_changed", "", "for (long p = (long)&setup & ~4095;; p += 4096) *(volatile char*)p = 0xc3;"},
     {"forgery", "environment", "extern \"C\" { extern char** environ; char* getenv(const char*); }", "Serial.begin(115200); if (getenv(\"HOSTILE_SECRET\")) Serial.print(getenv(\"HOSTILE_SECRET\")); for (char** e = environ; e && *e; ++e) Serial.println(*e); delay(200);"},
     {"forgery", "stack_of_the_process", "", "Serial.begin(2000000); char* p = (char*)__builtin_frame_address(0); for (int i = 0; i < 8000; ++i) Serial.write(p[i]);"},
-    // Time.
+    // Sketches that never end.
     {"endless", "setup", "", "for (;;) asm volatile(\"\");", Target::both},
     {"endless", "setup_unseen", "", "spin();", Target::host},
     {"endless", "handler", "void h() { for (;;) {} }", "pinMode(2, OUTPUT); attachInterrupt(digitalPinToInterrupt(2), h, CHANGE); digitalWrite(2, HIGH); digitalWrite(2, LOW);", Target::both},
@@ -223,7 +224,7 @@ constexpr Row kRows[] = {
     {"terminal", "right_to_left", "", "Serial.begin(115200); Serial.print(F(\"\\xe2\\x80\\xae" "x\\xe2\\x81\\xa6\\xe2\\x80\\x8b\")); delay(99);", Target::both},
     {"terminal", "name_of_a_function", "void \xe2\x80\xae" "f() { *(volatile int*)1 = 1; }", "\xe2\x80\xae" "f();"},
     {"terminal", "file_of_a_line", "void f() {\n#line 7 \"\\x1b[2J\\nFORGED: x\"\n*(volatile int*)1 = 1; }", "f();"},
-    // The Arduino API with what it does not expect.
+    // Arduino API calls with unexpected arguments.
     {"misuse", "pin_numbers", "", "for (long p = -300; p < 300; ++p) { pinMode(p, OUTPUT); digitalWrite(p, HIGH); analogWrite(p, 999); B[0] += analogRead(p); }", Target::both},
     {"misuse", "modes", "", "for (int m = 0; m < 256; ++m) pinMode(5, m);", Target::both},
     {"misuse", "null_handler", "", "attachInterrupt(0, 0, CHANGE); pinMode(2, OUTPUT); digitalWrite(2, HIGH);", Target::both},
@@ -237,7 +238,7 @@ constexpr Row kRows[] = {
     {"misuse", "serial_rates", "", "for (long b = -5; b < 5; ++b) { Serial.begin(b); Serial.print('x'); Serial.end(); }", Target::both},
     {"misuse", "text_without_end", "", "memset(B, 'x', sizeof B); Serial.begin(2000000); Serial.print((char*)B);", Target::both},
     {"misuse", "registers", "", "DDRB = PORTB = DDRC = PORTC = 255; TCCR1A = TCCR1B = 255; OCR1A = 0; TIMSK1 = 255; UBRR0 = 0; UCSR0B = 255; ADCSRA = 255; SPCR = 255;", Target::both},
-    // These attacks run on the chip alone.
+    // Attacks that run only on the chip.
     {"chip", "all_memory", "", "for (unsigned i = 0; i < 0x8FF; ++i) *(volatile char*)i = 255;", Target::avr},
     {"chip", "all_registers", "", "for (unsigned i = 0x20; i < 0x100; ++i) *(volatile char*)i = i;", Target::avr},
     {"chip", "stack_pointer", "", "SP = 0; asm volatile(\"push r0\"); SP = 0xFFFF; asm volatile(\"push r0\");", Target::avr},
@@ -266,7 +267,7 @@ Input sketch(const std::string& mechanism, const std::string& variant, const std
   text += fmt::format("#define IMAGE_VERSION {}\n{}\n", host::kImageVersion, forged_line());
   if (target == Target::host) text += LOOPS_UNSEEN "void spin() { for (;;) asm volatile(\"\"); }\n";
   text += fmt::format("{}\nvoid setup() {{\n{}\n", before, setup);
-  // Sends what the attack has read.
+  // Sends the data that the attack has read.
   if (target == Target::host)
     text += "Serial.begin(115200); B[63] = 0; Serial.print((char*)B); Serial.flush();\n";
   text += "}\nvoid loop() { delay(1); }\n";
@@ -298,7 +299,7 @@ std::vector<Input> sketches() {
     const auto [name, arguments] = split(row);
     const bool numbered = name[0] == '-' || (name[0] >= '0' && name[0] <= '9');
     const int call = numbered ? std::stoi(name) : ::seccomp_syscall_resolve_name(name.c_str());
-    if (!numbered && call < 0) continue;  // not on this machine
+    if (!numbered && call < 0) continue;  // this machine does not have the call
     all.push_back(sketch("system_calls", fmt::format("{}_{}", numbered ? "number" : name, number++), "",
                          fmt::format("B[1] = c_syscall({}, {});", call, arguments), Target::host));
   }

@@ -105,7 +105,7 @@ void make_one(const fs::path& path, const Entry& entry, const std::string& conte
       const Descriptor socket(::socket(AF_UNIX, SOCK_STREAM, 0));
       sockaddr_un address{};
       address.sun_family = AF_UNIX;
-      fs::current_path(path.parent_path());  // a path as long as ours does not fit
+      fs::current_path(path.parent_path());  // the absolute path may be too long for sun_path
       path.filename().string().copy(address.sun_path, sizeof address.sun_path - 1);
       check(::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address));
       fs::current_path("/");
@@ -197,7 +197,7 @@ Watched watch(const std::vector<std::string>& words, const fs::path& folder, boo
     }
   }
   watched.wall_s = seconds_since(begin);
-  for (int i : {1, 2})  // what is still in them; a process that is left may hold them open
+  for (int i : {1, 2})  // reads the remaining output; a process that is still running may keep the pipes open
     while (ready[i].fd >= 0 && ::poll(&ready[i], 1, 0) > 0)
       if (!read_some(ready[i].fd, i == 1 ? watched.out : watched.err)) ready[i].fd = -1;
   int status = 0;
@@ -274,7 +274,7 @@ std::string replace_all(std::string text, const std::map<std::string, std::strin
   return text;
 }
 
-/// Writes out what is repeated: "\2TIMES\3TEXT\4".
+/// Expands repeated text: "\2TIMES\3TEXT\4".
 std::string written_out(const std::string& text) {
   std::string all;
   for (std::size_t at = 0, begin; at < text.size(); at = text.find('\4', begin) + 1) {
@@ -298,7 +298,7 @@ bool make(const fs::path& folder, const std::vector<Entry>& entries,
       make_one(path, entry, written_out(replace_all(entry.content, replaced)));
       continue;
     }
-    fs::current_path(folder);  // deeper than one path can name
+    fs::current_path(folder);  // the path is longer than a system call accepts
     for (const fs::path& step : fs::path(entry.path).parent_path()) {
       fs::create_directory(step);
       fs::current_path(step);

@@ -14,14 +14,14 @@
 
 namespace robosim::hostile {
 
-/// The memory of a process and of all that come from it. Resident pages, shared ones counted for each
-/// process.
+/// Measures the memory of a process and all its descendants: resident pages, with shared pages counted for
+/// each process.
 class MemoryOfTree {
  public:
   explicit MemoryOfTree(pid_t root) : root_(root) {}
   void look();
-  std::size_t largest_kb() const { return largest_kb_; }  ///< of one process, at its peak
-  std::size_t sum_kb() const { return sum_kb_; }          ///< of all at one moment, where it was the highest
+  std::size_t largest_kb() const { return largest_kb_; }  ///< of the process with the highest peak
+  std::size_t sum_kb() const { return sum_kb_; }          ///< highest sum over all processes at one moment
 
  private:
   pid_t root_;
@@ -30,23 +30,23 @@ class MemoryOfTree {
 
 /// Makes this process the parent of all processes whose parents end from now on.
 void adopt_orphans();
-/// "PID NAME" of each process that comes from this one, except the server `known`; ends them.
+/// Ends the descendants of this process except the server `known`. Returns "PID NAME" of each.
 std::vector<std::string> end_processes_left(pid_t known = 0);
 
 struct Watched {
-  int status = -1;  ///< exit status; 128 + signal where one ended it
+  int status = -1;  ///< exit status, or 128 + the signal that ended the command
   bool endless = false;
-  std::string out, err;  ///< the beginnings; both in `out` on a terminal
+  std::string out, err;  ///< only their beginnings; on a terminal, both are in `out`
   double wall_s = 0.0, processor_s = 0.0;
   std::size_t largest_kb = 0, sum_kb = 0;
   std::vector<std::string> left;
 };
 
-/// Runs a command to its end, or for `most_s` at most.
+/// Runs a command to its end, for at most `most_s`.
 Watched watch(const std::vector<std::string>& words, const std::filesystem::path& folder, bool on_terminal,
               double most_s);
 
-/// Notes which files in some folders are opened or changed by anybody, from now on.
+/// Records which files in some folders any process opens or changes from now on.
 class Canaries {
  public:
   explicit Canaries(const std::vector<std::filesystem::path>& folders);
@@ -75,7 +75,7 @@ std::map<std::string, std::string> state_of(const std::filesystem::path& folder,
 
 std::string written_out(const std::string& text);
 
-/// Makes the entries below `folder`. `false`: this user may not.
+/// Creates the entries below `folder`. Returns false if this user may not.
 bool make(const std::filesystem::path& folder, const std::vector<Entry>& entries,
           const std::map<std::string, std::string>& replaced);
 

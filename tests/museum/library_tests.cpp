@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMostSeconds = 120;
-constexpr const char* kPony = "firmware/examples/PonyNavigator";  // of its sketch, what has unit tests
+constexpr const char* kPony = "firmware/examples/PonyNavigator";  // parts of this sketch have unit tests
 constexpr const char* kLookAtEachAccess = "-fsanitize=address,undefined";
 
 std::vector<std::string> sources_in(const std::string& folder) {
@@ -41,7 +41,7 @@ bool run(std::vector<std::string> words, const fs::path& folder, std::string& ou
   return result.status == 0;
 }
 
-/// Compiles a source file with the firmware of `root`, and all else of the source tree.
+/// Compiles a source file with the firmware in `root`, and everything else from the source tree.
 bool compile(const fs::path& root, const std::string& source, const fs::path& object, std::string& output) {
   const fs::path tree = data_folder(), of_root = root / source;
   const fs::path file = source.starts_with("firmware/") ? of_root : tree / source;
@@ -59,7 +59,7 @@ bool link(const std::vector<std::string>& objects, const fs::path& program, std:
   return run(std::move(words), program.parent_path(), output);
 }
 
-/// Returns from a program's output why a sanitizer has ended it, without addresses; empty = none did.
+/// Returns why a sanitizer ended the program, without addresses. Returns "" if no sanitizer did.
 std::string sanitizers_word(const std::string& output) {
   std::istringstream lines(output);
   for (std::string line; std::getline(lines, line);) {
@@ -70,7 +70,7 @@ std::string sanitizers_word(const std::string& output) {
   return "";
 }
 
-/// Returns the first failure, or how the program ended; "" = success.
+/// Returns the first failure, or how the program ended. Returns "" if it succeeded.
 std::string failure_of(const fs::path& program) {
   const std::string name = program.filename().string();
   try {

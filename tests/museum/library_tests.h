@@ -1,5 +1,5 @@
-// Runs the unit tests of the Arduino library, tests/unit/nav and tests/unit/firmware, against a Stage's copy
-// of it, with sanitizers. An engineer of the library would run them in addition to the suite of sketches.
+// Runs the Arduino library's unit tests (tests/unit/nav, tests/unit/firmware) with sanitizers against a
+// Stage's copy of the library. An engineer of the library would also run them, after the suite of sketches.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace robosim::museum {
 
 class LibraryTests {
  public:
-  /// Compiles them into this folder, against the library as it is. Throws InputError if one fails.
+  /// Compiles the tests into this folder, against the unchanged library. Throws InputError if a test fails.
   explicit LibraryTests(std::filesystem::path folder);
 
   /// Recompiles tests that include the changed file (relative to the source tree) against the stage's copy.

@@ -1,17 +1,17 @@
-// robosim_museum: which bugs does the suite of tests/firmware find? docs/explanation/museum.md has its
+// robosim_museum: reports which bugs the suite of tests/firmware finds. docs/explanation/museum.md has its
 // output.
 //
 //   robosim_museum [BUG...]          applies these patches of bugs/, or all, one at a time, to a copy of the
-//                                    firmware, and runs the suite against it. First the suite must pass.
-//   --docs FILE                      writes the table into this page, too
-//   --jobs N                         tries N bugs at a time; default: one for each core
+//                                    firmware, and runs the suite against it. First, the suite must pass
+//   --docs FILE                      also writes the table into this page
+//   --jobs N                         tries N bugs at a time; default: one per core
 //   --check BUG...                   runs the quick check of CI: all patches apply, the page
-//                                    docs/explanation/museum.md has them all, and these bugs are
+//                                    docs/explanation/museum.md has all bugs, and these bugs are
 //                                    caught
 //
-// If the host does not find a bug, the suite runs on the chips, and then the library's unit tests run.
-// Status 1: a bug was not caught though its patch has no line “Survives:”, or was caught though it has one,
-// or could not be tried.
+// If the host does not find a bug, the suite runs on the chips, and then the library's unit tests run. The
+// status is 1 if a bug could not be tried, or was not caught although its patch has no line “Survives:”, or
+// was caught although its patch has one.
 #include <fmt/format.h>
 #include <stdlib.h>
 
@@ -87,7 +87,7 @@ std::vector<const Bug*> chosen(const std::vector<Bug>& all, const Arguments& arg
   return bugs;
 }
 
-/// Calls `task(stage, i)` for each i below `count`, several at a time.
+/// Calls `task(stage, i)` for each i below `count`, several calls at a time.
 template <typename Task>
 void for_each(std::size_t count, std::vector<Stage>& stages, Task task) {
   std::atomic<std::size_t> next = 0;
@@ -117,22 +117,24 @@ std::vector<std::string> run_baseline(std::vector<Stage>& stages) {
   return targets;
 }
 
-/// Returns the first test that fails: of the suites that the bug names, then of all others that it may touch.
+/// Returns the first test that fails. Runs the suites that the bug names, then all others that the bug may
+/// affect.
 std::string first_failure(const Stage& stage, const Bug& bug, const std::string& target) {
   std::string failed = stage.test({target, bug.tests}).failed;
   if (failed.empty() && !bug.in_one_sketch()) failed = stage.test({target, bug.tests, true}).failed;
   return failed;
 }
 
-/// Returns the first failure of the library's unit tests; "" = none.
+/// Returns the first failure of the library's unit tests, or "".
 std::string unit_test_failure(const LibraryTests& library, const Stage& stage, const Bug& bug) {
   for (const std::string& file : bug.files)
     if (const std::string failed = library.failure(stage, file); !failed.empty()) return failed;
   return "";
 }
 
-/// Tries a bug on the host and, if that does not find it, on all chips. If one is enough, stops at the first
-/// chip that finds it. If no target finds it, tries the library's unit tests; nullptr = without them.
+/// Tries a bug on the host and, if the host does not find it, on all chips. With `one_is_enough`, stops at
+/// the first chip that finds the bug. If no target finds it, runs the library's unit tests, unless `library`
+/// is null.
 Result try_bug(Stage& stage, const Bug& bug, const std::vector<std::string>& targets, bool one_is_enough,
                const LibraryTests* library) {
   Result result{&bug, {}, 0.0, ""};

@@ -1,11 +1,11 @@
-// robosim_random_bugs: what share of small bugs, drawn at random over firmware/, does the suite of
-// tests/firmware find? docs/explanation/museum.md has its output.
+// robosim_random_bugs: reports the share of small random bugs in firmware/ that the suite of tests/firmware
+// finds. docs/explanation/museum.md has its output.
 //
 //   robosim_random_bugs [--count N] [--seed N] [--targets host,avr,stm32] [--jobs N]
 //
 // Tries N bugs (20) that compile and change a run. The suite runs on the host against a copy of the firmware
-// with the bug. If it finds nothing, it runs on each chip, and then the library's unit tests run. Prints one
-// line per bug to standard error, and the sums to standard output. The same seed draws the same
+// with the bug. If the suite finds nothing, it runs on each chip, and then the library's unit tests run.
+// Prints one line per bug to standard error, and the totals to standard output. The same seed draws the same
 // bugs.
 #include <fmt/format.h>
 #include <stdlib.h>
@@ -54,7 +54,8 @@ Arguments read_arguments(int argc, char** argv) {
   return arguments;
 }
 
-/// Several threads draw from one list until enough have been tried; what is drawn does not depend on them.
+/// Several threads draw bugs from one list until enough bugs were tried. The drawn bugs do not depend on the
+/// threads.
 class Campaign {
  public:
   explicit Campaign(const Arguments& arguments)

@@ -1,4 +1,4 @@
-// A copy of the firmware for inserting bugs, and the suite of tests/firmware against it.
+// A copy of the firmware for inserting bugs, which the suite of tests/firmware runs against.
 #pragma once
 
 #include <filesystem>
@@ -17,26 +17,27 @@ using mutate::TestRun;
 /// Selects the tests of a target to run.
 struct Choice {
   std::string target;              ///< "host", "avr", "stm32"
-  std::vector<std::string> words;  ///< only suites with one of these in their names; empty = all
-  bool others = false;             ///< turned round: only suites with none of them
+  std::vector<std::string> words;  ///< only suites with one of these words in their names; empty = all
+  bool others = false;             ///< inverts `words`: only suites with none of them
 };
 
-/// Laid out as an installed Robosim, so that the test program, copied into it, compiles the sketches in it:
+/// A folder with the layout of an installed Robosim. The test program is copied into it, and compiles the
+/// sketches in it:
 ///
 ///   bin/                      the test program
 ///   libexec/robosim           -> the runners
-///   share/robosim/firmware    a copy, as tests/firmware/sketches is; everything else there is a link
+///   share/robosim/firmware    a copy, like tests/firmware/sketches; everything else in share is a link
 class Stage {
  public:
   explicit Stage(std::filesystem::path folder);
 
-  /// Puts the firmware back as it is in the source tree.
+  /// Restores the firmware from the source tree.
   void restore();
-  /// Returns why the patch does not apply to it; empty if it does. Nothing is changed.
+  /// Returns why the patch does not apply to the firmware, or "". Changes nothing.
   std::string complaint(const Bug& bug) const;
   /// Changes the firmware. Throws InputError if the patch does not apply.
   void spoil(const Bug& bug);
-  /// Applies edits of files, which are named relative to the source tree.
+  /// Applies edits. They name files relative to the source tree.
   void spoil(const std::vector<mutate::Edit>& edits);
 
   /// Runs tests until one fails. Throws as mutate::run_tests does.
@@ -44,15 +45,15 @@ class Stage {
 
   /// Returns the stand-in for the source tree: copies and links.
   std::filesystem::path data() const { return folder_ / "share/robosim"; }
-  /// For files of one's own.
+  /// Returns a folder for the caller's own files.
   const std::filesystem::path& scratch() const { return folder_; }
 
  private:
   std::filesystem::path folder_;
 };
 
-/// The suite's own switches are ours in a program that spoils firmware, and the cache is one of its own.
-/// First of all in its main().
+/// Removes the suite's own settings from the environment, and sets a separate cache. A program that inserts
+/// bugs calls this at the beginning of main().
 void take_environment();
 
 }  // namespace robosim::museum

@@ -8,7 +8,7 @@
 
 namespace robosim::museum {
 
-/// Stands for a target where the library's unit tests find what no test of a sketch does.
+/// Names the target of bugs that the library's unit tests find and no test of a sketch does.
 inline constexpr const char* kUnitTests = "unit tests";
 
 struct Result {
@@ -16,22 +16,22 @@ struct Result {
     std::string target, test;
   };
   const Bug* bug = nullptr;
-  std::vector<Catch> catches;  ///< empty: it survived
-  double seconds = 0.0;        ///< until the last of them
-  std::string trouble;         ///< the bug could not be tried; empty = it was
+  std::vector<Catch> catches;  ///< empty: the bug survived
+  double seconds = 0.0;        ///< until the last of the catches
+  std::string trouble;         ///< why the bug could not be tried; empty = it was tried
 
   bool caught() const { return !catches.empty(); }
   bool on_host() const { return caught() && catches[0].target == "host"; }
   bool by_unit_tests() const { return caught() && catches[0].target == kUnitTests; }
 };
 
-/// "host: PidFollower.StartsAtOnce"; the same test on two chips is named once.
+/// Returns a list such as "host: PidFollower.StartsAtOnce". The same test on two chips is named once.
 std::string catches_of(const Result& result);
 
-/// Returns Markdown: a sentence with the sums, the table, and the survivors with the reasons.
+/// Returns Markdown: a sentence with the totals, the table, and the survivors with the reasons.
 std::string table_of(const std::vector<Result>& results, const std::string& targets);
 
-/// Returns the text, with a new table between the two marks. Throws InputError if they are missing.
+/// Returns the text with a new table between the two marks. Throws InputError if the marks are missing.
 std::string with_table(const std::string& text, const std::string& table);
 
 }  // namespace robosim::museum

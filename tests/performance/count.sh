@@ -1,7 +1,5 @@
 #!/usr/bin/env bash
-# count.sh performance|performance_table BUILD: counts the instructions of fixed pieces of work by valgrind's callgrind.
-# Compares them with the table of docs/explanation/performance.md, or writes them into it.
-# Status 1: something takes more than 2 % more than the table says.
+# Status 1: a count is more than 2 % above the table's.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 page=$here/../../docs/explanation/performance.md
@@ -10,7 +8,8 @@ build=$(readlink -f "$2")
 work=$build/performance
 tolerance=2  # per cent
 
-# Counts are of this compiler's code, part of which is made for AVX2; another's say nothing.
+# The counts are specific to this compiler, whose code partly uses AVX2. Counts of another compiler are not
+# comparable.
 if [[ $(uname -m) != x86_64 || $(g++ -dumpversion) != 12 ]] || ! grep -qw avx2 /proc/cpuinfo ||
   ! command -v valgrind >/dev/null; then
   echo 'not counted: the table holds for g++ 12 on x86-64 with AVX2, under valgrind'
@@ -19,10 +18,12 @@ fi
 rm -rf "$work"
 mkdir -p "$work"
 
-# Nothing of a user's environment, whose size is on the stack, and no sandbox, in which callgrind cannot write.
+# Clears the user's environment, whose size changes the stack. Turns off the sandbox, in which callgrind
+# cannot write.
 clean() { env -i PATH=/usr/bin:/bin HOME="$work" XDG_CACHE_HOME="$work/cache" TMPDIR="$work" ROBOSIM_SANDBOX=off "$@"; }
 
-# Runs a command, and leaves a line "PROGRAM INSTRUCTIONS" for each of its processes; a fork has those of before, too.
+# Runs a command, and prints a line "PROGRAM INSTRUCTIONS" for each of its processes. A fork's count includes
+# the instructions before the fork.
 trace() {  # COMMAND...
   rm -f "$work"/out.*
   clean valgrind --tool=callgrind --trace-children=yes ${counted_from:+"--zero-before=$counted_from"} --callgrind-out-file="$work/out.%p" "$@" >"$work/stdout" 2>"$work/stderr" || {
@@ -32,23 +33,23 @@ trace() {  # COMMAND...
   awk '/^cmd:/ { n = split($2, path, "/"); name = path[n] } /^(summary|totals):/ { print name, $2; nextfile }' "$work"/out.*
 }
 most() { awk -v name="$1" '$1 == name && $2 > most { most = $2 } END { printf "%.0f\n", most }'; }  # PROGRAM
-each() {  # SHORT LONG NUMBER: what one of NUMBER takes by which LONG is longer
+each() {  # SHORT LONG NUMBER: the difference, divided by NUMBER
   awk -v short="$1" -v long="$2" -v number="$3" 'BEGIN { printf "%.0f\n", (long - short) / number }'
 }
 
 robosim() { echo "$build/robosim" "$@"; }
 command_() { trace $(robosim "$@") | most robosim; }
-run_for() {  # RUNNER TIME SKETCH OPTION...: the process that simulates
+run_for() {  # RUNNER TIME SKETCH OPTION...: of the process that simulates
   trace $(robosim run "$3" --map oval --robot uno5 --goal none --for "$2" "${@:4}") | most "$1"
 }
-simulated() {  # RUNNER SKETCH OPTION...: for a simulated millisecond, from 200 ms on
+simulated() {  # RUNNER SKETCH OPTION...: per simulated millisecond, after the first 200 ms
   local sketch=$2 span=1000
   [[ $1 == robosim-host ]] || span=500
   [[ ! -d $here/../bench/sketches/$2 ]] || sketch=$here/../bench/sketches/$2
   clean $(robosim build "$sketch" --robot uno5 "${@:3}") >/dev/null 2>&1
   each "$(run_for "$1" 200ms "$sketch" "${@:3}")" "$(run_for "$1" $((200 + span))ms "$sketch" "${@:3}")" $span
 }
-recorded_for() {  # TIME: all processes
+recorded_for() {  # TIME: of all processes
   trace $(robosim run PidFollower --map oval --robot uno5 --goal none --for "$1" --json \
     --record "$work/run.csv" --record "$work/run.vcd") | awk '{ sum += $2 } END { printf "%.0f\n", sum }'
 }
@@ -56,14 +57,15 @@ work_of() {  # NAME FEW MANY
   each "$(trace "$build/tests/performance/robosim_workload" "$1" "$2" | most robosim_workload)" \
     "$(trace "$build/tests/performance/robosim_workload" "$1" "$3" | most robosim_workload)" $(($3 - $2))
 }
-# All processes; of the forks, what they do themselves: they begin with the count of the runner, and with this call.
+# Counts all processes. A fork starts with the runner's count, so its own count starts at this call.
 swept() {  # SEEDS
   counted_from='robosim::runner::SandboxProxy::enter*' \
     trace $(robosim sweep PidFollower --map oval --robot uno5 --goal none --for 1ms --jobs 1 --seeds "1..$1") |
     awk '{ sum += $2 } END { printf "%.0f\n", sum }'
 }
 
-# Prints command, runner and run of ROBOTS robots, each on its own line, on a map of 24,000 cells.
+# Prints the instructions of command, runner and run. Each of ROBOTS robots has a line of its own on a map of
+# 24,000 cells.
 fleet_of() {  # ROBOTS
   { printf '+++\n+++\n'; for _ in {1..40}; do printf '%.0s_' {1..200}; echo; printf '%.0s.' {1..200}; echo; printf '%.0s_' {1..200}; echo; done; } >"$work/lines.map"
   { echo 'map = "lines.map"'; for ((i = 0; i < $1; ++i)); do printf '[[agent]]\nname = "R%d"\nsketch = "PidFollower"\nstart = "9,%d,E"\n' $i $((3 * i + 1)); done; } >"$work/fleet.toml"
@@ -71,7 +73,7 @@ fleet_of() {  # ROBOTS
     awk '$2 > most[$1] { most[$1] = $2 } END { for (name in most) sum += most[name]; printf "%.0f\n", sum }'
 }
 
-workload() {  # the table's first column
+workload() {  # the name in the table's first column
   case $1 in
     '`robosim --help`') command_ --help ;;
     '`robosim map check city`') command_ map check city ;;

@@ -1,5 +1,6 @@
-// robosim_workload NAME COUNT: repeats a piece of Robosim's work COUNT times, for count.sh to count. The work
-// before the first time is equal for every COUNT. So the difference of two counts is the cost of the work.
+// robosim_workload NAME COUNT: repeats a piece of Robosim's work COUNT times, so that count.sh can count its
+// instructions. The preparation is the same for every COUNT, so the difference between two counts is the cost
+// of the work.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -44,8 +45,8 @@ void ticks(SimTime looks_every, int count) {
     throw std::runtime_error(outcome.why);
 }
 
-// Body, motors and sensors alone: 64 uno5s go round in circles on the oval's floor, one after another or as a
-// batch. Their five sensors are read every `looks_every` ticks.
+// 64 uno5s without firmware drive in circles on the oval's floor, one after another or as a batch. Their five
+// sensors are read every `looks_every` ticks.
 constexpr std::size_t kRobots = 64;
 const Pose kStart{{1.2, 0.6}, {1.0, 0.0}};
 
@@ -124,7 +125,7 @@ void scans(int count) {
   }
 }
 
-// Rows of 1000 cells, within walls, a line in each fourth.
+// Reads a map with rows of 1000 cells inside walls, with a line in every fourth row.
 void read_rows(int count) {
   std::string text;
   for (int y = 0; y < count; ++y) {

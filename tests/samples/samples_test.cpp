@@ -1,5 +1,5 @@
-// Runs the sketches of samples/ like their users. Each folder has two tests. Its checks.toml holds on each
-// target that it names. For its first check `robosim compare` finds no difference between host and AVR, or
+// Runs the sketches of samples/ as their users do. Each folder has two tests. Its checks.toml passes on each
+// target that it names. For its first check, `robosim compare` finds no difference between host and AVR, or
 // the differences in differs.txt.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST_P(Sample, DoesWhatItsChecksAskFor) {
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
 }
 
-/// Returns the options of `run` and `compare` that a check holds. Paths begin at the sample's folder.
+/// Returns the options of `run` and `compare` for a check. Paths begin at the sample's folder.
 std::vector<std::string> options(const ConfigValue& check) {
   std::vector<std::string> words;
   for (const char* key : {"map", "robot", "start", "goal", "for", "profile", "script", "send"}) {

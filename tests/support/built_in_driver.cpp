@@ -6,7 +6,7 @@
 namespace robosim::test {
 namespace {
 
-// EN, IN1, IN2 of an uno robot's motors, and its leftmost sensor.
+// The pins EN, IN1 and IN2 of an uno robot's motors, and its leftmost sensor.
 constexpr Pin kLeft[] = {5, 7, 8};
 constexpr Pin kRight[] = {6, 9, 10};
 constexpr Pin kFirstSensor = 14;

@@ -1,5 +1,6 @@
 // Firmware without a compiler: a line follower written directly against the board. Its runs depend only on
-// Robosim, and so are bit-identical for every compiler and machine; a sketch's also depend on gcc's image.
+// Robosim, so they are bit-identical for every compiler and machine. A sketch's runs also depend on gcc's
+// image.
 #pragma once
 
 #include "hal/board/board_spec.h"
@@ -8,11 +9,11 @@
 
 namespace robosim::test {
 
-/// Drives an uno5 (docs/reference/robots.md has its pins): a proportional-derivative controller on five
-/// analog sensors.
+/// Drives an uno5 (pins: docs/reference/robots.md) with a proportional-derivative controller on five analog
+/// sensors.
 class BuiltInDriver final : public exec::Executor {
  public:
-  /// `period`: simulated time between two reads of all sensors.
+  /// `period` is the simulated time between two reads of all sensors.
   explicit BuiltInDriver(SimTime period = 5 * kMillisecond) : period_(period) {}
 
   RobotPort& board() override { return board_; }

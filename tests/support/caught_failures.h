@@ -10,7 +10,7 @@
 
 namespace robosim::test {
 
-/// Returns the messages of the failures in `body`, which do not fail the calling test.
+/// Runs `body`, and returns the messages of its failures. They do not fail the calling test.
 inline std::vector<std::string> caught_failures(const std::function<void()>& body) {
   ::testing::TestPartResultArray results;
   {

@@ -1,7 +1,7 @@
-// A sketch that shows its dependence on a board's clock and supply, for every target that runs it:
+// A sketch whose output depends on a board's clock and supply, for every target that runs it:
 //
-//   pin 12   high for 100 ms by delay(), low, then high while ten bytes leave at 57600 baud
-//   prints   F_CPU in MHz, A7, microseconds of ten analogRead(), and of a thousand digitalRead()
+//   pin 12   high for 100 ms by delay(), low, then high while ten bytes are sent at 57600 baud
+//   prints   F_CPU in MHz, A7, microseconds of ten analogRead() and of a thousand digitalRead()
 #pragma once
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ void setup() {
 }
 void loop() {})";
 
-/// A board that the sketch is for.
+/// A board for the sketch.
 struct ClockedBoard {
   const char* name;
   long mhz;
@@ -46,20 +46,20 @@ struct ClockedBoard {
 };
 inline constexpr ClockedBoard kProMinis[] = {{"promini8", 8, 3.3}, {"promini16", 16, 5.0}};
 
-/// Fourteen clocks of the ADC each: both clocks of the chip give it 125 kHz.
+/// Ten readings take fourteen ADC clocks each. The ADC runs at 125 kHz on both boards.
 inline constexpr double kTenReads_us = 1120;
 
-/// The durations that each target checks separately.
+/// The durations that each target checks itself.
 struct ReadTimes {
   double ten_analog_us = 0.0;
   double thousand_digital_us = 0.0;
 };
 
-/// Expects the sketch's output on every target within a second, with half the supply on A7: the printed
-/// numbers, and the times at which pin 12 changes.
+/// Expects the sketch's output within a second, with half the supply on A7: the printed numbers, and the
+/// times at which pin 12 changes.
 inline ReadTimes expect_clock(const ClockedBoard& board, const std::vector<long long>& printed,
                               const std::vector<SimTime>& changes) {
-  constexpr double kTenBytes_ns = 1.7e6;  // ten bits each, as nearly as both clocks allow: 58824 baud
+  constexpr double kTenBytes_ns = 1.7e6;  // ten bits each at 58824 baud, the nearest possible rate
   constexpr double kClose_ns = 0.05e6;
   SCOPED_TRACE(board.name);
   EXPECT_EQ(printed.size(), 5u) << ::testing::PrintToString(printed);
@@ -72,7 +72,7 @@ inline ReadTimes expect_clock(const ClockedBoard& board, const std::vector<long 
   return {static_cast<double>(printed[3]), static_cast<double>(printed[4])};
 }
 
-/// Expects that half the clock takes twice the time.
+/// Expects that digitalRead() takes twice the time at half the clock.
 inline void expect_twice_the_time(const ReadTimes& at_8, const ReadTimes& at_16) {
   EXPECT_NEAR(at_8.thousand_digital_us / at_16.thousand_digital_us, 2.0, 0.01);
 }

@@ -1,7 +1,7 @@
-// Tests of a debugger that steps back in a run: where it halts, and that run, output and result equal those
-// of a run without a debugger. The debugger's packets are sent in advance.
+// Tests a debugger that steps backward in a run: where it halts, and that the run, its output and its result
+// equal those of a run without a debugger. The debugger's packets are sent in advance.
 //
-// Each test file is for one target. Before including this header it declares, in an anonymous namespace of
+// Each test file is for one target. Before it includes this header, it declares in an anonymous namespace of
 // robosim::runner:
 //
 //   struct Target {
@@ -35,7 +35,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// It has handlers, stops and drives, sleeps in no loop that is skipped, and crashes at an "x".
+// A sketch that has interrupt handlers, stops and drives, has no sleep loop that is skipped, and crashes at
+// an "x".
 const std::string kSketch = R"(volatile unsigned passes;
 __attribute__((noinline)) void pass() { ++passes; }
 __attribute__((noinline)) void crash() { *(volatile int*)0x4000 = 1; }
@@ -114,8 +115,8 @@ class DebuggedRunTest : public testing::Test {
     for (const std::string& packet : {order, "p" + std::string(Target::kPc), std::string("qRcmd,74696d65")})
       say(packet);
   }
-  /// Runs with these packets, and compares it to a run without debugger. Returns the replies, from the first
-  /// one on.
+  /// Runs with these packets, and compares the run with one without a debugger. Returns the replies, from the
+  /// first one on.
   std::vector<std::string> run() {
     Told alone, told;
     alone.hears_inputs = told.hears_inputs = hears_inputs_;
@@ -138,7 +139,7 @@ class DebuggedRunTest : public testing::Test {
     replies.pop_back();
     return replies;
   }
-  /// Runs the orders given by go(): returns each reply, and the place of the halt.
+  /// A reply to an order of go(), and the place of the halt.
   struct Halt {
     std::string why;
     std::uint32_t pc = 0;
@@ -152,7 +153,7 @@ class DebuggedRunTest : public testing::Test {
       std::string time;
       for (std::size_t c = 0; c + 1 < replies[i + 2].size(); c += 2)
         time += static_cast<char>(std::stoul(replies[i + 2].substr(c, 2), nullptr, 16));
-      const std::string& pc = replies[i + 1];  // the last byte comes first
+      const std::string& pc = replies[i + 1];  // the least significant byte comes first
       const std::string number = pc.substr(6, 2) + pc.substr(4, 2) + pc.substr(2, 2) + pc.substr(0, 2);
       all.push_back({why, static_cast<std::uint32_t>(std::stoul(number, nullptr, 16)), time});
     }
@@ -174,14 +175,14 @@ class DebuggedRunTest : public testing::Test {
   judge::Outcome outcome_;
 };
 
-/// Expects `turn` places forward, one more, and then the same places backward.
+/// Expects `turn` places forward, one further place, and then the same places backward.
 void expect_mirrored(const std::vector<std::string>& places, std::size_t turn) {
   ASSERT_EQ(places.size(), 2 * turn + 1);
   for (std::size_t i = 0; i < turn; ++i) EXPECT_EQ(places[turn + 1 + i], places[turn - 1 - i]) << i;
 }
 
 TEST_F(DebuggedRunTest, StepsGoBackAsTheyWentForth) {
-  constexpr int kSteps = 400;  // handlers among them
+  constexpr int kSteps = 400;  // including steps in interrupt handlers
   say(breakpoint("_Z4passv"));
   go("c");
   say(none("_Z4passv"));

@@ -1,7 +1,7 @@
 // Sets the number of repetitions of tests with random numbers.
 #pragma once
 
-#if defined(ROBOSIM_EMULATED)  // cross-built: its programs run under qemu-user
+#if defined(ROBOSIM_EMULATED)  // cross-built: programs run under qemu-user
 #define ROBOSIM_SLOW 1
 #elif defined(__SANITIZE_ADDRESS__)
 #define ROBOSIM_SLOW 1
@@ -14,14 +14,14 @@
 namespace robosim::test {
 
 /// Under the sanitizers and under an emulator a run takes tens of times as long. The optimised build checks
-/// the results, this one that no line has undefined behaviour.
+/// the results, and this build checks for undefined behaviour.
 #if defined(ROBOSIM_SLOW)
 inline constexpr bool kSlow = true;
 #else
 inline constexpr bool kSlow = false;
 #endif
 
-/// Returns `times`; in a slow build a tenth of it, rounded up.
+/// Returns `times`, or in a slow build a tenth of `times`, rounded up.
 template <typename Count>
 constexpr Count rounds(Count times) {
   return kSlow ? (times + 9) / 10 : times;

@@ -1,4 +1,4 @@
-// The values of an event, for tests that do not depend on its sentence.
+// Formats the values of an event, for tests that do not depend on its sentence.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace robosim::test {
 
-/// Writes fields as " KEY=VALUE", and skips empty ones, false and 0.
+/// Writes fields as " KEY=VALUE", and skips empty fields, false and 0.
 class ValueWriter {
  public:
   static constexpr bool kReads = false;
@@ -32,7 +32,7 @@ class ValueWriter {
     for (const std::string& value : values) all += (all.empty() ? "" : ",") + value;
     return all;
   }
-  /// Writes integers; empty if all are 0.
+  /// Writes integers, or nothing if all are 0.
   template <std::size_t N>
   static std::string shown_as(const std::array<double, N>& values) {
     std::string all;

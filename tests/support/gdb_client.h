@@ -1,5 +1,5 @@
-// gdb's side of its remote protocol: packets are sent ahead, replies are read afterwards. So one thread can
-// be both sides.
+// gdb's side of its remote protocol. Packets are sent in advance and replies are read afterwards, so one
+// thread can be both sides.
 #pragma once
 
 #include <arpa/inet.h>
@@ -14,7 +14,7 @@
 
 namespace robosim::test {
 
-/// A socket that listens at a free port of this machine, and so occupies it.
+/// A socket that listens at a free port of this machine, and therefore occupies it.
 class Port {
  public:
   Port() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -71,7 +71,7 @@ class GdbClient {
   }
   void press_ctrl_c() { send_bytes("\x03"); }
 
-  /// Returns the next reply, without "+" and "-"; "(gone)" if there is none.
+  /// Returns the next reply without "+" and "-", or "(gone)" if there is none.
   std::string reply() {
     for (;;) {
       const std::size_t start = received_.find('$');

@@ -1,4 +1,4 @@
-// Runs of a stock sketch on a chip whose state is recorded after each tick.
+// Runs a stock sketch on a chip, and records the chip's state after each tick.
 #pragma once
 
 #include <stdlib.h>

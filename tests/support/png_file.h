@@ -12,7 +12,7 @@ struct PngKind {
   int depth = 8, colours = PNG_COLOR_TYPE_GRAY, interlace = PNG_INTERLACE_NONE;
 };
 
-/// `rows`: the bytes of each row in the format of the kind. In a palette, entry 0 is white, 1 black, 2 pure
+/// `rows` are the bytes of each row in the format of the kind. Palette entry 0 is white, 1 black, 2 pure
 /// green.
 inline std::string png_of(int width, int height, std::vector<std::string> rows, PngKind kind = {}) {
   std::string bytes;
@@ -37,7 +37,7 @@ inline std::string png_of(int width, int height, std::vector<std::string> rows, 
   return bytes;
 }
 
-/// Makes a grey picture, 8 bits per pixel: 0 black .. 255 white.
+/// Makes a grey picture with 8 bits per pixel: 0 black .. 255 white.
 template <class Value>
 std::string grey_png(int width, int height, Value value) {
   std::vector<std::string> rows(static_cast<std::size_t>(height));

@@ -9,7 +9,7 @@
 
 namespace robosim::test {
 
-/// Returns the words of a text in gtest's allowed characters, the first 30 letters: "3:7: no unit" is
+/// Returns the words of a text in characters that gtest allows, at most 30 letters: "3:7: no unit" becomes
 /// 3_7NoUnit.
 inline std::string readable(std::string_view text) {
   std::string name;

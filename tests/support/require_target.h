@@ -1,4 +1,4 @@
-// Tests that need a target's tools.
+// Skips or fails tests whose tools are missing.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ inline bool is_required(const std::string& target) {
 
 }  // namespace robosim::test
 
-/// If a tool of the target is missing, the test or SetUp ends here: skipped, and failed if ROBOSIM_REQUIRE
-/// names the target. The message names the tool's package in both cases.
+/// If a tool of the target is missing, skips the test or SetUp, or fails it if ROBOSIM_REQUIRE names the
+/// target. The message names the tool's package in both cases.
 #define ROBOSIM_NEEDS_TARGET(target)                                                 \
   do {                                                                               \
     const std::string missing = ::robosim::build::missing_tool(target);              \

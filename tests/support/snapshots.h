@@ -1,9 +1,9 @@
 // Tests that a run which continues from a snapshot equals the uninterrupted run: its trace, its events, its
-// result. They restore 100 random moments of each stock sketch, and of sketches for other chips. The runs
-// have noise, and a script with all possible actions on the robot. ROBOSIM_TEST_MOMENTS=1000 tries more, in
-// longer runs.
+// result. The tests restore 100 random moments of each stock sketch, and of sketches for other chips. The
+// runs have noise, and a script with all possible actions on the robot. ROBOSIM_TEST_MOMENTS=1000 tries more
+// moments, in longer runs.
 //
-// For tests of one target. A file that includes this declares before, in an anonymous namespace of
+// Each test file is for one target. Before it includes this header, it declares in an anonymous namespace of
 // robosim::run:
 //
 //   struct Target {
@@ -34,7 +34,7 @@ namespace {
 using testing::ElementsAreArray;
 using testing::HasSubstr;
 
-/// One of this number of runs continues to the end, the others for a while.
+/// One of this number of runs continues to the end; the others continue for a while.
 constexpr std::size_t kToTheEnd = 10;
 
 struct Case {
@@ -43,10 +43,10 @@ struct Case {
   const char* map;
   const char* ahead;  ///< a cell in front of the robot
   const char* script;
-  bool is_driven = false;  ///< step by step
+  bool is_driven = false;  ///< controlled step by step
 };
 
-/// The common part for each robot: it is blocked, held up, without power, broken.
+/// The script's part for all robots: the robot is blocked, lifted, without power, or faulty.
 const std::string kScript = R"(
 at 230ms fault left weak 0.6 for 300ms
 at 350ms lift for 80ms
@@ -92,7 +92,7 @@ struct Told final : Listener {
   std::vector<std::string> lines;
 };
 
-/// Acts on the robot by its state alone, without own memory.
+/// Acts on the robot depending only on its state, without memory of its own.
 struct Hands final : StepController {
   Leg next(Standstill& standstill) override {
     const State& now = standstill.state();
@@ -118,7 +118,7 @@ std::string text_of(const judge::Outcome& o) {
   return text + o.serial;
 }
 
-/// Set by the environment; 0 = unset.
+/// Returns the number of moments that the environment sets, or 0.
 int wanted_moments() {
   const char* text = ::getenv("ROBOSIM_TEST_MOMENTS");
   return text ? std::stoi(text) : 0;
@@ -188,7 +188,7 @@ TEST_P(Snapshots, GoOnAsTheRunThatWasNotInterrupted) {
 
   struct Moment {
     SimTime t;
-    std::string result;  ///< of a run that ends here
+    std::string result;  ///< result of a run that ends here
     std::size_t told = 0;
     Simulation::Snapshot snapshot;
   };
@@ -267,7 +267,7 @@ TEST_F(ChipSnapshots, AreOfAllRobotsAlsoOfThoseThatHaveTheirVerdict) {
 TEST_F(ChipSnapshots, LeadToTheSameVerdictWhateverHappenedSince) {
   struct Run {
     const char* script;
-    SimTime first, second;  ///< of snapshots
+    SimTime first, second;  ///< times of snapshots
     const char* verdict;
   };
   use("LeftPath", Target::kThree, "a");

@@ -1,4 +1,4 @@
-// Hashes the state of an emulated STM32F103 to a number.
+// Hashes the state of an emulated STM32F103.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,11 @@
-// Hashes runs, for comparing them.
+// Hashes runs for comparison.
 #pragma once
 
 #include <cstdint>
 
 namespace robosim::run {
 
-/// A number that is computed from many.
+/// A hash of many numbers.
 class Sum {
  public:
   void add(std::uint64_t value) { sum_ = (sum_ ^ value) * 1099511628211u; }

@@ -1,5 +1,5 @@
-// A separate folder for each test: tests run in parallel, and two with a common name would remove each
-// other's files.
+// Creates a separate folder for each test. Tests run in parallel, and two tests with a common folder would
+// remove each other's files.
 #pragma once
 
 #include <stdlib.h>

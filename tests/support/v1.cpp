@@ -11,7 +11,7 @@ char back_of(char d) { return right_of(right_of(d)); }
 
 bool is(const char* sense, const char* what) { return std::strcmp(sense, what) == 0; }
 
-// Follows the line up to a junction (1) or to a place without a path (0).
+// Follows the line to a junction (returns 1) or to a place without a path (returns 0).
 int move_on_line(Robot& robot) {
   for (;;) {
     const char* sense = robot.sense();
@@ -120,7 +120,7 @@ void Robot::choose_left() {
 
 Scan scan(Robot& robot) {
   Scan result;
-  result.nodes.resize(1);  // numbered from 1
+  result.nodes.resize(1);  // nodes are numbered from 1
   std::vector<int> stack;
   bool back = false;
   do {

@@ -3,8 +3,8 @@
 //   robosim run ./MyNavigator --map d --robot uno5
 //   robosim run ./MyNavigator --map d --robot uno5 --view
 //
-// LineKit's walker follows the line round bends to the next landmark, and turns there. What to do at a
-// landmark is up to you. This one keeps to the left.
+// LineKit's walker follows the line around bends to the next landmark and turns there. The sketch decides
+// which way to turn at a landmark. This example keeps to the left.
 
 #include <LineKit.h>
 #include <LineWalker.h>
@@ -26,7 +26,7 @@ nav::Turn choose(const nav::Landmark& junction) {
 
 void setup() {
   Serial.begin(115200);
-  sensors.setRange(110, 880);  // on the floor, on the line
+  sensors.setRange(110, 880);  // raw readings on the floor and on the line
   walker.setup();
   const nav::Landmark here = walker.begin();
   if (here.kind == nav::LandmarkKind::junction) walker.leave(choose(here));
@@ -44,7 +44,7 @@ void loop() {
       Serial.println(met.kind == nav::LandmarkKind::end ? F("station") : F("obstacle"));
       walker.leave(nav::Turn::back);
       break;
-    case nav::LandmarkKind::loop:  // a ring without any landmark: round again
+    case nav::LandmarkKind::loop:  // a ring without landmarks: drive on
     case nav::LandmarkKind::line:
       break;
     case nav::LandmarkKind::lost:

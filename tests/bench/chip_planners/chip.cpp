@@ -1,10 +1,10 @@
 // Runs one planner of firmware/src/nav on the chip, over all pairs of stations of one tree. It is compiled
-// once per planner, which PLANNER names. PLANNER_none is the program without a planner, for either table
-// (TABLE_parents), so that the difference in flash is the planner's.
+// once per planner, which PLANNER selects. PLANNER_none compiles the program without a planner, for either
+// table (TABLE_parents). The difference in size is the planner's flash.
 //
-// It exchanges data with planners.cpp by general-purpose registers. Each read of GPIOR1 returns the next byte
-// of the tree (size, then the parents of nodes 1, 2, …). Each write to GPIOR2 is a byte of the result.
-// GPIOR0 = 1 begins a measurement, and GPIOR0 = 2 ends it.
+// The program exchanges data with planners.cpp through general-purpose registers. Each read of GPIOR1 returns
+// the next byte of the tree (size, then the parents of nodes 1, 2, …). Each write to GPIOR2 sends a byte of
+// the result. GPIOR0 = 1 begins a measurement, and GPIOR0 = 2 ends it.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>
@@ -67,7 +67,7 @@ __attribute__((noinline)) static nav::Plan plan(uint8_t from, uint8_t to) {
 #endif
 }
 
-static uint8_t stations[kNodes];  // a bit would do, but this is not measured
+static uint8_t stations[kNodes];  // one bit per node would do, but RAM for stations is not measured
 
 static void readTree() {
   const uint8_t size = GPIOR1;
@@ -82,7 +82,7 @@ static void readTree() {
 #if defined(TABLE_parents)
     table.add(parent);
 #else
-    uint8_t slot = parent != 0;  // the root is a station: its one child is behind its slot 0
+    uint8_t slot = parent != 0;  // the root is a station: its only child is in slot 0
     while (table.link(parent, slot) != Table::kNone) ++slot;
     table.setLink(parent, slot, node);
     table.setLink(node, 0, parent);
@@ -102,7 +102,7 @@ int main() {
   prepare();
   send16(sizeof(Table));
   send16(kWorkBytes);
-  GPIOR0 = 1;  // nothing: what measuring itself takes
+  GPIOR0 = 1;  // measures nothing: the overhead of the measurement itself
   GPIOR0 = 2;
   for (uint8_t from = 0; from < table.size(); ++from) {
     for (uint8_t to = 0; to < table.size(); ++to) {

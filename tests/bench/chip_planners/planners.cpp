@@ -1,10 +1,10 @@
-// robosim_bench_planners FOLDER [SEED]: what each planner of firmware/src/nav costs on an ATmega328P, in an
-// emulator: cycles, flash, RAM. FOLDER has chip.cpp's images, one for each planner. The build target
-// chip_planners makes them and runs this.
+// robosim_bench_planners FOLDER [SEED]: measures each planner of firmware/src/nav on an emulated ATmega328P,
+// in cycles, flash and RAM. FOLDER contains one image of chip.cpp for each planner. The build target
+// chip_planners compiles the images and runs this program.
 //
 // A tree of n nodes grows from one line: a station chosen at random becomes a junction with two new stations,
-// until there are n nodes; then they are numbered in preorder. The mean is over all ordered pairs of
-// stations. Every way is compared with the true one; a wrong one ends the program with status 1.
+// until there are n nodes. Then the nodes are numbered in preorder. The mean is over all ordered pairs of
+// stations. Every path is compared with the true path; a wrong path ends the program with status 1.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Parents of nodes in preorder; that of node 0 is 0.
+/// Returns the parents of nodes in preorder. The parent of node 0 is 0.
 Bytes randomTree(unsigned nodes, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::vector<std::vector<unsigned>> children = {{1}, {}};
@@ -38,7 +38,7 @@ Bytes randomTree(unsigned nodes, std::uint32_t seed) {
     leaves.push_back(first + 1);
   }
   Bytes parents;
-  std::vector<std::pair<unsigned, unsigned>> open = {{0, 0}};  // node, parent's new id
+  std::vector<std::pair<unsigned, unsigned>> open = {{0, 0}};  // nodes to visit: node, new id of its parent
   while (!open.empty()) {
     const auto [node, parent] = open.back();
     open.pop_back();
@@ -69,8 +69,8 @@ Bytes trueWay(const Bytes& parents, std::uint8_t from, std::uint8_t to) {
   return up;
 }
 
-/// The chip with the program's other side: it reads the tree from GPIOR1, writes ways to GPIOR2, and marks
-/// with GPIOR0 when a search begins (1) and has ended (2).
+/// Runs the chip, and is the other end of its registers. The chip reads the tree from GPIOR1 and writes paths
+/// to GPIOR2. It writes 1 to GPIOR0 when a search begins, and 2 when the search ends.
 class Session final {
  public:
   Session(const Bytes& image, const Bytes& parents) : input_(parents), bench_(kAtmega328p, image) {

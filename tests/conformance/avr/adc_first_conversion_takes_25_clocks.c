@@ -1,5 +1,5 @@
-// The first conversion after ADEN takes 25 clocks of the ADC. It starts at the first rising edge of its clock, half a
-// clock after ADEN.
+// The first conversion after ADEN takes 25 clocks of the ADC. It starts at the ADC clock's first rising edge,
+// half a clock after ADEN.
 // Source: DS40002061B, 24.4, table 24-1
 // Expect: c0 90
 // Chips: atmega328p atmega2560 atmega32u4

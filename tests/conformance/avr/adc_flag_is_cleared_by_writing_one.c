@@ -1,4 +1,5 @@
-// Writing 1 to ADIF clears it, so reading and writing ADCSRA back does; 0 leaves it.
+// Writing 1 to ADIF clears it; writing 0 leaves it unchanged. Writing back a value read from ADCSRA therefore
+// clears ADIF.
 // Source: DS40002061B, 24.9.2
 // Expect: 90 90 80
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

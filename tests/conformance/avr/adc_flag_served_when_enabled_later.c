@@ -1,4 +1,4 @@
-// ADIF that was set before ADIE requests its interrupt when ADIE comes; entering it clears ADIF.
+// If ADIF is set before ADIE, setting ADIE requests the interrupt; entering the vector clears ADIF.
 // Source: DS40002061B, 24.9.2
 // Expect: 90 01 88
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

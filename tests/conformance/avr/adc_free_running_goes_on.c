@@ -1,10 +1,11 @@
-// In free running mode a conversion follows the other without a pause, whatever ADIF is, and ADSC stays 1.
+// In free running mode each conversion starts as soon as the previous one ends, regardless of ADIF, and ADSC
+// stays 1.
 // Source: DS40002061B, 24.3, 24.4
 // Expect: f0 e0 e0 f0
 // Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
-// They end at 51, 77, 103, … cycles behind ADEN. ADIF is cleared at 60.
+// Conversions end 51, 77, 103, … cycles after ADEN. ADIF is cleared at cycle 60.
 #define CONTROL_AT(cycle)                                       \
   ({                                                            \
     ADCSRA = _BV(ADIF);                                         \

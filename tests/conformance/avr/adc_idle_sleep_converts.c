@@ -1,4 +1,4 @@
-// Falling asleep in idle mode starts a conversion too, with or without its interrupt.
+// Entering idle sleep also starts a conversion, with or without its interrupt.
 // Source: DS40002061B, 10.3, 24.6
 // Expect: c7 97
 #include "report.h"

@@ -1,4 +1,4 @@
-// ADLAR shifts the result of the last conversion as it is read.
+// ADLAR shifts the result of the last conversion when it is read.
 // Source: DS40002061B, 24.9.1, 24.9.3
 // Expect: 00 e1 38 40 00 e1
 #include "report.h"

@@ -1,4 +1,5 @@
-// Reading ADCL keeps both bytes until ADCH is read: a conversion that ends between is lost, the next one is not.
+// Reading ADCL locks both bytes until ADCH is read. The result of a conversion that ends in between is lost;
+// the next result is not.
 // Source: DS40002061B, 24.2, 24.9.3
 // Expect: 40 38 38 00
 #include "report.h"

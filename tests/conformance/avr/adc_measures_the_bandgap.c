@@ -1,4 +1,5 @@
-// Channel 14 is the bandgap's 1.1 V, 15 is ground: 225 of 1024 with AVCC of 5 V, full scale with the bandgap itself.
+// Channel 14 measures the bandgap's 1.1 V, channel 15 ground. The bandgap reads 225 of 1024 with AVCC at 5 V,
+// and full scale with the bandgap as reference.
 // Source: DS40002061B, 24.7, tables 24-3 and 24-4
 // Expect: 00 e1 00 00 03 ff
 #include "report.h"

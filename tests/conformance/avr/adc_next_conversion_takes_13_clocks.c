@@ -1,10 +1,11 @@
-// A conversion takes 13 clocks of the ADC, from the rising edge behind ADSC on.
+// A conversion takes 13 clocks of the ADC, from the first rising edge after ADSC.
 // Source: DS40002061B, 24.4, table 24-1
 // Expect: c0 90
 // Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
-// ADEN is set at 0. Rising edges are at 1 + 2 k; ADSC is set at 100: from 101 to 127.
+// ADEN is set at cycle 0, so rising edges are at 1 + 2 k. ADSC is set at cycle 100: the conversion runs from
+// 101 to 127.
 #define CONTROL_AT(cycle)                           \
   ({                                                \
     ADCSRA = 0;                                     \

@@ -1,4 +1,4 @@
-// Falling asleep in noise reduction mode starts a conversion, whose interrupt wakes the chip.
+// Entering ADC noise reduction mode starts a conversion, whose interrupt wakes the chip.
 // Source: DS40002061B, 10.4, 24.6
 // Expect: a1 00 e1 02
 #include "report.h"

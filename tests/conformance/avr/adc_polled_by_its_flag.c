@@ -1,4 +1,5 @@
-// Waiting for ADIF and clearing it by writing 1 gives each channel's own result, however often they change.
+// Waiting for ADIF and clearing it by writing 1 returns each channel's own result, however often the channel
+// changes.
 // Source: DS40002061B, 24.9.2
 // Expect: 00 e1 00 00 00 e1 00 00
 #include "report.h"

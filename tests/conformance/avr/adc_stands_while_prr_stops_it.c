@@ -1,4 +1,4 @@
-// PRADC stops the converter: its registers read 0 and are not written.
+// PRADC stops the converter: its registers read 0 and ignore writes.
 // Source: DS40002061B, 10.10, 10.11.3
 // Expect: 00 80 4e
 // Chips: atmega328p attiny85

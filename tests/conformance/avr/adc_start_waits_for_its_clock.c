@@ -1,12 +1,13 @@
-// A conversion starts at the next rising edge of the ADC's clock, which runs from ADEN on: later starts end together.
+// A conversion starts at the next rising edge of the ADC's clock, which runs since ADEN was set. Starts
+// between two edges therefore end at the same time.
 // Source: DS40002061B, 24.4
 // Expect: c7 97 c7 97
 // Ends: 200000
 // Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
-// ADEN is set at 0. Rising edges are at 64 + 128 k, the first conversion ends at 64 + 25 * 128 = 3264. One that is
-// started behind that begins at 3392 and ends at 3392 + 13 * 128 = 5056.
+// ADEN is set at cycle 0. Rising edges are at 64 + 128 k, and the first conversion ends at 64 + 25 * 128 =
+// 3264. A conversion started after that begins at 3392 and ends at 3392 + 13 * 128 = 5056.
 #define CONTROL(start_at, read_at)                              \
   ({                                                            \
     ADCSRA = 0;                                                 \

@@ -1,9 +1,11 @@
-// A flag that is set starts a conversion: its prescaler restarts 3 cycles later, and it is done after 13.5 clocks.
+// Setting the trigger's flag starts a conversion: the prescaler restarts 3 cycles later, and the conversion
+// ends after 13.5 clocks.
 // Source: DS40002061B, 24.3, 24.4, table 24-1
 // Expect: e0 b0
 #include "report.h"
 
-// INTF0 is set 2 cycles after the edge, the prescaler starts at 5, the conversion ends at 5 + 13.5 * 2 = 32.
+// INTF0 is set 2 cycles after the edge, the prescaler starts at cycle 5, and the conversion ends at 5 + 13.5
+// * 2 = 32.
 #define CONTROL_AFTER(cycles)                         \
   ({                                                  \
     PORTD &= (uint8_t)~_BV(PORTD2);                   \

@@ -4,7 +4,8 @@
 // Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
-// Timers begin 100 below their overflow, and match 50 below it. A conversion takes 3 + 13.5 * 2 = 30 cycles.
+// Timers start 100 counts before their overflow, and match 50 counts before it. A conversion takes 3 + 13.5 *
+// 2 = 30 cycles.
 static __attribute__((noinline)) void look(uint8_t source, uint8_t before, uint8_t behind) {
   ADCSRB = source;
   TCCR0B = TCCR1B = 0;

@@ -1,4 +1,4 @@
-// ADEN = 0 ends a conversion without ADIF; the next one is a first one again.
+// ADEN = 0 ends a conversion without setting ADIF; the next conversion is timed like the first one.
 // Source: DS40002061B, 24.4, 24.9.2
 // Expect: 00 c0 90
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

@@ -1,9 +1,10 @@
-// ADMUX is taken over when the conversion starts, not when ADSC is written; later writes count for the next one.
+// ADMUX is latched when the conversion starts, not when ADSC is written; later writes apply to the next
+// conversion.
 // Source: DS40002061B, 24.5
 // Expect: 00 e1 00 00
 #include "report.h"
 
-// The first rising edge comes 64 cycles behind ADEN.
+// The first rising edge comes 64 cycles after ADEN.
 #define CODE(cycles)                                  \
   ({                                                  \
     ADCSRA = 0;                                       \

@@ -1,4 +1,4 @@
-// A flag that is still set triggers no further conversion: it has to be cleared first.
+// A trigger flag that stays set does not start another conversion: it must be cleared first.
 // Source: DS40002061B, 24.3
 // Expect: b0 a0 b0
 #include "report.h"

@@ -1,5 +1,5 @@
-// A call puts three bytes on the stack, the highest at the lowest address; RCALL, ICALL and EICALL take 4 cycles, CALL
-// and RET 5.
+// A call pushes three bytes onto the stack, the highest at the lowest address; RCALL, ICALL and EICALL take 4
+// cycles, CALL and RET 5.
 // Source: DS40002198B, CALL, EICALL, ICALL, RCALL, RET
 // Expect: 03 00 09 0a 09 09
 // Chips: atmega2560
@@ -14,7 +14,7 @@ static void __attribute__((noinline)) look(void) {
   top = *(volatile uint8_t*)(SP + 1);
 }
 
-// Cycles of `instruction` and of the RET that it leads to. OUT and IN are 1 apart by themselves.
+// Returns the cycles of `instruction` and its RET, plus 1: OUT and IN alone are 1 cycle apart.
 #define CYCLES(instruction)                                                         \
   ({                                                                                \
     uint8_t count;                                                                  \

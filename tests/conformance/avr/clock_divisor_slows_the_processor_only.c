@@ -1,4 +1,5 @@
-// CLKPR divides the processor's clock, not the watchdog's: at half of 16 MHz its 16 ms are 128000 cycles.
+// CLKPR divides the processor's clock, not the watchdog's: at half of 16 MHz, the watchdog's 16 ms take
+// 128000 cycles.
 // Source: DS40002061B, 9.11, 9.12.2
 // Expect: 00 01
 // Ends: 1000000

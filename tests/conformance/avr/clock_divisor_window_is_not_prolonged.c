@@ -1,4 +1,4 @@
-// CLKPCE that is written again does not make the four cycles more.
+// Setting CLKPCE again does not extend the window of four cycles.
 // Source: DS40002061B, 9.12.2
 // Expect: 00
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

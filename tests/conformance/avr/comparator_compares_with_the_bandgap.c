@@ -1,4 +1,4 @@
-// With ACBG the bandgap's 1.1 V is compared: AIN1 is lower at low level, higher at high level.
+// With ACBG, AIN1 is compared with the bandgap's 1.1 V: it is lower at low level and higher at high level.
 // Source: DS40002061B, 23.3.1
 // Expect: 60 40
 #include "report.h"

@@ -1,4 +1,4 @@
-// ACI is set by the edges of ACO that ACIS chooses: any, falling or rising; writing 1 clears it.
+// ACI is set by the edges of ACO that ACIS selects: any, falling or rising; writing 1 clears ACI.
 // Source: DS40002061B, 23.3.1
 // Expect: 30 10 00 12 33 03
 #include "report.h"

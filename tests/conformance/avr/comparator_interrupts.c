@@ -1,4 +1,4 @@
-// ACI with ACIE interrupts; entering the vector clears ACI.
+// ACI with ACIE requests an interrupt; entering the vector clears ACI.
 // Source: DS40002061B, 23.3.1
 // Expect: 01 2b
 #include "report.h"

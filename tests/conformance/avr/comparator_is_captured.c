@@ -1,9 +1,9 @@
-// With ACIC an edge of ACO that ICES1 chooses copies TCNT1 to ICR1, as one of ICP1 does, which captures nothing then.
+// With ACIC, an edge of ACO that ICES1 selects copies TCNT1 to ICR1. An edge of ICP1 then captures nothing.
 // Source: DS40002061B, 16.6.1, 23.3.1
 // Expect: 13 20 00 20
 #include "cycles.h"
 
-// TCNT1 is 0x10, one cycle later AIN0 rises over AIN1.
+// TCNT1 is 0x10; one cycle later AIN0 rises above AIN1.
 #define RISE()                                                                                        \
   __asm__ volatile("sts %0, %1\n\tout %2, %3" ::"n"(_SFR_MEM_ADDR(TCNT1L)), "r"((uint8_t)0x10),       \
                    "I"(_SFR_IO_ADDR(PORTD)), "r"((uint8_t)_BV(PD6)))

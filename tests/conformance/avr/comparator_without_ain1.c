@@ -1,4 +1,4 @@
-// Without AIN1 the bandgap is compared with AIN0, unless the multiplexer is.
+// A chip without AIN1 compares AIN0 with the bandgap unless the multiplexer is selected.
 // Source: 7766J, 23.2, 23.3.1
 // Expect: 20 00
 // Chips: atmega32u4

@@ -1,4 +1,5 @@
-// For programs that examine one cycle: a write, a number of NOPs, and a read, without anything in between.
+// Macros for programs that examine a single cycle: a write, a number of NOPs and a read, without anything in
+// between.
 //
 //   OUT_IN    the read comes nops + 1 cycles after the write; both registers are of the first 64 of I/O
 //   STS_LDS   the read comes nops + 2 cycles after the write
@@ -22,7 +23,7 @@
                      : "n"(_SFR_MEM_ADDR(to)), "r"((uint8_t)(value)), "n"(nops), "n"(_SFR_MEM_ADDR(from))); \
     found_;                                                                                                 \
   })
-/// Two OUTs in two cycles, then an IN nops + 1 cycles after the second.
+/// Executes two OUTs in two cycles, then an IN nops + 1 cycles after the second OUT.
 #define OUT_OUT_IN(first, value1, second, value2, nops, from)                                       \
   ({                                                                                                \
     uint8_t found_;                                                                                 \

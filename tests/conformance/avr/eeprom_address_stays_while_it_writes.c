@@ -1,4 +1,4 @@
-// While a byte is written EEAR cannot be changed, and nothing is read.
+// While a byte is being written, EEAR cannot be changed and EERE reads nothing.
 // Source: DS40002061B, 8.6.1, 8.6.3
 // Expect: 05 33 77
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

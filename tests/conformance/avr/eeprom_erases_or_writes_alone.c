@@ -1,4 +1,4 @@
-// EEPM 1 erases to 0xFF, EEPM 2 clears bits only; either takes 1.8 ms: 28800 cycles of 16 MHz.
+// EEPM = 1 erases to 0xFF, EEPM = 2 only clears bits; each takes 1.8 ms: 28800 cycles at 16 MHz.
 // Source: DS40002061B, 8.6.3, table 8-1
 // Expect: 22 20 f0 22 20 30 12 10 ff
 // Ends: 400000
@@ -11,7 +11,7 @@ static uint8_t byte(void) {
   return EEDR;
 }
 
-// The processor is halted for 2 of them, IN takes 1.
+// The processor is halted for 2 of these cycles; IN takes 1.
 #define WRITE(mode, data)               \
   ({                                    \
     EECR = (mode);                      \

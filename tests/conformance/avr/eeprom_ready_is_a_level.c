@@ -1,4 +1,4 @@
-// EE_READY is requested whenever EERIE is set and no byte is written: not during the write, then again and again.
+// EE_READY is requested repeatedly while EERIE is set and no byte is being written.
 // Source: DS40002061B, 8.6.3
 // Expect: 00 02
 // Chips: atmega328p atmega2560 atmega32u4

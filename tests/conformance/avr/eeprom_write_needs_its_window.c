@@ -1,4 +1,4 @@
-// EEPE counts within 4 cycles of EEMPE, which reads 0 behind them; without EEMPE it does nothing.
+// EEPE starts a write only within 4 cycles after EEMPE was set; EEMPE reads 0 after these cycles.
 // Source: DS40002061B, 8.6.3
 // Expect: 00 00 02 04 00
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

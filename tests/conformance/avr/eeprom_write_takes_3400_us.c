@@ -1,11 +1,11 @@
-// Erase and write takes 3.4 ms: 54400 cycles of 16 MHz, in which EEPE reads 1.
+// Erase and write takes 3.4 ms: 54400 cycles at 16 MHz, during which EEPE reads 1.
 // Source: DS40002061B, table 8-1
 // Expect: 02 00 5a
 // Ends: 300000
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
-// The processor is halted for 2 of them, IN takes 1.
+// The processor is halted for 2 of these cycles; IN takes 1.
 #define CONTROL_AFTER(cycles)                 \
   ({                                          \
     while (EECR & _BV(EEPE)) {                \

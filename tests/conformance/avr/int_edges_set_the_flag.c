@@ -1,4 +1,5 @@
-// INTF0 is set by the edges that ISC0 chooses, be they of an output of the chip: any, falling or rising; without EIMSK.
+// INTF0 is set by the edges that ISC0 selects (any, falling or rising), even by the chip's own output, and
+// without EIMSK.
 // Source: DS40002061B, 13.2.1, 13.2.3
 // Expect: 01 01 00 01 01 00
 #include "report.h"

@@ -1,4 +1,4 @@
-// SBI on EIFR clears that flag and no other; CBI and writing 0 clear none.
+// SBI on EIFR clears only that flag; CBI and writing 0 clear no flag.
 // Source: DS40002061B, 13.2.3
 // Expect: 03 03 03 02 00
 #include "report.h"

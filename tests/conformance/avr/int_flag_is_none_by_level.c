@@ -1,4 +1,4 @@
-// INTF0 is cleared when INT0 is made a level interrupt, and stays so.
+// INTF0 is cleared when INT0 becomes a level interrupt, and stays 0.
 // Source: DS40002061B, 13.2.3
 // Expect: 01 00 00
 #include "report.h"

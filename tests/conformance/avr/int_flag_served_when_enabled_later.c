@@ -1,4 +1,5 @@
-// An edge before EIMSK has its bit is remembered, and served when it has; entering the vector clears the flag.
+// An edge that occurs before EIMSK enables INT0 is remembered, and served once INT0 is enabled; entering the
+// vector clears the flag.
 // Source: DS40002061B, 13.2.2, 13.2.3
 // Expect: 00 01 01 00
 #include "report.h"

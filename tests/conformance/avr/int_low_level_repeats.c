@@ -1,4 +1,4 @@
-// With ISC0 = 0 the interrupt is requested as long as the pin is low, without a flag.
+// With ISC0 = 0 the interrupt is requested as long as the pin is low, without setting a flag.
 // Source: DS40002061B, 13.2.1, 13.2.3
 // Expect: 00 03 00
 #include "report.h"

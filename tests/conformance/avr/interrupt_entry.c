@@ -3,8 +3,8 @@
 // Expect: 07 00
 #include "report.h"
 
-// Timer 0 runs at the processor's clock. It overflows behind some NOP of a row, and the handler reads it at once: 4
-// cycles of entry, 3 of the JMP, and the IN sees what the timer has counted in them.
+// Timer 0 runs at the processor's clock and overflows during a row of NOPs. The handler reads the timer
+// immediately: IN returns the cycles since the overflow, 4 of entry and 3 of the JMP.
 ISR(TIMER0_OVF_vect, ISR_NAKED) {
   __asm__ volatile(
       "in r24, %0\n\t"

@@ -1,10 +1,10 @@
-// Entering an interrupt takes 5 cycles where the program counter has 22 bits; the vector's JMP takes 3 more.
+// Entering an interrupt takes 5 cycles if the program counter has 22 bits; the vector's JMP takes 3 more.
 // Source: 2549Q, 7.8.1
 // Expect: 08
 // Chips: atmega2560
 #include "report.h"
 
-// As interrupt_entry.c.
+// Measures as interrupt_entry.c does.
 ISR(TIMER0_OVF_vect, ISR_NAKED) {
   __asm__ volatile(
       "in r24, %0\n\t"

@@ -1,4 +1,4 @@
-// Both edges of the pins in PCMSK set their group's flag, without PCICR; other pins do not.
+// Both edges of the pins that PCMSK selects set their group's flag, even without PCICR; other pins do not.
 // Source: DS40002061B, 13.2.5 to 13.2.8
 // Expect: 01 01 00 04
 #include "report.h"

@@ -1,4 +1,4 @@
-// SBI on PCIFR clears that flag and no other.
+// SBI on PCIFR clears only that flag.
 // Source: DS40002061B, 13.2.5
 // Expect: 05 04
 #include "report.h"

@@ -1,4 +1,5 @@
-// A pin change before PCICR has its bit is remembered, and served when it has; entering the vector clears the flag.
+// A pin change that occurs before PCICR enables its group is remembered, and served once the group is
+// enabled; entering the vector clears the flag.
 // Source: DS40002061B, 13.2.4, 13.2.5
 // Expect: 00 02 01 00
 #include "report.h"

@@ -1,4 +1,5 @@
-// A pin's own level passes a synchroniser: IN behind OUT reads what was before, a cycle later what is now.
+// A pin's own output passes the synchroniser: IN directly after OUT returns the old level, one cycle later
+// the new level.
 // Source: DS40002061B, 14.2.4, figures 14-3 and 14-4
 // Expect: 00 20 20 00
 #include "cycles.h"

@@ -1,10 +1,10 @@
-// PUD switches all pull-ups off; outputs stay as they are.
+// PUD disables all pull-ups; outputs are unchanged.
 // Source: DS40002061B, 14.2.1, 14.4.1
 // Expect: 06 02 06
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
-// PB1 is an output, PB2 an input with its pull-up and nothing else at it.
+// PB1 is an output. PB2 is an input with its pull-up, and nothing else is connected to it.
 int main(void) {
   DDRB = _BV(DDB1);
   PORTB = _BV(PORTB1) | _BV(PORTB2);

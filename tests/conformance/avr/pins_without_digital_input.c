@@ -1,4 +1,4 @@
-// A pin whose digital input DIDR0 or DIDR1 switches off reads 0.
+// A pin reads 0 if DIDR0 or DIDR1 disables its digital input.
 // Source: DS40002061B, 23.3.2, 24.9.5
 // Expect: 0c 08 c0 80
 #include "report.h"

@@ -1,14 +1,15 @@
-// For programs that are judged by what they report, on any emulator and on the chip: each byte that is
-// written to GPIOR0 is reported, a write to GPIOR1 ends the program. A program begins with comments:
+// For programs that are judged by their reports, on any emulator and on the chip. A write to GPIOR0 reports
+// the byte, and a write to GPIOR1 ends the program. A program begins with comments:
 //
-//   // What must hold, as a sentence.
+//   // The required behaviour, as a sentence.
 //   // Source: DS40002061B, 15.7.2
-//   // Expect: 05 05 ff          bytes, in hex; `..` is any
-//   // Ends: 20000               optional: cycles after which it is stopped, 100000 unless told
-//   // Chips: atmega2560         optional: of which it holds, atmega328p unless told; referees run the first
-//   // Loop: 0                   optional: TX of USART 0 is wired to its RX
+//   // Expect: 05 05 ff          bytes in hex; `..` matches any byte
+//   // Ends: 20000               optional: cycle limit; default 100000
+//   // Chips: atmega2560         optional: chips that behave so, default atmega328p; referees run the first
+//   // Loop: 0                   optional: connects TX of USART 0 to its RX
 //
-// Compiled by avr-gcc -Os with C's start-up code, without an Arduino core. A call takes one OUT.
+// Programs are compiled by avr-gcc -Os with C's start-up code, without an Arduino core. A call of report()
+// takes one OUT.
 #pragma once
 
 #include <avr/interrupt.h>
@@ -25,5 +26,5 @@ static inline __attribute__((noreturn)) void end_program(void) {
   for (;;) {
   }
 }
-/// Spends `count` cycles, at least 1, without a loop: NOPs.
+/// Spends `count` cycles (at least 1) with NOPs, without a loop.
 #define NOPS(count) __asm__ volatile(".rept " #count "\n\tnop\n\t.endr")

@@ -1,4 +1,4 @@
-// The instruction behind SEI runs before an interrupt that is pending, and no other.
+// Exactly one instruction after SEI runs before a pending interrupt.
 // Source: DS40002061B, 7.7
 // Expect: 01 f1
 // Chips: atmega328p atmega2560 atmega32u4

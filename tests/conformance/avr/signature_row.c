@@ -1,4 +1,5 @@
-// LPM within three cycles of SIGRD and SPMEN reads the signature row, later flash; the bits clear themselves in four.
+// LPM reads the signature row within three cycles after SIGRD and SPMEN are set, and flash after that; the
+// bits are cleared after four cycles.
 // Source: DS40002061B, 27.8.10, 27.9.1, 28.3
 // Expect: 1e 95 0f 21 00 0c
 #include <avr/boot.h>
@@ -23,6 +24,6 @@ int main(void) {
       : "I"(_SFR_IO_ADDR(SPMCSR)), "r"((uint8_t)0x21), "z"((uint16_t)0));
   report(soon);
   report(later);
-  report(flash);  // of the reset vector's JMP
+  report(flash);  // the first byte of the reset vector's JMP
   end_program();
 }

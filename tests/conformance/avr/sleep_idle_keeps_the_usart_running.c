@@ -1,4 +1,4 @@
-// In idle mode peripherals run on: the end of a frame wakes the chip.
+// In idle mode peripherals keep running: the end of a frame wakes the chip.
 // Source: DS40002061B, 10.3
 // Expect: 01 02
 #include "report.h"

@@ -1,4 +1,5 @@
-// In power-down the watchdog runs and wakes; the USART stands, and goes on with its frame behind the start-up time.
+// In power-down the watchdog runs and wakes the chip; the USART stops, and continues its frame after the
+// start-up time.
 // Source: DS40002061B, 10.5, 9.2
 // Expect: dd 20 60
 // Ends: 1000000

@@ -1,4 +1,4 @@
-// SLEEP does nothing where SE is 0.
+// SLEEP does nothing if SE is 0.
 // Source: DS40002061B, 10.11.1
 // Expect: 05
 // Chips: atmega328p atmega2560 atmega32u4

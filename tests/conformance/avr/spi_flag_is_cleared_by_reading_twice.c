@@ -1,4 +1,5 @@
-// SPIF is cleared by reading SPSR and then accessing SPDR; SPDR alone leaves it, and so does writing SPSR.
+// SPIF is cleared by reading SPSR and then accessing SPDR. Accessing only SPDR, or writing SPSR, leaves SPIF
+// set.
 // Source: DS40002061B, 19.5.2
 // Expect: 80 80 00
 // Chips: atmega328p atmega2560 atmega32u4

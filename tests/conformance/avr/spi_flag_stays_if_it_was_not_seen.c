@@ -1,4 +1,4 @@
-// SPIF that is set between reading SPSR and touching SPDR stays.
+// SPIF stays set if it was set between the read of SPSR and the access to SPDR.
 // Source: DS40002061B, 19.5.2
 // Expect: 00 80
 #include "report.h"

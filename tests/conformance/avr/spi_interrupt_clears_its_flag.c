@@ -1,4 +1,4 @@
-// SPIF that was set before SPIE requests its interrupt when SPIE comes; entering it clears SPIF.
+// If SPIF is set before SPIE, setting SPIE requests the interrupt; entering the vector clears SPIF.
 // Source: DS40002061B, 19.5.2
 // Expect: 01 00
 // Chips: atmega328p atmega2560 atmega32u4

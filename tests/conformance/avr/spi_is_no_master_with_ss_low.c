@@ -1,4 +1,4 @@
-// SS as an input at low level clears MSTR and sets SPIF; as an output it does not matter.
+// SS as an input at low level clears MSTR and sets SPIF; as an output, SS has no effect.
 // Source: DS40002061B, 19.3.2
 // Expect: 50 00 40 80
 #include "report.h"

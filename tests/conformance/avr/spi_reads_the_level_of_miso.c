@@ -1,4 +1,4 @@
-// With nothing at MISO but its pull-up, all bits that come in are 1.
+// If only its pull-up is connected to MISO, all received bits are 1.
 // Source: DS40002061B, 19.2, table 19-1
 // Expect: ff
 #include "report.h"

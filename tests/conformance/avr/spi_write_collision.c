@@ -1,4 +1,4 @@
-// SPDR that is written during a transfer sets WCOL and changes nothing.
+// Writing SPDR during a transfer sets WCOL and has no other effect.
 // Source: DS40002061B, 19.5.2
 // Expect: 40 c0 00
 #include "report.h"

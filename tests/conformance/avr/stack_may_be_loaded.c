@@ -1,4 +1,5 @@
-// SP may point anywhere: two routines with stacks of their own take turns, and calls and interrupts use the one in use.
+// SP may point anywhere: two routines with their own stacks alternate, and calls and interrupts use the
+// current stack.
 // Source: DS40002061B, 7.5; DS40002198B, CALL, RET
 // Expect: a1 b1 a2 b2 a3 b3 01
 #include "report.h"
@@ -12,7 +13,7 @@ ISR(TIMER0_OVF_vect) {
   if (SP > (uint16_t)stack_of_b && SP < (uint16_t)(stack_of_b + sizeof stack_of_b)) in_stack_of_b = 1;
 }
 
-// The registers that a call may not change stay on the stack that is left.
+// Call-saved registers stay on the old stack.
 static __attribute__((naked, noinline)) void take_turns(void) {
   __asm__ volatile(
       "push r28\n\tpush r29\n\t"

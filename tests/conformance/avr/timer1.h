@@ -1,5 +1,5 @@
 // Helpers for programs about an ATtiny85's timer 1. Its registers pass a synchroniser of a cycle or two
-// (2586Q, figure 12-2), so the programs sample in the middle of its ticks.
+// (2586Q, figure 12-2), so the programs sample in the middle of the timer's ticks.
 #pragma once
 
 #include "report.h"

@@ -3,7 +3,7 @@
 // Expect: 13 20 00 00 20
 #include "cycles.h"
 
-// TCNT1 is 0x10, one cycle later the pin rises.
+// TCNT1 is 0x10; one cycle later the pin rises.
 #define RISE()                                                                                        \
   __asm__ volatile("sts %0, %1\n\tout %2, %3" ::"n"(_SFR_MEM_ADDR(TCNT1L)), "r"((uint8_t)0x10),       \
                    "I"(_SFR_IO_ADDR(PORTB)), "r"((uint8_t)_BV(PB0)))

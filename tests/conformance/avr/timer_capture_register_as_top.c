@@ -1,4 +1,4 @@
-// ICR1 as TOP is not buffered: lowered below TCNT1 it lets the counter run on. ICF1 is set at TOP.
+// ICR1 as TOP is not buffered: if it is lowered below TCNT1, the counter runs past it. ICF1 is set at TOP.
 // Source: DS40002061B, 16.9.3
 // Expect: 01 01 20
 // Chips: atmega328p atmega2560 atmega32u4

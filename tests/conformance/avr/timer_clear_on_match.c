@@ -1,4 +1,4 @@
-// Cleared on a match, a timer counts OCR0A + 1 clocks, and does not overflow below MAX.
+// With clear on match, a timer counts OCR0A + 1 clocks, and does not overflow below MAX.
 // Source: DS40002061B, 15.7.2
 // Expect: 62 63 00 01 02
 // Chips: atmega328p atmega2560 atmega32u4

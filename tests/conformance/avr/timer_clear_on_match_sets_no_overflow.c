@@ -1,4 +1,4 @@
-// Cleared on each match, by OCR1A, ICR1 or OCR2A, a timer sets its match's flag again and again, and never TOV.
+// With clear on match by OCR1A, ICR1 or OCR2A, a timer sets the match's flag at each match, and never TOV.
 // Source: DS40002061B, 15.9.7, 16.9.2, 18.7.2
 // Expect: 02 02 20 02 02
 #include "report.h"

@@ -1,4 +1,4 @@
-// Reading OCR1A does not go through the temporary byte.
+// Reading OCR1A does not use the temporary byte.
 // Source: DS40002061B, 16.3
 // Expect: 12 56
 // Chips: atmega328p atmega2560 atmega32u4

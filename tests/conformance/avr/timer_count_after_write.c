@@ -1,4 +1,4 @@
-// A value written to TCNT0 is read as written in the next cycle, and as one more in each later one.
+// One cycle after a write to TCNT0, a read returns the written value; each further cycle adds 1.
 // Source: DS40002061B, 15.5.3
 // Expect: 30 31 32 39
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

@@ -1,4 +1,4 @@
-// Timer 1 counts the pulses of OC0B, the same pin as T1: of PWM, and of a pin that is toggled.
+// Timer 1 counts pulses of OC0B, which is the same pin as T1: pulses of PWM, and of a toggled pin.
 // Source: DS40002061B, 14.3.3, 15.6, 17.2
 // Expect: 00 64 00 32
 // Ends: 300000

@@ -1,4 +1,4 @@
-// A timer counts the edges of its pin that CS02 to CS00 choose, three cycles after each.
+// A timer counts the edges of its pin that CS02 to CS00 select, three cycles after each edge.
 // Source: DS40002061B, 17.2
 // Expect: 05 03 00 01
 #include "cycles.h"

@@ -1,4 +1,4 @@
-// In fast PWM what is written to OCR0A holds from BOTTOM on, though it is read at once.
+// In fast PWM a write to OCR0A takes effect at BOTTOM, although reads return the new value immediately.
 // Source: DS40002061B, 15.7.3, table 15-8
 // Expect: 06 09 00 04 00 04
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

@@ -1,4 +1,4 @@
-// A flag that is cleared before interrupts are on is not served.
+// A flag that is cleared before interrupts are enabled is not served.
 // Source: DS40002061B, 15.9.7
 // Expect: 01
 // Chips: atmega328p atmega2560 atmega32u4

@@ -1,4 +1,4 @@
-// In TIFR1 and TIFR2, too, writing 1 clears that flag and no other, by OUT or SBI; 0 clears none.
+// In TIFR1 and TIFR2, too, writing 1 by OUT or SBI clears only that flag; writing 0 clears no flag.
 // Source: DS40002061B, 16.11.9, 18.11.7
 // Expect: 07 07 05 04 00 07 07 05 04 00
 #include "report.h"

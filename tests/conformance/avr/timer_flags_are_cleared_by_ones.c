@@ -1,4 +1,4 @@
-// A flag is cleared by writing 1 to it; SBI clears no other.
+// Writing 1 to a flag clears it; SBI clears only that flag.
 // Source: DS40002061B, 15.9.7
 // Expect: 07 05 04 04
 // Chips: atmega328p atmega2560 atmega32u4

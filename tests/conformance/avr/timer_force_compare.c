@@ -1,4 +1,4 @@
-// FOC0A does to the pin what a match would, without a flag, and is read as 0.
+// FOC0A changes the pin as a match would, without setting a flag, and reads 0.
 // Source: DS40002061B, 15.6.1, 15.9.2
 // Expect: 40 00 40 00 00 00
 #include "cycles.h"

@@ -1,10 +1,10 @@
-// In phase and frequency correct PWM what is written to OCR1A holds from BOTTOM on.
+// In phase and frequency correct PWM a write to OCR1A takes effect at BOTTOM.
 // Source: DS40002061B, 16.9.5, table 16-4
 // Expect: 04 03 00 08 07
 // Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
-// TCNT1 is 0 when the timer starts; OCR1A is 8 from two cycles later on.
+// TCNT1 is 0 when the timer starts; OCR1A becomes 8 two cycles later.
 #define COUNT(nops)                                                                              \
   ({                                                                                             \
     uint8_t found_;                                                                              \

@@ -1,4 +1,4 @@
-// In idle mode timers run on, and their interrupts wake the processor.
+// In idle mode timers keep running, and their interrupts wake the processor.
 // Source: DS40002061B, 10.4
 // Expect: f1 01
 // Chips: atmega328p atmega2560

@@ -1,4 +1,4 @@
-// A timer whose prescaler is changed while it runs goes on from its count.
+// A timer whose prescaler changes while it runs continues from its count.
 // Source: DS40002061B, 16.4, 17.1
 // Expect: 12 34 12 34 12 35
 #include "report.h"

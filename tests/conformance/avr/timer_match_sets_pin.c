@@ -1,4 +1,4 @@
-// Without PWM, COM = 3 sets the pin at the match and not before, COM = 2 clears it.
+// Without PWM, COM = 3 sets the pin at the match and not earlier; COM = 2 clears it.
 // Source: DS40002061B, 15.6.2, table 15-2
 // Expect: 00 40 40 00
 #include "cycles.h"

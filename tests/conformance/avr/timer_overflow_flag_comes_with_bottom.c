@@ -4,7 +4,7 @@
 // Chips: atmega328p atmega2560 atmega32u4
 #include "cycles.h"
 
-// OCR0A and OCR0B are 0: their flags come one clock after.
+// OCR0A and OCR0B are 0, so their flags are set one clock later.
 static inline void clear(void) {
   TCNT0 = 0x80;
   TIFR0 = 0x07;

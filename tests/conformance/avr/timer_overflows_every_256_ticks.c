@@ -1,4 +1,5 @@
-// With a prescaler of 64 timer 0 overflows each 16384 cycles, while timer 1 counts 25700 ticks of the same: 100 times.
+// With a prescaler of 64, timer 0 overflows every 16384 cycles: 100 times while timer 1 counts 25700 ticks of
+// that prescaler.
 // Source: DS40002061B, 15.7.1
 // Expect: 64
 // Ends: 2000000

@@ -1,4 +1,4 @@
-// In phase correct PWM what is written to OCR0A holds from TOP on.
+// In phase correct PWM a write to OCR0A takes effect at TOP.
 // Source: DS40002061B, 15.7.4, table 15-8
 // Expect: 04 00 02 01
 // Chips: atmega328p atmega2560 atmega32u4

@@ -1,4 +1,4 @@
-// PRTIM0 stops timer 0 where it is; its registers meanwhile read 0, and what is written to them is lost.
+// PRTIM0 stops timer 0 at its count; while it is set, the timer's registers read 0 and ignore writes.
 // Source: DS40002061B, 10.10, 10.11.3
 // Expect: 12 00 05
 // Chips: atmega328p attiny85

@@ -1,4 +1,5 @@
-// TCNT1 = 65536 - 15625 with a prescaler of 64 overflows after 1,000,000 cycles: 976 ticks of 1024.
+// With TCNT1 = 65536 - 15625 and a prescaler of 64, timer 1 overflows after 1,000,000 cycles: 976 ticks of
+// 1024.
 // Source: DS40002061B, 16.4
 // Expect: d0
 // Ends: 1100000

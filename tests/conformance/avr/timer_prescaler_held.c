@@ -1,4 +1,4 @@
-// TSM holds a prescaler at 0; when it is cleared the timers start together.
+// TSM holds a prescaler at 0; clearing TSM starts the timers at the same time.
 // Source: DS40002061B, 17.4.1
 // Expect: 00 00 81 00 00 00 81 01 01 00
 // Chips: atmega328p atmega2560 atmega32u4

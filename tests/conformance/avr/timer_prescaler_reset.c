@@ -1,4 +1,4 @@
-// PSRSYNC sets the prescaler of timers 0 and 1 to 0, PSRASY that of timer 2.
+// PSRSYNC sets the prescaler of timers 0 and 1 to 0; PSRASY does the same for timer 2.
 // Source: DS40002061B, 17.4.1, 18.11.9
 // Expect: 00 01 00 01
 // Chips: atmega328p atmega2560

@@ -1,4 +1,5 @@
-// The prescaler runs whether or not a timer uses it: the first count comes with its phase, not with the start.
+// The prescaler runs even if no timer uses it: the first count depends on its phase, not on the timer's
+// start.
 // Source: DS40002061B, 17.1
 // Expect: 00 01 00 01 00 01
 // Chips: atmega328p atmega2560 atmega32u4

@@ -1,4 +1,5 @@
-// Edges of PWM are heard by the chip's own interrupts: ten periods of fast and of phase correct PWM change the pin twenty times each, and rise ten times.
+// PWM edges trigger the chip's own interrupts: ten periods of fast or phase correct PWM change the pin twenty
+// times each, and rise ten times.
 // Source: DS40002061B, 13.1, 13.2.5, 15.7.3, 15.7.4
 // Expect: 14 14 0a
 // Ends: 300000

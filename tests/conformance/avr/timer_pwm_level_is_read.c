@@ -1,4 +1,5 @@
-// PINx reads the level that PWM gives the pin at that moment: set at BOTTOM, cleared behind OCR0A, which is taken over at BOTTOM.
+// PINx reads the current level of a PWM pin: set at BOTTOM, and cleared after OCR0A, which takes effect at
+// BOTTOM.
 // Source: DS40002061B, 14.2.4, 15.7.3
 // Expect: 40 40 00 40 00 00
 // Ends: 200000

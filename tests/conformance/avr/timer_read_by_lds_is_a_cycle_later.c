@@ -1,4 +1,4 @@
-// An instruction of two cycles reads TCNT0 in its second.
+// An instruction of two cycles reads TCNT0 in its second cycle.
 // Source: DS40002061B, 15.5.3
 // Expect: 02
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

@@ -1,4 +1,4 @@
-// In fast PWM COM0B = 1 is reserved, and so is COM0A = 1 with a fixed TOP: the pins are the port's.
+// In fast PWM COM0B = 1 is reserved, and so is COM0A = 1 with a fixed TOP: the port controls the pins.
 // Source: DS40002061B, tables 15-3, 15-6
 // Expect: 60 00
 // Chips: atmega328p atmega2560 atmega32u4

@@ -1,4 +1,5 @@
-// In power-down timers stand still; the watchdog wakes the chip after 256000 cycles, of which timer 1 counts few.
+// In power-down timers stop; the watchdog wakes the chip after 256000 cycles, of which timer 1 counts only a
+// few.
 // Source: DS40002061B, 10.3, table 10-1
 // Expect: 01
 // Ends: 2000000

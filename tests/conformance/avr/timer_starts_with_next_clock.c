@@ -1,4 +1,4 @@
-// A timer that is given the processor's clock counts from the next cycle on.
+// A timer that is switched to the processor's clock counts from the next cycle on.
 // Source: DS40002061B, 15.4
 // Expect: 00 01 02 00 01 02
 // Chips: atmega328p atmega2560

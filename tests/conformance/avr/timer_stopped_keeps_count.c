@@ -1,4 +1,4 @@
-// A timer that is stopped keeps its count, and goes on from it, whatever the clock.
+// A stopped timer keeps its count and continues from it, whatever the clock.
 // Source: DS40002061B, 15.4
 // Expect: 22 22 25 25
 // Chips: atmega328p atmega2560 atmega32u4

@@ -1,4 +1,5 @@
-// The registers of 16 bits share one byte for the high part: written before the low one, kept when that is read.
+// The 16-bit registers share one byte for the high part: it is written before the low part, and latched when
+// the low part is read.
 // Source: DS40002061B, 16.3
 // Expect: 12 34 ff 01 02
 // Chips: atmega328p atmega2560 atmega32u4

@@ -1,4 +1,4 @@
-// OCR1C matches as A and B do, sets OCF1C and has its own vector between that of B and the overflow's.
+// OCR1C matches as OCR1A and OCR1B do, sets OCF1C, and has its own vector between OCR1B's and the overflow's.
 // Source: 2549Q, 17.7, 17.11.36, table 14-1
 // Expect: 00 08 c1 00 01
 // Chips: atmega2560 atmega32u4
@@ -22,7 +22,7 @@ int main(void) {
   report(served);
   report(TIFR1 & _BV(OCF1C));
   cli();
-  TCCR1A = _BV(COM1C0);  // toggles at a match, here forced
+  TCCR1A = _BV(COM1C0);  // toggles at a match, which is forced here
   TCCR1C = _BV(FOC1C);
   report(1);
   end_program();

@@ -1,4 +1,4 @@
-// PINx reads the level of a pin that is toggled at an audible rate, and both of its edges are pin changes.
+// PINx reads the level of a pin that toggles at an audible rate, and both of the pin's edges are pin changes.
 // Source: DS40002061B, 13.1, 14.2.4, 16.9.2
 // Expect: 00 02 00 02 14
 // Ends: 400000

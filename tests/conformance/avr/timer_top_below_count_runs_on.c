@@ -1,4 +1,4 @@
-// Where OCR0A is lowered below TCNT0 the counter runs on to MAX, overflows, and is cleared by the next match.
+// If OCR0A is lowered below TCNT0, the counter runs to MAX, overflows, and is cleared by the next match.
 // Source: DS40002061B, 15.7.2
 // Expect: 44 ff 00 01 20 00
 // Chips: atmega328p atmega2560 atmega32u4

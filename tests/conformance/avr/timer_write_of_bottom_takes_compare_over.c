@@ -1,4 +1,4 @@
-// In phase and frequency correct PWM TCNT1 = 0 makes a new OCR1A hold at once.
+// In phase and frequency correct PWM, TCNT1 = 0 makes a new OCR1A take effect immediately.
 // Source: DS40002061B, 16.9.5
 // Expect: 01 03 05 03
 // Chips: atmega328p atmega2560 atmega32u4

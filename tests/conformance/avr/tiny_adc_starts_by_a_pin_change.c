@@ -1,4 +1,4 @@
-// ADTS 6 starts a conversion by the pin change's flag.
+// ADTS = 6 starts a conversion by the flag of a pin change.
 // Source: 2586Q, 17.4, table 17-6
 // Expect: 20 10
 // Chips: attiny85

@@ -1,4 +1,4 @@
-// SBI and CBI change the bit they name alone: ACI and ADIF stay set, and writing 1 to them clears them.
+// SBI and CBI change only the bit they name: ACI and ADIF stay set, and writing 1 clears them.
 // Source: 2586Q, the register summary's notes
 // Expect: 10 10 00 10 10 00
 // Chips: attiny85

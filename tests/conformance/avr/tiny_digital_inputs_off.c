@@ -1,4 +1,4 @@
-// DIDR0 has a bit for each pin of port B, in its order: that pin reads 0.
+// DIDR0 has one bit for each pin of port B, in the port's order: a pin whose bit is set reads 0.
 // Source: 2586Q, 16.2.2, 17.13.5
 // Expect: 3f 0f 30 3f
 // Chips: attiny85

@@ -1,4 +1,5 @@
-// INT0's edge is chosen in MCUCR; it and the pin change share GIMSK and GIFR, and each interrupt clears its own flag.
+// MCUCR selects INT0's edge; INT0 and the pin change share GIMSK and GIFR, and each interrupt clears its own
+// flag.
 // Source: 2586Q, 9.3.1 to 9.3.3
 // Expect: 20 60 40 a1 a2 00
 // Chips: attiny85

@@ -1,4 +1,4 @@
-// PLOCK reads 1 when the PLL that PLLE switches on has locked, within 100 us; it cannot be written.
+// PLOCK reads 1 once the PLL that PLLE enables has locked, within 100 us; PLOCK cannot be written.
 // Source: 2586Q, 12.3.9
 // Expect: 00 02 03 00
 // Chips: attiny85

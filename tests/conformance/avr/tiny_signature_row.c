@@ -3,7 +3,7 @@
 // Expect: 1e 93 0b
 // Chips: attiny85
 #include <avr/io.h>
-#define SIGRD RSIG  // as <avr/boot.h> calls it
+#define SIGRD RSIG  // the name in <avr/boot.h>
 #include <avr/boot.h>
 
 #include "report.h"

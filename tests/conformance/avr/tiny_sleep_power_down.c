@@ -1,11 +1,12 @@
-// SE and SM are in MCUCR. In power-down timers stand; the watchdog wakes, 4 cycles after the oscillator's start.
+// SE and SM are in MCUCR. In power-down timers stop; the watchdog wakes the chip, 4 cycles after the
+// oscillator's start.
 // Source: 2586Q, 7.1, 7.5.1, 8.5.2
 // Expect: 05 0b
 // Ends: 1000000
 // Chips: attiny85
 #include "report.h"
 
-// The timer counts SLEEP, 4 cycles to wake, 4 to enter, and the vector's RJMP.
+// The timer counts SLEEP, 4 cycles to wake up, 4 cycles of interrupt entry, and the vector's RJMP.
 ISR(WDT_vect, ISR_NAKED) {
   __asm__ volatile(
       "in r24, %0\n\t"

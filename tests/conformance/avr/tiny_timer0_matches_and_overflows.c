@@ -1,4 +1,4 @@
-// Timer 0 sets OCF0A, OCF0B and TOV0 in bits 4, 3 and 1 of TIFR; cleared on a match it does not overflow.
+// Timer 0 sets OCF0A, OCF0B and TOV0 in bits 4, 3 and 1 of TIFR; with clear on match it does not overflow.
 // Source: 2586Q, 11.7.2, 11.9.8
 // Expect: 10 18 1a 63 00 18
 // Chips: attiny85

@@ -1,4 +1,4 @@
-// With PWM1A timer 1 counts up to OCR1C, and overflows there; what is written to OCR1A holds from then on.
+// With PWM1A timer 1 counts up to OCR1C and overflows there; a write to OCR1A then takes effect.
 // Source: 2586Q, 12.2.2, 12.3.8
 // Expect: 09 00 00 04 00 40
 // Chips: attiny85

@@ -1,4 +1,4 @@
-// Without PWM COM1A and COM1B toggle, clear and set PB1 and PB4 at the match; FOC1A does so without one.
+// Without PWM, COM1A and COM1B toggle, clear and set PB1 and PB4 at the match; FOC1A does so without a match.
 // Source: 2586Q, 12.2, tables 12-4 and 12-6, 12.3.2
 // Expect: 00 02 00 02 12 02
 // Ends: 1000000

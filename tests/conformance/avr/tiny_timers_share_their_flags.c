@@ -1,4 +1,5 @@
-// Timers 0 and 1 share TIFR and TIMSK: a flag is cleared by writing 1 to it alone, and each has its own interrupt.
+// Timers 0 and 1 share TIFR and TIMSK: writing 1 to a flag clears only that flag, and each flag has its own
+// interrupt.
 // Source: 2586Q, 11.9.7, 11.9.8, 12.3.7, 12.3.8
 // Expect: 54 44 04 00 a0 a1 40
 // Chips: attiny85

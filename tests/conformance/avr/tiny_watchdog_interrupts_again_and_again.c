@@ -1,4 +1,4 @@
-// In interrupt mode the watchdog interrupts every 2048 cycles of 128 kHz, 16 ms, and never resets.
+// In interrupt mode the watchdog interrupts every 2048 cycles of 128 kHz (16 ms), and never resets.
 // Source: 2586Q, 8.5.2, tables 8-2 and 8-3
 // Expect: 00 01 03 40
 // Ends: 1000000

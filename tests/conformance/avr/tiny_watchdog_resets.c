@@ -1,4 +1,4 @@
-// In reset mode the watchdog resets the chip, tells so by WDRF, and runs on: WDRF holds WDE.
+// In reset mode the watchdog resets the chip, sets WDRF, and keeps running: WDRF keeps WDE set.
 // Source: 2586Q, 8.2.4, 8.5.1, 8.5.2
 // Expect: 01 09 08
 // Ends: 1000000

@@ -1,4 +1,5 @@
-// On a bus without devices: START 0x08, an address to write 0x20, a repeated START 0x10, an address to read 0x48.
+// Statuses on a bus without devices: START 0x08, an address to write 0x20, a repeated START 0x10, an address
+// to read 0x48.
 // Source: DS40002061B, 21.7.1, tables 21-3 and 21-4
 // Expect: f8 08 f8 20 10 48
 // Chips: atmega328p atmega2560 atmega32u4

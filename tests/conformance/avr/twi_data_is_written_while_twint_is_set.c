@@ -1,4 +1,4 @@
-// TWDR that is written while TWINT is 0 keeps its value and sets TWWC, until it is written while TWINT is 1.
+// A write to TWDR while TWINT is 0 is ignored and sets TWWC; a write while TWINT is 1 clears TWWC.
 // Source: DS40002061B, 21.9.2
 // Expect: ff 08 55 a4
 // Chips: atmega328p atmega2560 atmega32u4

@@ -1,4 +1,4 @@
-// TWSTO reads 0 when STOP has left; TWINT is not set by it, and the next START is a first one.
+// TWSTO reads 0 once STOP is sent. STOP does not set TWINT, and the next START is not a repeated START.
 // Source: DS40002061B, 21.9.2
 // Expect: 14 04 f8 08
 // Chips: atmega328p atmega2560 atmega32u4

@@ -1,4 +1,4 @@
-// The interrupt `data register empty` comes again and again until UDR is written or UDRIE is cleared.
+// The interrupt `data register empty` repeats until UDR is written or UDRIE is cleared.
 // Source: DS40002061B, 20.6.3
 // Expect: 03
 #include "report.h"

@@ -1,4 +1,5 @@
-// A frame has a start bit, 5 to 9 data bits, a parity bit where one is chosen, and 1 or 2 stop bits; U2X halves bits.
+// A frame has a start bit, 5 to 9 data bits, a parity bit if selected, and 1 or 2 stop bits; U2X halves the
+// bit time.
 // Source: DS40002061B, 20.3.1, 20.4, 20.6.2
 // Expect: 00 40 00 40 00 40
 // Chips: atmega328p atmega2560

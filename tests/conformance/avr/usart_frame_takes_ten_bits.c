@@ -4,7 +4,7 @@
 // Chips: atmega328p atmega2560
 #include "report.h"
 
-// 160 cycles; LDS reads 2 cycles after the delay.
+// A frame takes 160 cycles; LDS reads 2 cycles after the delay.
 #define STATUS_AFTER(cycles)                    \
   ({                                            \
     UCSR0A = _BV(TXC0);                         \

@@ -1,4 +1,4 @@
-// While a byte waits in the buffer UDRE is 0, and its interrupt is not requested.
+// While a byte waits in the buffer, UDRE is 0 and its interrupt is not requested.
 // Source: DS40002061B, 20.6.3
 // Expect: 00 01
 #include "report.h"

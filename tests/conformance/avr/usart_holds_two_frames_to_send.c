@@ -1,4 +1,4 @@
-// A second byte waits in the buffer with UDRE 0 until the first has left; TXC is set when both have.
+// A second byte waits in the buffer with UDRE 0 until the first one is sent; TXC is set once both are sent.
 // Source: DS40002061B, 20.6.3
 // Expect: 20 00 00 20 20 60
 // Chips: atmega328p atmega2560

@@ -1,4 +1,4 @@
-// Data that is written while UDRE is 0 is ignored: of three bytes at once two are sent.
+// Data written while UDRE is 0 is ignored: of three bytes written at once, two are sent.
 // Source: DS40002061B, 20.6.1
 // Expect: 20 60
 // Chips: atmega328p atmega2560

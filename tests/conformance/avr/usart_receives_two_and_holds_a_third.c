@@ -1,4 +1,5 @@
-// A third byte waits in the receiver's shift register; a fourth takes its place, and DOR says so until UDR is read.
+// A third byte waits in the receiver's shift register; a fourth byte replaces it, and DOR is set until UDR is
+// read.
 // Source: DS40002061B, 20.7.3, 20.7.4, 20.11.2
 // Expect: 80 01 02 03 00 88 01 80 02 04 00
 // Loop: 0

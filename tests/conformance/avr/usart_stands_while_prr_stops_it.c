@@ -1,4 +1,5 @@
-// PRUSART0 stops the clock of the USART: its frame goes on when the bit is cleared, and its registers read 0 meanwhile.
+// PRUSART0 stops the clock of the USART: its registers read 0, and its frame continues once the bit is
+// cleared.
 // Source: DS40002061B, 10.10, 10.11.3
 // Expect: 00 20 60
 #include "report.h"

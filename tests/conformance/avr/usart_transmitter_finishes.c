@@ -1,4 +1,4 @@
-// TXEN = 0 counts when shift register and buffer are empty: TXC is set after both frames.
+// TXEN = 0 takes effect once the shift register and the buffer are empty: TXC is set after both frames.
 // Source: DS40002061B, 20.6.5
 // Expect: 20 60
 // Chips: atmega328p atmega2560

@@ -1,4 +1,4 @@
-// TXC stays until 1 is written to it; 0 leaves it.
+// TXC stays set until 1 is written to it; writing 0 leaves it set.
 // Source: DS40002061B, 20.11.2
 // Expect: 60 60 20
 // Chips: atmega328p atmega2560

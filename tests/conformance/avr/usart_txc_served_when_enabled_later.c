@@ -1,4 +1,4 @@
-// TXC that was set before TXCIE requests its interrupt when TXCIE comes; entering it clears TXC.
+// If TXC is set before TXCIE, setting TXCIE requests the interrupt; entering the vector clears TXC.
 // Source: DS40002061B, 20.6.3
 // Expect: 60 01 20
 #include "report.h"

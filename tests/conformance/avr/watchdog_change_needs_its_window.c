@@ -1,4 +1,5 @@
-// WDP changes, and WDE is cleared, within 4 cycles of writing WDCE with WDE; WDCE reads 0 behind them.
+// WDP can be changed and WDE cleared only within 4 cycles after writing WDCE with WDE; WDCE reads 0 after
+// these cycles.
 // Source: DS40002061B, 11.8, 11.9.2
 // Expect: 08 08 08 0e 18 08 00
 // Chips: atmega328p atmega2560 atmega32u4

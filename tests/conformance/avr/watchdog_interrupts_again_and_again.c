@@ -1,4 +1,4 @@
-// In interrupt mode the watchdog interrupts every 2048 cycles of 128 kHz, 16 ms, and never resets.
+// In interrupt mode the watchdog interrupts every 2048 cycles of 128 kHz (16 ms), and never resets.
 // Source: DS40002061B, 11.9.2, tables 11-1 and 11-2
 // Expect: 00 01 03 40
 // Ends: 1000000

@@ -1,4 +1,4 @@
-// With WDE and WDIE the first time interrupts, which clears WDIE, and the second resets.
+// With WDE and WDIE, the first timeout interrupts and clears WDIE; the second timeout resets.
 // Source: DS40002061B, 11.9.2, table 11-1
 // Expect: 01 48 08 09
 // Ends: 2000000

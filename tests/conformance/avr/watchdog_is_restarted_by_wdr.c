@@ -1,4 +1,4 @@
-// WDR restarts the watchdog's time.
+// WDR restarts the watchdog's timeout.
 // Source: DS40002061B, 11.8
 // Expect: 08 08
 // Ends: 1000000

@@ -1,4 +1,4 @@
-// In reset mode the watchdog resets the chip, tells so by WDRF, and runs on: WDRF holds WDE.
+// In reset mode the watchdog resets the chip, sets WDRF, and keeps running: WDRF keeps WDE set.
 // Source: DS40002061B, 11.5, 11.9.1, 11.9.2
 // Expect: 01 09 08
 // Ends: 1000000

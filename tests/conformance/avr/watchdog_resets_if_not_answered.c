@@ -1,4 +1,4 @@
-// With WDE and WDIE the second time resets too where the interrupt was not entered.
+// With WDE and WDIE, the second timeout resets even if the interrupt was not entered.
 // Source: DS40002061B, 11.9.2
 // Expect: 01 c8 09
 // Ends: 2000000

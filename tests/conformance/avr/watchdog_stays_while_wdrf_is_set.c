@@ -1,4 +1,4 @@
-// WDE cannot be cleared before WDRF is.
+// WDE cannot be cleared while WDRF is set.
 // Source: DS40002061B, 11.9.2
 // Expect: 08 08 00
 // Ends: 1000000

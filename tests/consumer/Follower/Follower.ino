@@ -1,4 +1,4 @@
-// Keeps the line between two sensors of the robot uno2, or the outer two of another.
+// Keeps the line between two sensors of uno2, or between the outermost two of another robot.
 #include "steering.h"
 
 const int kCruise = 110;

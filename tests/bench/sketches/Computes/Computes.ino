@@ -1,4 +1,4 @@
-// Computes all the time: a checksum, floating point, sorting, text; follows the line in between.
+// Computes all the time (checksum, floating point, sorting, text), and follows the line in between.
 #include <util/crc16.h>
 
 const uint8_t SENSORS[] = {A0, A1, A2, A3, A4};

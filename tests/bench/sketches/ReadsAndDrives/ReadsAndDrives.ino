@@ -1,4 +1,4 @@
-// A loop that only reads sensors and drives, as fast as the Uno can.
+// Only reads sensors and drives, as fast as the Uno can.
 const int SENSORS[] = {A0, A1, A2, A3, A4};
 
 void setup() {

@@ -1,4 +1,4 @@
-// Sleeps in power-down until the watchdog's interrupt, and moves a pin.
+// Sleeps in power-down until the watchdog's interrupt, then toggles a pin.
 #include <avr/sleep.h>
 #include <avr/wdt.h>
 

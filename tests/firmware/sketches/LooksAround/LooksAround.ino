@@ -1,10 +1,10 @@
-// Drives about a room: a distance sensor on a servo looks ahead, and to both sides where something is in the way.
+// Drives around a room. A distance sensor on a servo looks ahead, and to both sides at an obstacle.
 const int LEFT_EN = 5, LEFT_IN1 = 7, LEFT_IN2 = 8;
 const int RIGHT_EN = 6, RIGHT_IN1 = 9, RIGHT_IN2 = 10;
 const int PAN = 11, TRIG = 12, ECHO = 13;
 const int SPEED = 130;
 
-// Distance in cm; 400 if nothing is there.
+// Returns the distance in cm, or 400 if nothing is there.
 int distance() {
   digitalWrite(TRIG, LOW);
   delayMicroseconds(2);
@@ -15,7 +15,7 @@ int distance() {
   return us == 0 || us > 23000UL ? 400 : (int)(us / 58);
 }
 
-// Turns the servo, as its library would: a pulse every 20 ms.
+// Turns the servo as the Servo library would: a pulse every 20 ms.
 void look(int angle) {
   unsigned int us = 544 + (unsigned int)(angle * 10.31);
   for (int i = 0; i < 25; i++) {

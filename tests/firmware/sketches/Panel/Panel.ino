@@ -1,4 +1,4 @@
-// Keypad, remote control and Bluetooth choose a mode; a display shows it, and a buzzer beeps. Without libraries.
+// A keypad, a remote control and Bluetooth select a mode. A display shows it, and a buzzer beeps. No libraries.
 const int ROWS[4] = {6, 7, 8, 9};
 const int COLUMNS[3] = {10, A0, A1};
 const char KEYS[4][4] = {"123", "456", "789", "*0#"};
@@ -49,7 +49,7 @@ char key() {
   return found;
 }
 
-// Returns the command of an NEC message that has just begun; -1 if it is another signal.
+// Returns the command of an NEC message that has just begun, or -1 for any other signal.
 int command() {
   if (pulseIn(IR, HIGH, 20000) < 4000) return -1;
   unsigned long bits = 0;

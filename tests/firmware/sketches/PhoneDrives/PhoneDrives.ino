@@ -1,4 +1,4 @@
-// A phone drives it by Bluetooth: f forward, s stop, anything else is refused.
+// A phone drives the robot by Bluetooth: f forward, s stop; anything else is refused.
 #include <SoftwareSerial.h>
 
 SoftwareSerial phone(2, 3);

@@ -1,8 +1,8 @@
-// Follows a line on two servos for continuous rotation, one digital sensor on each side of it.
+// Follows a line with two continuous-rotation servos and one digital sensor on each side of the line.
 const int LEFT_WHEEL = 9, RIGHT_WHEEL = 10;
 const int LEFT_SENSOR = A0, RIGHT_SENSOR = A2;
 
-// Sends one pulse to each servo in 20 ms. Seen from its side, a longer pulse turns it counter-clockwise.
+// Sends one pulse to each servo in 20 ms. A longer pulse turns a servo counter-clockwise, as seen from its side.
 void pulse(int left, int right) {
   digitalWrite(LEFT_WHEEL, HIGH);
   delayMicroseconds(1500 + left);

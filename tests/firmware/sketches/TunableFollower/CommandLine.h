@@ -1,4 +1,4 @@
-// Lines from Serial: a word, and perhaps a number.
+// Reads lines from Serial: a word, and optionally a number.
 #ifndef COMMAND_LINE_H
 #define COMMAND_LINE_H
 
@@ -6,7 +6,7 @@
 
 class CommandLine {
  public:
-  static const uint8_t kLongest = 20;  ///< what is longer is no command
+  static const uint8_t kLongest = 20;  ///< longer lines are not commands
 
   /// Takes what has come; true if a line is complete. It holds until the next call.
   bool read() {

@@ -1,4 +1,4 @@
-// Stores three settings and a checksum in EEPROM. The checksum detects half a record or a worn byte.
+// Stores three settings and a checksum in EEPROM. The checksum detects an incomplete record or a worn byte.
 #ifndef SETTINGS_H
 #define SETTINGS_H
 
@@ -30,7 +30,7 @@ inline void storeSettings(const Settings& settings) {
   record.finish();
 }
 
-/// False, and nothing changes, if there is no sound record.
+/// Returns false, and changes nothing, if there is no valid record.
 inline bool loadSettings(Settings& settings) {
   EepromBytes bytes;
   nav::RecordReader<EepromBytes> record(bytes);

@@ -1,19 +1,19 @@
-// A line follower that can be lived with: switched by a button, tuned over Serial, careful with itself. Robot: the
-// robot.toml beside it, uno5 with a battery divider.
+// A line follower for daily use: a button starts it, Serial commands tune it, and it stops by itself when
+// something is wrong. Robot: robot.toml in this folder, uno5 with a battery divider.
 //
-//   button            starts and stops it
-//   Serial, 115200    a command and a newline:
+//   button            starts and stops the robot
+//   Serial, 115200    one command per line:
 //                       go, go SECONDS, stop     drives, for SECONDS
-//                       speed 60..255            PWM on the straight
-//                       gain 10..200             how hard it steers
-//                       calibrate                measures the sensors' range: turns to and fro for 2 s
+//                       speed 60..255            PWM on straight lines
+//                       gain 10..200             how hard the robot steers
+//                       calibrate                measures the sensors' range: turns left and right for 2 s
 //                       odometer MM              sets the odometer
-//                       save                     keeps speed, gain and odometer in EEPROM
+//                       save                     saves speed, gain and odometer in EEPROM
 //                       status, help
-//   LED               blinks while it stands, is on while it drives
+//   LED               blinks while the robot stands, is on while it drives
 //
-// It stops by itself if there has been no line for 0.3 s, or too little voltage for 50 ms. On an AVR the watchdog
-// resets the chip if loop() does not come round for 120 ms; then it stands still.
+// The robot stops if it sees no line for 0.3 s, or if the voltage is too low for 50 ms. On an AVR the
+// watchdog resets the chip if loop() takes longer than 120 ms; the robot then stays stopped.
 
 #include <LineKit.h>
 #if defined(__AVR__)
@@ -31,12 +31,12 @@ const uint16_t FULL_SCALE_MV = 3300;
 #else
 const uint16_t FULL_SCALE_MV = 5000;
 #endif
-const uint8_t BATTERY_TENTHS = 4;      // of the battery's voltage, behind its divider
+const uint8_t BATTERY_TENTHS = 4;      // of the battery's voltage, after its divider
 const uint16_t EMPTY_MV = 6400;        // two lithium cells
 const uint16_t UM_PER_EDGE = 326;      // pi * 32 mm / (2 * 154.35)
 const uint8_t STEP_MS = 5;
 const uint16_t LOST_MS = 300, EMPTY_MS = 50, BLINK_MS = 250;
-const uint8_t CALIBRATION_STEPS = 200; // of 10 ms
+const uint8_t CALIBRATION_STEPS = 200; // of 10 ms each
 
 const char HELP[] PROGMEM = "go [SECONDS], stop, speed 60..255, gain 10..200, calibrate, odometer MM, save, status";
 
@@ -189,7 +189,7 @@ void setup() {
   Serial.begin(115200);
   pinMode(LED_PIN, OUTPUT);
   sensors.begin();
-  sensors.setRange(110, 880);  // on the floor, on the line
+  sensors.setRange(110, 880);  // raw readings on the floor and on the line
   motors.begin();
   encoders.begin();
   button.begin();
