@@ -1,5 +1,5 @@
-// Robosim v1's sensing, moving and scanning, re-implemented simply from measurements of it. It is the
-// reference for the cell engine, for results and for speed.
+// A simple re-implementation of Robosim v1's sensing, moving and scanning, from measurements of v1. It is the
+// reference for the cell engine's results and speed.
 #pragma once
 
 #include <string>
@@ -26,7 +26,7 @@ struct Robot {
   void choose_left();
 
  private:
-  char at(int cx, int cy) const;  ///< '0', '1' or '2'; '?' off the map
+  char at(int cx, int cy) const;  ///< '0', '1' or '2'; '?' outside of the map
   void side(char to, int& dx, int& dy) const;
   void note(const char* move);
 };
@@ -43,8 +43,8 @@ struct Scan {
   int stations = 1;
 };
 
-/// Runs the third algorithm. The start must be a dead end, facing the line, of a tree of three-way junctions
-/// with at least one.
+/// Runs the third algorithm. The map must be a tree of three-way junctions, with at least one junction. The
+/// start must be a dead end, facing the line.
 Scan scan(Robot& robot);
 
 }  // namespace robosim::cells::v1

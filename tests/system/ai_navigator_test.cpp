@@ -1,7 +1,8 @@
-// Tests the sketch AiNavigator on the robot uno5: it scans a map, and then drives to every given station.
+// Tests the sketch AiNavigator on the robot uno5: the robot scans a map, and then drives to every requested
+// station.
 //
-// Compares its output with the world: where the robot stands when it prints that it has arrived.
-// ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, on the chip, too.
+// Compares its output with the world: the robot's position when it prints that it has arrived.
+// ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, including on the chip.
 
 #include <cmath>
 
@@ -26,7 +27,7 @@ grid::TrueGraph graph_of(const std::string& map_name, const std::string& start =
 // Observations of a run.
 struct Seen {
   std::string text;           // the sketch's output, without CR
-  std::vector<int> arrivals;  // "arrived at"
+  std::vector<int> arrivals;  // stations that it "arrived at"
   int collisions = 0;
   double time_s = 0.0;
   std::string verdict;
@@ -35,7 +36,7 @@ struct Seen {
 
 const std::string kScan = "at 300ms press start 100ms\n";
 
-// Interrupts the run when it has printed the line `until`.
+// Runs until the sketch has printed the line `until`, then interrupts the run.
 Seen watch(const Run& of, const std::string& until, const std::string& start = "") {
   client::Runner& runner = runner_of(of.target);
   const grid::Map map = grid::read_map(grid::find_map(of.map));
@@ -185,8 +186,8 @@ TEST(AiNavigatorsBumper, TurnsItBackWhenItStaysPressedAndThereIsNoOtherWay) {
   EXPECT_THAT(seen.arrivals, ElementsAre()) << seen.text;
 }
 
-// The bumper is pressed at a node, soon after it, at its bends, and before the next one. Where it turns, the
-// line may be out of sight.
+// Presses the bumper at a node, soon after it, at bends, and before the next node. The robot may not see the
+// line while it turns.
 TEST(AiNavigatorsBumper, LeadsItBackWhereverOnTheWayItIsPressed) {
   for (int moment = 0; moment < 12; moment += 12 / rounds(12)) {
     const Seen seen = watch("d",

@@ -77,7 +77,7 @@ TEST(CliBuild, AMissingCrossCompilerIsStatus5AndItsPackageIsNamed) {
   EXPECT_EQ(ended.err, "robosim: avr-g++ is missing: sudo apt install gcc-avr\n");
 }
 
-// Mistakes of beginners that the compiler reports only with extra flags.
+// Beginners' mistakes that the compiler reports only with extra flags.
 TEST(CliBuild, AnAssignmentForAComparisonAndAnEmptyIfAreWarnedOf) {
   const Folder folder;
   folder.write(

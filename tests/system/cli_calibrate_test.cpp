@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 const std::string kLogger = ROBOSIM_SAMPLES "/CalibrationLogger";
 
-/// Figures drawn at random, in the units in which they are written.
+/// Random parameters, in the units in which the file has them.
 struct Drawn {
   explicit Drawn(std::uint64_t seed) : stream(seed, 0, "calibrate", "test") {}
   double operator()(double low, double high) { return low + (high - low) * stream.uniform(count++); }
@@ -101,7 +101,7 @@ black_volts = [{}]
     for (std::size_t i = 0; i < 5; ++i) {
       const ConfigValue &w = part.find("white_volts")->items[i], &b = part.find("black_volts")->items[i];
       EXPECT_NEAR(value_of(b), black[i], 0.01 * black[i]);
-      // The floor's own brightness varies by 5 %: that is not the sensor's.
+      // The floor's brightness itself varies by 5 %, which is not the sensor's error.
       EXPECT_NEAR(value_of(w), white[i], 0.04 * (black[i] - white[i]));
       EXPECT_NEAR(value_of(w), white[i], 1.5 * spread_of(w));
     }
@@ -109,7 +109,7 @@ black_volts = [{}]
                 AllOf(HasSubstr("footprint"), HasSubstr("drive with 255 and 255")));
 
     if (seed > 1) continue;
-    // Existing values stay unless the user requests them.
+    // Existing values stay unless the user replaces them.
     const std::string before = read_file(robot);
     const auto calibrate = [&](std::vector<std::string> more) {
       more.insert(more.begin(), {"calibrate", robot, log, "--tape", "19 mm"});
@@ -132,7 +132,7 @@ black_volts = [{}]
   }
 }
 
-// Returns a map as samples/CalibrationLogger/strip.map, with the tape's middle `x_mm` from the left.
+// Returns a map like samples/CalibrationLogger/strip.map, with the tape's middle `x_mm` from the left.
 std::string strip_at(int x_mm) {
   std::string text = fmt::format(
       "+++\nline = \"19 mm\"\nsize = [\"8 m\", \"6 m\"]\ngoal = \"none\"\n[[path]]\nfrom = [\"{} mm\", \"3 "

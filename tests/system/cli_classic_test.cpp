@@ -12,7 +12,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// The robot's floor of these tests: two junctions, a station that faces a wall.
+// The floor of these tests: two junctions, and a station that faces a wall.
 constexpr const char* kFloor =
     "00000000000\n"
     "00001000000\n"

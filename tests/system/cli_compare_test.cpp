@@ -1,4 +1,5 @@
-// Tests `robosim compare`: it finds each planted difference, and none if targets only differ in timing.
+// Tests `robosim compare`: it finds each planted difference, and no difference if targets differ only in
+// timing.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +38,7 @@ class CliCompare : public ::testing::Test {
     words.insert(words.end(), more.begin(), more.end());
     return robosim_command(words);
   }
-  /// The difference as programs have it.
+  /// Returns the difference from the JSON output.
   nlohmann::json difference(const std::string& sketch, const std::string& targets,
                             std::vector<std::string> more = {}) const {
     more.push_back("--json");
@@ -45,9 +46,9 @@ class CliCompare : public ::testing::Test {
     EXPECT_EQ(ended.status, 1) << ended.err;
     return json_of(ended)["difference"];
   }
-  /// Returns the first comparison of host and stm32, by seed, with a robot that is on the edge on both.
-  /// Whether one is depends on microseconds, and so on the releases of both compilers. No seed on the way may
-  /// blame a target.
+  /// Returns the comparison with the first seed for which the robot is on the edge on both host and stm32.
+  /// The seed depends on microseconds, and therefore on the releases of both compilers. With each earlier
+  /// seed, the comparison must blame no target.
   static nlohmann::json first_on_the_edge(const std::vector<std::string>& words, int first_seed) {
     for (int seed = first_seed; seed < first_seed + 6; ++seed) {
       std::vector<std::string> all = words;
@@ -117,7 +118,7 @@ TEST_F(CliCompare, TheWrapOfMillisIsFound) {
 }
 
 TEST_F(CliCompare, WhatNobodyHasSetIsFound) {
-  // On a 32-bit Raspberry Pi the host's stack is laid out as the STM32's.
+  // On a 32-bit Raspberry Pi the host's stack has the same layout as the STM32's.
   const auto found = difference("DiffersInGarbage", "avr,stm32");
   EXPECT_EQ(found["kind"], "number");
   expect_both_at(found, "DiffersInGarbage.ino", 9, "printWhatIsThere");
@@ -141,7 +142,8 @@ TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
   }
 }
 
-// Chance decides which way it turns at this corner, on each target: clocks that are a little off show it.
+// On each target, chance decides which way the robot turns at this corner: slightly different clocks reveal
+// it.
 TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
   auto result =
       first_on_the_edge({"compare", "RightPath", "--map", "tight", "--robot", "uno3", "--for", "14s"}, 1);
@@ -152,8 +154,8 @@ TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
   EXPECT_NE(result["edges"][0]["texts"][0], result["edges"][0]["texts"][1]);
 }
 
-// An Uno's millis() may be a tick behind, so it prints "even" when a Blue Pill prints "odd". The host prints
-// it half a millisecond later. That must not hide later differences.
+// An Uno's millis() may lag by one tick, so it prints "even" when a Blue Pill prints "odd". The host prints
+// half a millisecond later. These differences must not hide later ones.
 TEST_F(CliCompare, WhatHangsOnATickOfTheClockBlamesNoTarget) {
   const Ended ended = compare("DiffersAtTick", "host,stm32");
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;

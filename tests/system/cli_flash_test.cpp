@@ -31,7 +31,8 @@ class CliFlash : public ::testing::Test {
   CliFlash() : path_(std::getenv("PATH")) { folder_.write("My/My.ino", kFlashed); }
   ~CliFlash() override { ::setenv("PATH", path_.c_str(), 1); }
 
-  /// Puts an avrdude first on PATH. It saves its words and a copy of its file, and ends with `status`.
+  /// Puts a fake avrdude first on PATH. It saves its arguments and a copy of its file, and ends with
+  /// `status`.
   void fake_avrdude(int status) {
     const auto script = folder_.write(
         "bin/avrdude", "#!/bin/sh\n: > '" + words().string() + "'\nfor word; do echo \"$word\" >> '" +
@@ -125,7 +126,7 @@ TEST_F(CliFlash, ADryRunPrintsTheCommandAndTheHashOfTheTestedImage) {
                        after(ended.out, "hex: ", "\n") + ":i\n"));
   const Ended run =
       robosim_command({"run", "My/", "--target", "avr", "--for", "10ms", "--json"}, folder_.path());
-  if (run.status == 5 && !is_required("avr")) GTEST_SKIP() << run.err;  // no emulator here
+  if (run.status == 5 && !is_required("avr")) GTEST_SKIP() << run.err;  // the emulator is missing
   const auto result = nlohmann::json::parse(run.out, nullptr, false);
   ASSERT_TRUE(result.is_object()) << run.out << run.err;
   const auto image = result["inputs"]["image_sha256"].get<std::string>();

@@ -94,7 +94,7 @@ TEST(CliFleet, TheSameSketchTwiceHasItsVariablesTwiceAndACrashIsItsRobots) {
 TEST(CliFleet, ASketchThatTakesTheProcessDownIsNamed) {
   const Folder folder;
   write_file(folder / "Gone.ino",
-             // Where all signals are blocked, the kernel ends a process at the first call that is refused.
+             // If all signals are blocked, the kernel kills a process at its first refused call.
              "void setup() {}\nvoid loop() {\n  delay(300);\n  unsigned long all = ~0ul;\n"
              "  register long bytes asm(\"r10\") = 8;\n"
              "  asm volatile(\"syscall\" ::\"a\"(14l), \"D\"(2l), \"S\"(&all), \"d\"(0l), \"r\"(bytes)"
@@ -148,7 +148,7 @@ TEST(CliFleet, ASketchBesideAnStm32IsConfinedAndTheOthersDriveOn) {
   ROBOSIM_NEEDS_TARGET("stm32");
   if (const std::string why = exec::why_not_confined(); !why.empty()) GTEST_SKIP() << why;
   const Folder folder;
-  // Instructions that libunicorn executes, before and after a power cycle.
+  // libunicorn executes these instructions before and after a power cycle.
   write_file(folder / "Left.ino",
              "volatile unsigned shared;\n"
              "void setup() { Serial.begin(9600); }\n"

@@ -56,8 +56,8 @@ struct Debugged {
   const char* robot;
   const char* debugger;
   const char* package;
-  const char* millis;  ///< the core's variable
-  const char* ram;     ///< where it begins
+  const char* millis;  ///< the core's millisecond counter
+  const char* ram;     ///< the beginning of RAM
 };
 
 class CliGdb : public ::testing::TestWithParam<Debugged> {
@@ -85,10 +85,10 @@ class CliGdb : public ::testing::TestWithParam<Debugged> {
 
   struct Session {
     Ended run;
-    std::string gdb;  ///< what it printed
+    std::string gdb;  ///< gdb's output
   };
-  /// Starts a run, and gdb attached to it with these commands; gdb itself tries until the run listens.
-  /// `status`: 1 if the last command is refused.
+  /// Starts a run, and gdb with these commands. gdb itself retries until the run listens. `status` is 1 if
+  /// the last command is refused.
   Session debug(const std::string& commands, int status = 0) const {
     const std::string port = std::to_string(free_port());
     folder_.write(
@@ -132,7 +132,8 @@ TEST_P(CliGdb, TheWorldStandsStillWithTheFirmware) {
       "\n"
       "step\nprint passes\nnext\nstepi\nstepi\n"
       "delete\nwatch passes\ncontinue\nprint passes\n"
-      // By its name: avr-gcc 14 gives line 3 no instruction of its own, as digitalWrite() is inlined into it.
+      // Breaks at the function's name, because avr-gcc 14 inlines digitalWrite() and has no instruction for
+      // line 3.
       "delete\nbreak blink\ncontinue\nprint passes % 2\n"
       "delete\ncontinue\n");
   SCOPED_TRACE(session.gdb);
@@ -171,7 +172,7 @@ TEST_P(CliGdb, GoesBack) {
   EXPECT_THAT(session.gdb, HasSubstr("Hardware watchpoint 2: passes\n\nOld value = 1\nNew value = 0\n"));
   EXPECT_THAT(session.gdb, HasSubstr("#0  0x")) << "in the middle of the line that has written it";
   EXPECT_THAT(session.gdb, HasSubstr("in loop () at My.ino:10"));
-  // gdb 16 has other words for the start of the run than gdb 13.
+  // gdb 13 and gdb 16 word the start of the run differently.
   EXPECT_THAT(session.gdb, AnyOf(HasSubstr("No more reverse-execution history"),
                                  HasSubstr("Reached end of recorded history; stopping.\n"
                                            "Backward execution from here not possible.")));

@@ -157,7 +157,7 @@ TEST_F(CliHunt, BlamesNoFollowerOfLoopsForFloorsThatItToursByLuckIfAtAll) {
                 "  if (off > 500) side = 1;\n"
                 "  if (off < -500) side = -1;\n"
                 "  if (sensors.seesLine()) motors.drive(80 + off / 20, 80 - off / 20);\n"
-                "  else motors.drive(side * 75, side * -75);\n"  // where a line ends it turns round
+                "  else motors.drive(side * 75, side * -75);\n"  // turns around at the end of a line
                 "  delay(5);\n"
                 "}\n");
   const char* const kSays =

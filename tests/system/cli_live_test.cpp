@@ -1,4 +1,4 @@
-// Tests `robosim run --live`: a program drives the run by lines of JSON.
+// Tests `robosim run --live`: a program controls the run by lines of JSON.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

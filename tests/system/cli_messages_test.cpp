@@ -1,4 +1,4 @@
-// Tests messages for common mistakes in a newcomer's first hour.
+// Tests the messages for mistakes that are common in a newcomer's first hour.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ constexpr const char* kMap = "111\n1_1\n111\n";
 
 class Newcomers : public testing::Test {
  protected:
-  /// Returns a rejected command's text on standard error.
+  /// Returns the text of a rejected command on standard error.
   std::string refusal(const std::vector<std::string>& words) const {
     const Ended ended = robosim_command(words, folder_.path());
     EXPECT_EQ(ended.status, 2) << ended.out;

@@ -98,7 +98,7 @@ TEST(CliPlay, TheDrivenRobotScansAndGoesWhereItIsSent) {
 
 TEST(CliPlay, TheDrivenRobotGoesOnFromWhereItAskedInOneRun) {
   namespace fs = std::filesystem;
-  // An installation whose runner records its requests.
+  // Creates an installation whose runner records its requests.
   const Folder folder;
   const fs::path asked = folder / "asked";
   const fs::path runner =

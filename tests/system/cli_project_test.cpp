@@ -1,4 +1,4 @@
-// Tests `robosim` in the folders of other tools: PlatformIO's, arduino-cli's.
+// Tests `robosim` in the folders of other tools: PlatformIO and arduino-cli.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-/// Writes a follower in several files: sources in folders, a library with src/, one with include/, a header
-/// of the project that both see.
+/// Writes a follower in several files: sources in folders, a library with src/, a library with include/, and
+/// a header of the project that both include.
 void write_platformio(const Folder& folder) {
   folder.write("platformio.ini",
                "[env:uno]\nplatform = atmelavr\nboard = uno\nframework = arduino\n"
@@ -144,7 +144,7 @@ TEST(CliProject, AProgramForABoardOfAnotherCoreRunsOnOneWithItsChip) {
   }
 }
 
-/// Returns the fields that tasks.json's problem matcher finds: file, line, column, severity, message.
+/// Returns the fields that the problem matcher of tasks.json finds: file, line, column, severity, message.
 std::vector<std::string> matched(const Folder& folder, const std::string& line) {
   const auto tasks =
       nlohmann::json::parse(read_file(folder / "Mine/.vscode/tasks.json"), nullptr, true, true)["tasks"];

@@ -21,7 +21,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-// The compiler decides where basic blocks of a sketch begin: see golden_test.cpp.
+// The trace depends on the compiler, which decides where a sketch's basic blocks begin: see golden_test.cpp.
 constexpr const char* kCompiler = "gcc 12.2.0 x86_64-linux-gnu";
 
 TEST(Record, APageHoldsTheSameFiguresAsTheTable) {
@@ -144,7 +144,7 @@ TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {
   const Folder folder;
   struct Drawn {
     const char* picture;
-    std::filesystem::path where;  ///< no path of this machine gets into the picture
+    std::filesystem::path where;  ///< avoids a path of this machine in the picture
     std::vector<std::string> run;
   };
   for (const Drawn& one :

@@ -1,4 +1,4 @@
-// Tests the reported free memory at the end of a run on the chip, by sketches that use it up.
+// Tests the free memory that is reported at the end of a run on the chip, with sketches that use it up.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TEST_F(CliRoom, SoManyNodesFitIntoAiNavigatorAsItsRunSays) {
   const int nodes = said(run);
   EXPECT_GT(nodes, 205) << run.out;
   EXPECT_LT(nodes, 253) << run.out;
-  // An interrupt may come where the stack is deepest in one run and not in another: its frame stays free.
+  // An interrupt may come at the deepest stack in one run only, so its frame must stay free.
   constexpr int kNodesOfAHandler = 8;
   const Ended full = scan_with(nodes - kNodesOfAHandler, kBallast_bytes);
   EXPECT_EQ(full.status, 0) << full.out << full.err;

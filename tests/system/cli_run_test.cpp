@@ -190,7 +190,7 @@ TEST(Cli, TheKitsOfTheDocsTakeTenLinesAndAreFine) {
   EXPECT_EQ(kits, 5);
 }
 
-// The Zumo's DIR is low for forward, on both sides.
+// On the Zumo, DIR is low for forward on both sides.
 TEST(Cli, AKitDrivesAheadAsItsLibraryDrivesIt) {
   const Folder folder;
   folder.write(

@@ -1,4 +1,4 @@
-// Tests `--sanitize`, as a user gives it.
+// Tests `--sanitize`, as users pass it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -44,8 +44,8 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "the same bytes each time";
 }
 
-// The sketch does as FreeRTOS does: it takes the core's place, and its tasks have their stacks in all the RAM
-// that there is.
+// The sketch replaces core functions and looks for the end of RAM, as FreeRTOS does to place the stacks of
+// its tasks.
 TEST(CliSanitize, OnTheChipASketchMayTakeTheCoresPlaceAndFindsWhereRamEnds) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -79,7 +79,7 @@ TEST(CliSanitize, OnTheChipItKnowsHowMuchAnIntHolds) {
   EXPECT_THAT(build.out, HasSubstr("with checks"));
 }
 
-// With checks it has more RAM than the chip: what counts is what is flashed.
+// With checks, the emulated chip has more RAM. The verdict is that of the flashed image, without checks.
 TEST(CliSanitize, OnTheChipASketchWithoutRoomForItsStackHasNotPassed) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -100,7 +100,7 @@ TEST(CliSanitize, OnTheChipASketchWithoutRoomForItsStackHasNotPassed) {
                     HasSubstr("stack overflow")));
 }
 
-// avr-gcc gives both checks one description of a type, the array's.
+// For both checks avr-gcc emits only one type description, the array's.
 TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -114,7 +114,7 @@ TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
   EXPECT_THAT(run.out, HasSubstr("* 100 does not fit an int, which holds"));
 }
 
-// A failure on the chip is examined automatically.
+// A failure on the chip is re-run with checks automatically.
 TEST(CliSanitize, ASketchThatFailsOnTheChipRunsAgainWithChecksThatNameTheLine) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const std::string sum = sketch_folder("ChipSum").string() + "/";
@@ -171,7 +171,8 @@ TEST(CliSanitize, WhereNoCheckFindsAnythingItIsSaidWhatTheyDoNotLookAt) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("next:"), HasSubstr("Not checked: unsigned")));
 }
 
-// In the second run memory is larger, so the code that filled it continues to a fault after the first's end.
+// The second run has more memory. The code that filled the memory continues, and fails after the end of the
+// first run.
 TEST(CliSanitize, ACheckThatFailsLongAfterTheFirstRunsEndIsNotItsCause) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -198,7 +199,7 @@ TEST(CliSanitize, OurOwnSketchDrivesWithoutAFinding) {
 
 // --- detectors
 
-/// Drives forwards and backwards, 700 ms each; `waits` is its line 5.
+/// Returns the findings for a sketch that drives forward and backward, 700 ms each. Its line 5 is `waits`.
 nlohmann::json detected_in(const std::string& waits) {
   const Folder folder;
   folder.write(
@@ -228,7 +229,7 @@ TEST(CliSanitize, TellsWhichDeadlineBreaksWhenMillisGoesBackToZero) {
   EXPECT_THAT(seen[0]["what"].get<std::string>(), HasSubstr("when millis() goes back to 0"));
   const nlohmann::json none = detected_in("  while (millis() - begin < 700) {}");
   EXPECT_TRUE(none.empty()) << none;
-  // From there on the number is shorter, and takes less of the serial port's time.
+  // After the wrap the numbers are shorter and take less time on the serial port.
   const nlohmann::json prints = detected_in(
       "  while (millis() - begin < 700) {}\n  for (int i = 0; i < 40; i++) Serial.println(millis());");
   EXPECT_TRUE(prints.empty()) << prints;
@@ -239,7 +240,7 @@ TEST(CliSanitize, BlamesNoSketchForAWrapThatAnyOtherMicrosecondTurnsAside) {
   const nlohmann::json seconds = detected_in(
       "  while (millis() - begin < 700) {}\n  for (int i = 0; i < 40; i++) Serial.println(millis() / 1000);");
   EXPECT_TRUE(seconds.empty()) << seconds;
-  // The duration of its conversion to float depends on its value.
+  // The time of the conversion to float depends on the value.
   const nlohmann::json by_count = detected_in(
       "  unsigned n = 0;\n  while (millis() - begin < 700) { volatile float f = millis(); n++; }\n"
       "  if (n % 2) delay(300);");

@@ -111,7 +111,7 @@ TEST(CliSweep, ResumeMakesOnlyTheRunsThatAreMissing) {
   std::replace(few.begin(), few.end(), std::string("1..8"), std::string("3..5"));
   robosim_command(few, folder.path());
   std::string text = read_file(folder / "a.csv");
-  // A row by an older version, which had no checksum: the last group of its inputs.
+  // Makes a row as an older version wrote it, without a checksum, which is the last part of its inputs.
   const auto row = text.find("host,4,"), end = text.find("\n", row);
   text.insert(end, " (as found)");
   const auto checksum = text.rfind('-', text.rfind(',', end));
@@ -181,7 +181,7 @@ TEST(CliSweep, TablesOfShardsMergeToThatOfOneSweep) {
   const Ended all = merge({"part3.csv", "part1.csv", "part2.csv"}, "all.csv");
   EXPECT_EQ(all.out, one.out) << all.err;
   EXPECT_EQ(read_file(folder / "all.csv"), read_file(folder / "one.csv"));
-  // Runs that no machine has done are done here.
+  // Runs that are in no table are done here.
   merge({"part3.csv", "part1.csv"}, "more.csv");
   EXPECT_EQ(read_file(folder / "more.csv"), read_file(folder / "one.csv"));
 
@@ -214,7 +214,7 @@ TEST(CliSweep, StoppingEarlyLeavesOutRunsAndNotTheAnswer) {
     tables.push_back(read_file(folder / file));
   }
   EXPECT_EQ(tables[0], tables[1]);
-  EXPECT_EQ(count_of(tables[0], ",crashed,"), 2);  // the first of each map
+  EXPECT_EQ(count_of(tables[0], ",crashed,"), 2);  // the first run of each map
   EXPECT_LT(lines_of(tables[0]).size(), 17u);
 }
 
@@ -230,7 +230,7 @@ TEST(CliSweep, JsonIsALineOfTheRunSchemaForEachRun) {
 TEST(CliSweep, CtrlCKeepsWhatIsFinishedAndResumeGoesOn) {
   const Folder folder;
   const std::string file = (folder / "a.csv").string();
-  // Seed 1 crashes at once, seed 2 drives without end.
+  // Seed 1 crashes immediately, seed 2 drives forever.
   const Words words{"sweep", kFailsByChance, "--map",    "oval",  "--robot", "uno5",    "--goal",
                     "none",  "--for",        "1000000h", "--csv", file,      "--seeds", "1..2"};
   Words json = words;

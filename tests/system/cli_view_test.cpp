@@ -81,7 +81,7 @@ TEST(CliView, PauseStopsTimeAndSpaceGoesOn) {
 }
 
 TEST(CliRun, CtrlCWithoutAViewEndsTheRunWithItsResult) {
-  // The line of progress on the terminal shows that the run has begun.
+  // The progress line on the terminal shows that the run has begun.
   OnTerminal run(
       {"run", "PidFollower", "--map", "oval", "--robot", "uno5", "--goal", "none", "--for", "1000h"}, 100,
       30);

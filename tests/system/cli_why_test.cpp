@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-// It reads the line sensor once, and drives on with that value.
+// Reads the line sensor once, and keeps driving with that value.
 constexpr const char* kLooksOnce = R"(const int MIDDLE = A2;
 const int FAST = 200;
 int left, right;
@@ -37,7 +37,7 @@ void loop() {
 }
 )";
 
-// Neither sensor is ever as dark as required, so the motors stay unchanged.
+// No sensor is ever as dark as the sketch requires, so the motors stay unchanged.
 constexpr const char* kLeavesAsItWas = R"(const byte PINS[] = {A0, A1, A2};
 void setup() {
   for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
@@ -61,7 +61,7 @@ void loop() {
 }
 )";
 
-// It leaves the line, stops some time later, and never drives on.
+// Leaves the line, stops some time later, and never drives again.
 constexpr const char* kStops = R"(bool done = false;
 unsigned long began = 0;
 void stop() {
@@ -87,7 +87,7 @@ void loop() {
 }
 )";
 
-// Its button is not pressed.
+// Waits for a button that is not pressed.
 constexpr const char* kWaitsForAButton = R"(bool started = false;
 void setup() {
   for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
@@ -101,7 +101,7 @@ void loop() {
 }
 )";
 
-// The handler that would end its waiting never comes.
+// Waits for a handler that never runs.
 constexpr const char* kSwitchesInterruptsOff = R"(volatile bool turning = false;
 void onEdge() { turning = true; }
 void setup() {

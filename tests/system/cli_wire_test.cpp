@@ -1,4 +1,4 @@
-// Tests `robosim wire`: from a sketch to a robot file that it drives.
+// Tests `robosim wire`, which makes a robot file that fits a sketch.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// Two digital sensors next to the line, LOW over black, and an L298N whose EN pins are jumpered.
+// Uses two digital sensors next to the line, LOW over black, and an L298N whose EN pins are jumpered.
 constexpr const char* kTwoEyes = R"(#define LS 2
 #define RS 3
 #define LM1 5

@@ -16,7 +16,7 @@
 
 namespace robosim::test {
 
-/// A folder of its own, removed in the end.
+/// A separate folder, which is removed at the end.
 class Folder {
  public:
   Folder() {
@@ -33,7 +33,7 @@ class Folder {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  /// Writes a file, and the folders above it.
+  /// Writes a file, and creates its parent folders.
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     const auto file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
@@ -52,13 +52,13 @@ inline Descriptor open_file(const std::string& path, int flags) {
 }
 
 struct Ended {
-  int status = -1;  ///< exit status; 128 + signal if one ended it
+  int status = -1;  ///< exit status, or 128 + the signal that ended the command
   std::string out;
   std::string err;
 };
 
-/// Runs `robosim WORDS` in `folder` to its end, without a terminal. Files for its standard output (else it is
-/// in the result) and input; another program than the command that was built.
+/// Runs `robosim WORDS` in `folder` to its end, without a terminal. `standard_output` and `standard_input`
+/// are files; without the first, the output is in the result. `program` replaces the built command.
 inline Ended robosim_command(std::vector<std::string> words, const std::filesystem::path& folder = ".",
                              const char* standard_output = nullptr, const char* standard_input = "/dev/null",
                              const std::string& program = ROBOSIM_COMMAND) {

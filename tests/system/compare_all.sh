@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# compare_all.sh ROBOSIM FOLDER [SEEDS [TIME]]: compares host, AVR and STM32 for every sketch of firmware/examples on every
-# sample map, for SEEDS (1..20), at most TIME (60s) each: hours. Each comparison leaves a line of JSON in FOLDER/SKETCH-MAP;
-# what is there already is not run again, so it may be stopped, and goes on. Status 1: something differs that is not chance.
+# compare_all.sh ROBOSIM FOLDER [SEEDS [TIME]]: compares host, AVR and STM32 for every sketch of
+# firmware/examples on every sample map. Uses SEEDS (default 1..20), at most TIME (default 60s) each, and
+# takes hours. Each comparison writes a line of JSON to FOLDER/SKETCH-MAP. Existing files are skipped, so the
+# script may be stopped and continued. Status 1: a difference is not due to chance.
 set -euo pipefail
 (($# >= 2)) || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../..

@@ -34,8 +34,8 @@ bool fits(std::string_view pattern, std::string_view line) {
   return false;
 }
 
-/// Returns whether the lines from `line` on are those from `pattern` on, where a line `…` stands for any
-/// number.
+/// Returns whether the lines from `line` on match those from `pattern` on. A line `…` stands for any number
+/// of lines.
 bool fit(const std::vector<std::string>& patterns, std::size_t pattern, const std::vector<std::string>& lines,
          std::size_t line) {
   for (; pattern < patterns.size(); ++pattern, ++line) {
@@ -56,7 +56,7 @@ struct Info {
   int status = 0, gcc = 0;
 };
 
-/// Throws std::invalid_argument.
+/// Reads the words. Throws std::invalid_argument.
 Info read_info(const std::string& text) {
   if (text.starts_with(" not run: ")) return {false};
   Info info;

@@ -1,14 +1,14 @@
-// Commands that a Markdown page shows, with the output that it promises.
+// Commands in a Markdown page, with the output that the page promises.
 //
-//   ```console                  the commands run, one after another, in one shell for each page
+//   ```console                  runs commands one after another, in one shell for each page
 //   $ robosim new demo          a command
-//   1 sketch                    its output, standard error included; no line: only its status counts
-//   …                           any number of lines; within a line any text
+//   1 sketch                    the output, including standard error; without any, only the status counts
+//   …                           any number of lines; within a line, any text
 //   ```
 //   ```console status 1         the last command of the block ends with status 1
-//   ```console gcc 12           the output is that of sketches compiled by gcc 12; may precede `status 1`
-//   ```console not run: REASON  shown only
-//   <!-- setup: COMMAND -->     runs here, and is not shown to readers
+//   ```console gcc 12           only sketches compiled by gcc 12 give this output; may precede `status 1`
+//   ```console not run: REASON  is displayed only
+//   <!-- setup: COMMAND -->     runs, but readers do not see it
 #pragma once
 
 #include <string>
@@ -20,22 +20,22 @@ namespace robosim::test {
 struct ConsoleCommand {
   int line = 0;         ///< in the page, from 1
   std::string command;  ///< without "$ "
-  std::string output;   ///< as the page shows it; empty = any
-  int status = 0;       ///< the status that it must end with
-  int gcc = 0;          ///< the version of gcc whose output this is; 0 = of any
+  std::string output;   ///< as on the page; empty = any
+  int status = 0;       ///< the expected status
+  int gcc = 0;          ///< the version of gcc that gives this output; 0 = any
   bool is_setup = false;
 };
 
 struct ConsolePage {
   std::vector<ConsoleCommand> commands;  ///< in the order of the page
-  std::vector<int> outside;              ///< lines with "$ " in a block that is not console, from 1
+  std::vector<int> outside;              ///< lines with "$ " in a block of another kind, from 1
 };
 
 /// Reads the console blocks of a page.
 ConsolePage read_console_blocks(std::string_view markdown);
 
-/// Returns whether `actual` is what `expected` shows. Blanks at the end of a line, and empty lines at the
-/// beginning and end, do not count.
+/// Returns whether `actual` matches `expected`. Ignores blanks at the end of a line, and empty lines at the
+/// beginning and end.
 bool shows(std::string_view expected, std::string_view actual);
 
 }  // namespace robosim::test

@@ -1,5 +1,4 @@
-// Tests that every command of README.md and docs runs as written, in a clone, and prints the output on the
-// page.
+// Tests that every command of README.md and docs runs as written in a clone, and prints the page's output.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,7 +64,7 @@ struct Outcome {
   std::string output;
 };
 
-/// Runs the commands in one shell. A command that ends the shell leaves the outcomes after it out.
+/// Runs the commands in one shell. If a command ends the shell, there are no outcomes after it.
 std::vector<Outcome> run_all(const std::vector<ConsoleCommand>& commands, const fs::path& folder,
                              const fs::path& programs) {
   constexpr char kMark = '\x1e';
@@ -119,7 +118,7 @@ TEST_P(DocumentsTest, EveryCommandRunsAsItIsWritten) {
   }
 }
 
-/// A test's name has letters, digits and underscores only.
+/// Returns the page's name in letters, digits and underscores, as gtest requires.
 std::string name_of(const ::testing::TestParamInfo<std::string>& page) {
   std::string name = page.param;
   std::replace_if(

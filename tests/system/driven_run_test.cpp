@@ -1,4 +1,4 @@
-// Runs that are driven step by step are the runs that a script gives.
+// Tests that a run controlled step by step equals the run of the same script.
 
 #include "sim/client/driven_run.h"
 

@@ -1,6 +1,6 @@
-// Tests effects of light, height, slow sensors, a noisy ADC, a weak battery and a shut door on a sketch. For
-// each, a pair of runs without and with it changes a value as docs/explanation/models.md describes. Of two
-// ways to read sensors, one succeeds and the other fails.
+// Tests effects of light, height, slow sensors, a noisy ADC, a weak battery and a shut door on a sketch. Each
+// effect is tested by a pair of runs without and with it. It changes a value as docs/explanation/models.md
+// describes. One of two ways to read sensors succeeds, the other one fails.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -17,10 +17,10 @@ const std::string kWeak = "source_ohms = \"1000 kohm\"\n";
 
 struct Effect {
   const char* name;
-  std::string robot;  ///< what it adds to the robot file
-  std::string floor;  ///< to the map `oval`, or a whole map
+  std::string robot;  ///< additional lines of the robot file
+  std::string floor;  ///< additional lines of the map `oval`, or a whole map
   const char* profile;
-  char survives, fails;  ///< ways to read: sketches/LooksInLight
+  char survives, fails;  ///< ways to read the sensors: see sketches/LooksInLight
 };
 
 void PrintTo(const Effect& effect, std::ostream* out) { *out << effect.name; }
@@ -69,7 +69,7 @@ class Effects : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// A loop of 3.7 m whose far half circle and straight are painted otherwise.
+// Returns a loop of 3.7 m whose far half circle and straight have the keys `paint`.
 std::string loop(const std::string& paint, const std::string& more = "") {
   return "+++\nsize = [\"1.8 m\", \"1.2 m\"]\n[[path]]\nfrom = [\"500 mm\", \"300 mm\"]\nsegments = [\n{ "
          "length = "
@@ -108,7 +108,7 @@ TEST_F(Effects, OfAWeakBatteryOnTheReferenceAreAsTheModelSays) {
   EXPECT_EQ(prints("[electronics]\nfed_by_battery = true\n", "", 0.1, weak).first, code(kBlack));
 }
 
-// Tests in `ideal`, on the line, what paint and gloss leave of black.
+// Tests in `ideal`, on the line, how dark black is with paint and gloss.
 TEST_F(Effects, OfPaintAreAsTheModelSays) {
   const auto seen = [&](const std::string& keys) {
     return prints("",
@@ -125,8 +125,8 @@ TEST_F(Effects, OfPaintAreAsTheModelSays) {
   EXPECT_EQ(seen(", worn = \"100 %\""), code(kWhite));
 }
 
-// A straight line of 0.2 m, its gyroscope tells 15 deg/s at rest: only who subtracts that is straight again
-// after a turn.
+// A straight line of 0.2 m. The gyroscope reports 15 deg/s at rest. Only a sketch that subtracts this bias is
+// straight again after a turn.
 TEST_F(Effects, OfAGyroscopeThatTellsATurnAtRest) {
   const auto reaches = [&](const std::string& bias, char way) {
     const std::filesystem::path map = folder_.path() / "strip.map", file = folder_.path() / "turns.toml";
@@ -160,7 +160,7 @@ TEST_F(Effects, OfAReferenceThatSinksHideAWeakBattery) {
   EXPECT_FALSE(notices("[electronics]\nfed_by_battery = true\n"));
 }
 
-// 24 to 43 % of the black line, 4.4 V, on the capacitor of the converter.
+// 24 to 43 % of the black line's voltage, 4.4 V, remain on the converter's capacitor.
 TEST_F(Effects, OfAWeakSourceAreReadingsOfTheChannelBefore) {
   EXPECT_EQ(prints("", "", 0.1).second, code(3.7));
   const int read = prints(kDivider + kWeak, "", 0.1).second;
@@ -168,7 +168,7 @@ TEST_F(Effects, OfAWeakSourceAreReadingsOfTheChannelBefore) {
   EXPECT_LE(read, code(3.7 + 0.43 * (kBlack - 3.7)) + 1);
 }
 
-// Its edge is farther from its middle than half the map's line.
+// The edge of this line is farther from its middle than half the width of the map's line.
 TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
   const std::string loop =
       "+++\nline = \"20 mm\"\nsize = [\"1.8 m\", \"1.2 m\"]\n[[path]]\nwidth = \"90 mm\"\nfrom = [\"500 "
@@ -181,8 +181,8 @@ TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
   EXPECT_GT(result.metrics.distance_m, 2.0);
 }
 
-// A light of 0.6 over the whole floor, which a script switches: calibrated in the dark, black is still far
-// enough from white, a threshold at half scale is not reached.
+// A script switches a light of 0.6 over the whole floor. With calibration in the dark, black is still far
+// enough from white. A threshold at half scale is not reached.
 TEST_F(Effects, OfALightThatIsSwitchedOnInTheRun) {
   const std::string lit = "[[light]]\nlevel = 0.6\n", off = "at 0s light all off\n";
   EXPECT_EQ(prints("", lit, 0.1, off).first, code(kBlack));
@@ -198,7 +198,7 @@ TEST_F(Effects, OfALightThatIsSwitchedOnInTheRun) {
   EXPECT_FALSE(drives('t', off + "at 5s light all on\n"));
 }
 
-// Shut across the line, 1 m ahead.
+// The door is shut across the line, 1 m ahead.
 TEST_F(Effects, OfADoorThatIsShut) {
   const auto run = [](const std::string& sketch, const std::string& script) {
     return test::run({.sketch = sketch,

@@ -1,4 +1,4 @@
-// Tests faults between board and world, as a sketch meets them, on each target.
+// Tests faults between board and world, as they affect a sketch, on each target.
 #include "tests/support/require_target.h"
 #include "tests/system/system_test.h"
 
@@ -32,7 +32,7 @@ class Faults : public testing::TestWithParam<const char*> {
     std::erase(text, '\r');
     return text;
   }
-  /// The first event of this kind, or null.
+  /// Returns the first event of this kind, or null.
   template <class What>
   const What* first() const {
     for (const wire::Note& note : notes_)
@@ -93,10 +93,10 @@ TEST_P(Faults, AreTheSameInEveryRun) {
   EXPECT_THAT(text, testing::Not(HasSubstr("<a><b><c><d><e><f><g><h>")));
 }
 
-/// The common effect of a drifting clock on firmware and its actions, for every executor.
+/// Tests how a drifting clock affects firmware and its actions, for every executor.
 class ClockFaults : public Faults {
  protected:
-  /// Returns millis() 1.1 s after power-on; for 1 s the clock has run too fast by `drift`.
+  /// Returns millis() 1.1 s after power-on. For 1 s the clock runs too fast by `drift`.
   int millis_after(const char* drift) {
     const std::string text =
         diary(std::string("at 100ms fault clock drift ") + drift + "\nat 1.1s send \"t\"\n", 1.2);
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(On, ClockFaults, testing::Values("host", "avr", "stm32"
                          [](const auto& target) { return std::string(target.param); });
 
 TEST_P(ClockFaults, LetTheClockRunFastOrSlow) {
-  const int right = millis_after("0%");  // the STM32 starts counting some 60 ms after power-on
+  const int right = millis_after("0%");  // the STM32 starts counting about 60 ms after power-on
   EXPECT_NEAR(millis_after("10%"), right + 100, 5);
   EXPECT_NEAR(millis_after("-10%"), right - 100, 5);
 }

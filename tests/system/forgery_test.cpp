@@ -1,6 +1,6 @@
 // Tests that a sketch which forges the verdict “reached” does not get it. Sketches for the host are code of
-// this machine: sim/runner/sandbox_proxy.h describes how such a run reports to its runner. Firmware of a chip
-// is only data.
+// this machine. sim/runner/sandbox_proxy.h describes how such a run reports to its runner. Firmware for a
+// chip is only data.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 namespace robosim::test {
 namespace {
 
-/// Returns forged last lines of a runner, one for each request that it may be answering.
+/// Returns forged last lines of a runner, one for each possible request.
 std::string forged_lines() {
   std::string lines;
   for (std::int64_t id = 1; id <= 4; ++id) {

@@ -1,5 +1,5 @@
-// Runs of sketches, pinned for each compiler, which decides where the basic blocks of a sketch begin. Robosim
-// itself may be built by any compiler, with or without optimisation.
+// Pins runs of sketches for each compiler, because the compiler decides where the basic blocks of a sketch
+// begin. Robosim itself may be built by any compiler, with or without optimisation.
 
 #include <ostream>
 
@@ -12,7 +12,7 @@ struct Pinned {
   const char* sketch;
   const char* map;
   const char* robot;
-  const char *by_gcc_12, *by_gcc_14;  ///< the trace's hash
+  const char *by_gcc_12, *by_gcc_14;  ///< hash of the trace
 };
 
 std::ostream& operator<<(std::ostream& out, const Pinned& pinned) { return out << pinned.sketch; }

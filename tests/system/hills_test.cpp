@@ -1,5 +1,5 @@
-// Tests effects of hills and wet floors on a sketch. In pairs of runs without and with them, a value changes
-// as docs/explanation/models.md describes. One sketch succeeds, another fails.
+// Tests effects of hills and wet floors on a sketch. Each effect is tested by a pair of runs without and with
+// it. It changes a value as docs/explanation/models.md describes. One sketch succeeds, the other one fails.
 #include <fstream>
 
 #include "sim/base/file.h"
@@ -11,8 +11,8 @@ namespace {
 
 class Hills : public testing::Test {
  protected:
-  /// Runs a sketch on a straight line of 2.4 m. A gap of 100 mm is where `hills` may put a crest. The robot
-  /// starts 300 mm along the line.
+  /// Runs a sketch on a straight line of 2.4 m. The line has a gap of 100 mm, where `hills` may put a crest.
+  /// The robot starts 300 mm along the line.
   wire::RunResult run(const std::string& sketch, const std::string& hills, const std::string& letter,
                       double seconds, std::uint64_t seed = 1, const std::string& profile = "ideal",
                       const std::string& robot = "uno5") {
@@ -33,7 +33,7 @@ class Hills : public testing::Test {
     return runner_of("host").run(request, {});
   }
 
-  /// uno5 with another chassis.
+  /// Returns uno5 with another chassis.
   std::string robot(const std::string& chassis) {
     const std::filesystem::path file = folder_.path() / "other.toml";
     std::ofstream(file) << "base = \"uno5\"\n[chassis]\n" << chassis;
@@ -71,7 +71,8 @@ TEST_F(Hills, LiftSensorsOverACrest) {
     return std::atoi(serial.c_str() + serial.rfind('\n', serial.rfind("\r\n") - 2) + 1);
   };
   const auto code = [](double volts) { return static_cast<int>(volts / 5.0 * 1024.0); };
-  // Its sensors are 70 mm ahead, 30 mm of them up to the crest: 40 mm by the sine of 20 degrees too high.
+  // The sensors are 70 mm ahead, and the first 30 mm lead up to the crest. The remaining 40 mm times the sine
+  // of 20 degrees is the sensors' extra height.
   const double higher = 0.040 * 0.34202, light = 0.003 / (0.003 + higher);
   EXPECT_EQ(reads(""), code(0.4));
   EXPECT_NEAR(reads("[[hill]]\nalong = \"130 mm\"\nsize = [\"400 mm\", \"400 mm\"]\nslope = \"20 deg\"\n"
@@ -80,7 +81,7 @@ TEST_F(Hills, LiftSensorsOverACrest) {
               code(4.4 - 4.0 * light * light), 3);
 }
 
-// A gap of 4 mm is two thirds of what a sensor sees, 6 mm wide.
+// A gap of 4 mm is two thirds of a sensor's view, which is 6 mm wide.
 TEST_F(Hills, AreDarkWhereBoardsMeet) {
   const std::string serial =
       run("LooksInLight", "[[joint]]\nalong = \"370 mm\"\nsize = [\"4 mm\", \"400 mm\"]\n", "p", 0.1).serial;
@@ -89,7 +90,7 @@ TEST_F(Hills, AreDarkWhereBoardsMeet) {
               static_cast<int>(dark / 5.0 * 1024.0), 1);
 }
 
-// The bar is 1.5 m ahead of the robot's sensors, 20 mm wide; four gaps lie before it.
+// The bar is 20 mm wide, and 1.5 m ahead of the robot's sensors. Four gaps are in front of it.
 TEST_F(Hills, WhereBoardsMeetStopASketchThatTakesThemForABar) {
   const std::string bar =
       "[[area]]\ncolour = \"black\"\nalong = \"1.88 m\"\nsize = [\"20 mm\", \"400 mm\"]\n";
@@ -118,8 +119,8 @@ TEST_F(Hills, ThrowOverARobotWhoseMassIsHighAndBehind) {
   EXPECT_THAT(tips.why, testing::HasSubstr("The robot tipped over near column "));
 }
 
-// The floor is plane. The robot would tip where it speeds up by more than g d / h. Its mass is d = 10 mm
-// ahead of the axle.
+// The floor is flat. The robot tips over if it accelerates by more than g d / h. Its mass is d = 10 mm ahead
+// of the axle.
 TEST_F(Hills, AreNotNeededToThrowOverARobotThatStartsAtOnce) {
   const std::string low = robot("caster = \"50 mm\"\n");
   EXPECT_EQ(run("TurnsBack", "", "h", 1.2, 1, "ideal", low).verdict, "reached");
@@ -129,7 +130,8 @@ TEST_F(Hills, AreNotNeededToThrowOverARobotThatStartsAtOnce) {
   EXPECT_EQ(at_once.verdict, "toppled") << at_once.why;
   const wire::RunResult rises = run("TurnsBack", "", "r", 1.2, 1, "ideal", high);
   EXPECT_EQ(rises.verdict, "reached") << rises.why;
-  EXPECT_GT(rises.metrics.distance_m, without * 1.03);  // what the caster loses the driven wheels gain: grip
+  EXPECT_GT(rises.metrics.distance_m, without * 1.03);  // load moves from the caster to the driven wheels,
+                                                        // which grip better
 }
 
 TEST_F(Hills, ThatEndHighAreFallenOff) {
@@ -140,9 +142,9 @@ TEST_F(Hills, ThatEndHighAreFallenOff) {
   EXPECT_THAT(falls.why, testing::HasSubstr("The robot fell off an edge near column "));
 }
 
-// The sample Robotracer at two speeds, 0.5 and 0.7 m/s, on its course dry and wet, without and with a fan. In
-// bends of 150 mm it slides from sqrt(grip * load / mass * g * 0.15 m / sqrt 2) on: at 0.91 m/s where they
-// are dry, at 0.71 m/s where they are wet, and at 1.27 m/s with the fan, too.
+// Runs the sample Robotracer at two speeds, 0.5 and 0.7 m/s, on its course dry and wet, without and with a
+// fan. In bends of 150 mm it slides from sqrt(grip * load / mass * g * 0.15 m / sqrt 2) on. The limit is 0.91
+// m/s when dry, 0.71 m/s when wet, and 1.27 m/s when wet with the fan.
 class Wet : public testing::Test {
  protected:
   wire::RunResult run(int speed, bool wet, const std::string& fan, std::uint64_t seed) {

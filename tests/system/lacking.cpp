@@ -1,6 +1,6 @@
 // lacking landlock|walls|seccomp|sandbox PROGRAM WORDS…: runs a program as on a kernel without that feature.
-// Its system calls fail like unknown ones. "walls" are Landlock and namespaces, "sandbox" is
-// everything.
+// The feature's system calls fail as unknown calls do. "walls" stands for Landlock and namespaces, "sandbox"
+// for everything.
 #include <seccomp.h>
 #include <sys/prctl.h>
 #include <unistd.h>

@@ -1,4 +1,5 @@
-// Tests who is blamed: machines that lack something, closed streams, and paths that are not files.
+// Tests which cause messages blame: machines that lack a feature, closed streams, and paths that are not
+// files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -16,7 +17,7 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// `robosim WORDS` in a shell that does something before it, in a folder with the sketch S.
+/// Runs `robosim WORDS` after other commands in a shell, in a folder with the sketch S.
 class Machine : public ::testing::Test {
  protected:
   void SetUp() override { folder_.write("S/S.ino", "void setup() {}\nvoid loop() {}\n"); }
@@ -114,7 +115,7 @@ TEST_F(Machine, ReadsNoDeviceAndNoPipeWhateverItIsGivenFor) {
   }
 }
 
-// A program for a chip can claim that texts of its debug information are in another file.
+// A program for a chip can claim that parts of its debug information are in another file.
 TEST_F(Machine, OpensNoOtherFileForTheDebugInformationOfAProgram) {
   ROBOSIM_NEEDS_TARGET("avr");
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);

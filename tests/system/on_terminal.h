@@ -16,10 +16,10 @@
 
 namespace robosim::test {
 
-// A guard for tests that fail: they end instead of waiting for ever.
+// Time without output after which a test fails instead of waiting forever.
 constexpr int kSilence_ms = 30'000;
 
-/// The command with a terminal of its own, of which we are the far end.
+/// The command on a separate terminal. This process is the terminal's other end.
 class OnTerminal {
  public:
   OnTerminal(std::vector<std::string> words, unsigned short columns, unsigned short rows) {
@@ -44,9 +44,9 @@ class OnTerminal {
     ::close(terminal_);
   }
 
-  /// Reads on until `text` has appeared after the last thing waited for; false at the end, or when nothing
-  /// comes any more. The view writes changes only: a text is found if all its characters are new, or of
-  /// another colour.
+  /// Reads until `text` has appeared after the previous match. Returns false at the end of the output, or
+  /// after a long silence. The view writes only changes: `text` is found if all its characters are new, or
+  /// have another colour.
   bool wait_for(const std::string& text) {
     for (;;) {
       const auto found = seen_.find(text, from_);
@@ -59,7 +59,7 @@ class OnTerminal {
       char chunk[4096];
       const ssize_t n = ::read(terminal_, chunk, sizeof chunk);
       if (n < 0 && errno == EINTR) continue;
-      if (n <= 0) return false;  // Linux: EIO when the other end is closed
+      if (n <= 0) return false;  // Linux reports EIO when the other end is closed
       seen_.append(chunk, static_cast<std::size_t>(n));
     }
   }
@@ -77,7 +77,7 @@ class OnTerminal {
     ::tcgetattr(terminal_, &settings);
     return (settings.c_lflag & ICANON) == 0;
   }
-  /// Reads to the end. The exit status.
+  /// Reads to the end. Returns the exit status.
   int finish() {
     wait_for("\001 never written");
     int status = 0;

@@ -1,7 +1,7 @@
 // Tests the sketch PonyNavigator on the robot pony: it scans maps a to f, and then visits every station.
 //
-// Compares the reported position with the real one. ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, on the
-// chip, too.
+// Compares the reported position with the real one. ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map,
+// including on the chip.
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 constexpr double kAtStation_mm = 80.0;  // the robot's front is 80 mm ahead of its axle
 
-// Scans, visits all stations one after the other, and goes home.
+// Returns a script that scans, visits all stations one after another, and drives home.
 std::string tour_script(std::size_t stations) {
   std::string script = "at 300ms press scan 100ms\nafter serial \"scan complete\" send radio 2\n";
   for (std::size_t at = 2; at <= stations; ++at)
@@ -48,7 +48,7 @@ struct Watch {
   }
 };
 
-// Observes all of the robot's output; a tour ends when it is home.
+// Observes all of the robot's output. A tour ends when the robot is home.
 Watch watch(const Run& of) {
   client::Runner& runner = runner_of(of.target);
   const grid::Map map = grid::read_map(grid::find_map(of.map));
@@ -114,7 +114,7 @@ TEST_P(PonyNavigator, ScansTheMapAndThenVisitsEveryStation) {
   }
 }
 
-// Plays on map c, which has 6 stations.
+// Runs the script on map c, which has 6 stations.
 Watch play(const std::string& script, double for_s) {
   return watch({.sketch = "PonyNavigator",
                 .map = "c",

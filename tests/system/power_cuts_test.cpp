@@ -1,5 +1,5 @@
-// Tests that AiNavigator, which stores its map in EEPROM, survives a power cut at every place of a write. It
-// must start with the right map or without one, and never with a wrong one.
+// Tests that AiNavigator, which stores its map in EEPROM, survives a power cut at every point of a write. It
+// must restart with the right map or without a map, and never with a wrong map.
 #include "sim/client/power_cuts.h"
 
 #include <cmath>
@@ -15,8 +15,8 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
-// It scans and drives to station 2. Switched on again it is sent there once more, if it knows the way; else
-// it scans from where it stands.
+// Scans and drives to station 2. After the power cut, the robot is sent to station 2 again if it knows the
+// way. Otherwise it scans from its current position.
 constexpr char kScript[] =
     "at 300ms press start 100ms\n"
     "after serial \"at 1\\r\\n\" send \"2\\n\"\n"
@@ -47,7 +47,7 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
   std::string way;  // from station 1 to station 2
   int kept = 0, lost = 0;
 
-  // The map, and after it the three bytes of the place where it stands.
+  // The map, without the three bytes of the robot's place after it.
   const std::uint64_t record = run({.sketch = "AiNavigator",
                                     .map = plan.map,
                                     .goal = "none",

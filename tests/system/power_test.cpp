@@ -1,4 +1,4 @@
-// Tests effects of a battery on a sketch: pairs of runs with a full and a weak one, and two sketches, of
+// Tests effects of a battery on a sketch: pairs of runs with a full and a weak battery, and two sketches, of
 // which one succeeds.
 #include <fstream>
 
@@ -10,7 +10,7 @@ namespace {
 
 class Power : public testing::Test {
  protected:
-  /// Runs TurnsBack on a line of 1.2 m, on uno5 with this [battery].
+  /// Runs TurnsBack on a line of 1.2 m, on an uno5 with this [battery].
   wire::RunResult run(const std::string& letter, const std::string& battery, double seconds,
                       const std::string& target = "host") {
     const std::filesystem::path map = folder_.path() / "strip.map", robot = folder_.path() / "fed.toml";
@@ -41,7 +41,7 @@ std::string alkaline(const char* charge) {
   return std::string("kind = \"alkaline\"\ncells = 4\ncapacity_mAh = 2000\ncharge = ") + charge + "\n";
 }
 
-// By the curve in sim/robot/battery.h 54.4 % are 7.4 V at rest, and 4.3 % are 6.6 V.
+// By the curve in sim/robot/battery.h, 54.4 % charge gives 7.4 V at rest, and 4.3 % gives 6.6 V.
 TEST_F(Power, OfAnEmptierBatteryMakesATurnByTimeTooShort) {
   EXPECT_EQ(run("t", lithium("0.544"), 15.0).verdict, "reached");
   EXPECT_EQ(run("s", lithium("0.544"), 15.0).verdict, "reached");
@@ -61,7 +61,7 @@ TEST_F(Power, ThatTwoMotorsTakeAtOnceResetsTheChip) {
   EXPECT_GT(rises.metrics.distance_m, 0.3);
 }
 
-// It comes some way before its board is off.
+// The robot moves a short distance before its board is off.
 TEST_F(Power, ThatIsGoneIsWhatARobotStandsFor) {
   for (const std::string target : {"host", "avr", "stm32"}) {
     SCOPED_TRACE(target);
@@ -75,7 +75,8 @@ TEST_F(Power, ThatIsGoneIsWhatARobotStandsFor) {
   }
 }
 
-// Pulses on an empty floor, with PWM on the enable pins of such a driver, and motors of such an inductance.
+// Runs Pulses on an empty floor, with PWM on the enable pins of this driver, and with motors of this
+// inductance.
 wire::RunResult pulses(const std::string& letter, const std::string& chip, const std::string& inductance,
                        const std::string& target = "host") {
   TemporaryFolder folder;
@@ -99,7 +100,7 @@ wire::RunResult pulses(const std::string& letter, const std::string& chip, const
   return runner_of(target).run(request, {});
 }
 
-// With EN low an L298N is open, and the current of the winding is soon over.
+// While EN is low, an L298N is open, and the winding's current quickly falls to zero.
 TEST(Windings, OnAnL298nLetShortPulsesDoNothing) {
   const double without = pulses("f", "l298n", "0 mH").metrics.distance_m;
   EXPECT_NEAR(without, pulses("s", "l298n", "0 mH").metrics.distance_m, 1e-6);

@@ -1,4 +1,4 @@
-// Tests usual actions before a run (power on, place, press), by a script, on every target.
+// Tests usual actions before a run (power on, place, press) in a script, on every target.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Calibrates while the robot is moved, and says how far apart black and white are.
+// Calibrates while the robot is moved, and prints the difference between black and white.
 constexpr const char* kCalibrates = R"(int low[5], high[5];
 void wait() { while (digitalRead(4)) {} }
 void setup() {
@@ -60,7 +60,7 @@ TEST_P(Rituals, TheRobotCanBePutBesideTheLine) {
   EXPECT_THAT(serial("at 1s press start 100ms\nat 6.2s place 1000mm,700mm,NE\n"), HasSubstr("floor"));
 }
 
-// SoftwareSerial has one handler and names it again for the other ports' pins.
+// SoftwareSerial has one handler, and registers it again for the other ports' pins.
 TEST_P(Rituals, AByteByBluetoothEndsAWaitOnSoftwareSerialOnPinsOfAnyPort) {
   if (std::string(GetParam()) != "host") ROBOSIM_NEEDS_TARGET(GetParam());
   folder_.write("Bt/Bt.ino",

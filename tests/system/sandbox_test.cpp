@@ -42,7 +42,7 @@ class Sandbox : public testing::Test {
 struct Refused {
   const char* declaration;
   const char* call;
-  const char* subject;  ///< as the verdict has it
+  const char* subject;  ///< as the verdict names the call
 };
 
 constexpr Refused kRefused[] = {
@@ -67,9 +67,9 @@ constexpr Refused kRefused[] = {
     {"int mprotect(void*, unsigned long, int); long place[2048];",
      "mprotect((void*)(((unsigned long)place + 4095) & ~4095ul), 4096, 7)", "mprotect (memory)"},
     {"void* mmap(void*, unsigned long, int, int, int, long);", "mmap(0, 4096, 3, 0x21, -1, 0)",
-     "mmap (memory)"},                                        // shared
+     "mmap (memory)"},                                        // shared memory
     {"", "mmap(0, 4096, 3, 0x122, -1, 0)", "mmap (memory)"},  // grows downwards
-    {"", "mmap(0, 4096, 7, 0x2, 6, 0)", "mmap (memory)"},     // written to and executed
+    {"", "mmap(0, 4096, 7, 0x2, 6, 0)", "mmap (memory)"},     // memory that is both written and executed
     {"int memfd_create(const char*, unsigned);", "memfd_create(\"code\", 0)", "memfd_create (memory)"},
     {"int madvise(void*, unsigned long, int);",
      "madvise((void*)(((unsigned long)place + 4095) & ~4095ul), 4096, 12)", "madvise (memory)"},
@@ -79,7 +79,8 @@ constexpr Refused kRefused[] = {
      "futex (time outside of the simulation)"},
 };
 
-/// One sketch that does each of them when it is told to: a line each, from the fifth on.
+/// Returns one sketch that can make each of these calls on command. Each call has a line of its own, from the
+/// fifth on.
 std::string does_all() {
   std::string text =
       fmt::format("#define EXIT {}\n#define FUTEX {}\nextern \"C\" {{", SYS_exit_group, SYS_futex);
@@ -118,7 +119,7 @@ TEST_F(Sandbox, HoldsBeforeTheFirstConstructor) {
 }
 
 TEST_F(Sandbox, HoldsWhileTheImageIsBeingLoaded) {
-  // The loader calls a function of this name, before the firmware has a clock to count its blocks with.
+  // The loader calls a function of this name before the firmware has a clock that counts its blocks.
   const auto r = run_text(
       "extern \"C\" int open(const char*, int, ...);\n"
       "extern \"C\" __attribute__((no_sanitize_coverage)) void _init() { open(\"/etc/passwd\", 0); }\nvoid "
@@ -153,7 +154,7 @@ TEST_F(Sandbox, LeavesNoDescriptorToReadOrWrite) {
   for (int fd = 0; fd < 12; ++fd) {
     SCOPED_TRACE(fd);
     const auto reads = ask('a' + fd), writes = ask('n' + fd);
-    if (fd <= 2 || fd == exec::kImageFd) {  // nothing at all, or closed
+    if (fd <= 2 || fd == exec::kImageFd) {  // empty or closed
       EXPECT_EQ(reads.serial, "r") << reads.why;
     } else {
       EXPECT_THAT(reads.why, AllOf(HasSubstr("read (descriptors)"), HasSubstr("Guest.ino:5")));
@@ -166,7 +167,7 @@ TEST_F(Sandbox, LeavesNoDescriptorToReadOrWrite) {
   }
 }
 
-// All runs of a runner load it from the same memory.
+// All runs of a runner load the image from the same memory.
 TEST_F(Sandbox, LetsNoSketchChangeItsImageOrMissIt) {
   auto request = request_of_text(
       "#include <EEPROM.h>\nextern \"C\" { int close(int); void* mmap(void*, unsigned long, int, int, int, "
@@ -212,7 +213,7 @@ TEST_F(Sandbox, LoadsNoImageWhoseCodeCanBeWrittenTo) {
   EXPECT_THAT(r.why, HasSubstr("the sandbox refuses a system call"));
 }
 
-// Their tables take memory that no other limit counts.
+// The page tables use memory that no other limit counts.
 TEST_F(Sandbox, LimitsThePagesThatASketchOnlyReads) {
   const auto r = run_text(
       "extern \"C\" void* mmap(void*, unsigned long, int, int, int, long);\n"
@@ -314,7 +315,7 @@ TEST_F(Sandbox, ShowsASketchNothingOfTheEnvironment) {
   for (int run = 0; run < 2; ++run) EXPECT_EQ(runner.run(request).serial, "none");
 }
 
-/// Looks at each page that there may be; the system says which there are.
+/// Calls a function for each mapped page. The system reports which pages are mapped.
 constexpr const char* kLooksAtAllMemory = R"(
 extern "C" { void* sbrk(long); int getpid(); long syscall(long, ...); int* __errno_location(); extern void* __libc_stack_end; }
 #define QUIET __attribute__((no_sanitize_coverage))
@@ -332,7 +333,7 @@ template <class Look> QUIET void look_everywhere(Look look) {
 
 TEST_F(Sandbox, ShowsASketchNothingOfTheProgramThatRanBefore) {
   const std::string mark = "robosim-marker-1";
-  std::string shifted = mark;  // the one that looks for it shall not find itself
+  std::string shifted = mark;  // the searching sketch must not find its own text
   for (char& c : shifted) c = static_cast<char>(c + 1);
   const auto before = request_of_text(
       "#define FOUR(x) x x x x\nextern const char text[] = FOUR(FOUR(FOUR(FOUR(FOUR(\"" + mark +
@@ -354,7 +355,7 @@ TEST_F(Sandbox, ShowsASketchNothingOfTheProgramThatRanBefore) {
   }
 }
 
-// A sketch shares memory with its runner: its progress, and pending events.
+// A sketch shares its progress and pending events with its runner, in memory.
 TEST_F(Sandbox, BelievesNothingOfWhatASketchWritesIntoSharedMemory) {
   for (const char* fill : {"255", "0", "page[i] + 1"}) {
     SCOPED_TRACE(fill);
@@ -362,7 +363,7 @@ TEST_F(Sandbox, BelievesNothingOfWhatASketchWritesIntoSharedMemory) {
         fmt::format("#define SIGPROCMASK {}\n#define FILL {}\n", SYS_rt_sigprocmask, fill) +
         kLooksAtAllMemory +
         "extern \"C\" void* mremap(void*, unsigned long, unsigned long, int, ...);\n"
-        "QUIET void look_at(char* page) {\n"  // only shared memory can be mapped once more
+        "QUIET void look_at(char* page) {\n"  // only shared memory can be mapped twice
         "  if (mremap(page, 0, 4096, 1) == (void*)-1) return;\n"
         "  for (int i = 0; i < 4096; ++i) page[i] = FILL;\n}\n"
         "void setup() { pinMode(13, OUTPUT); }\nvoid loop() {\n  digitalWrite(13, millis() & 1);\n  "
@@ -395,7 +396,7 @@ TEST_F(Sandbox, EndsASketchThatSaysAgainAndAgainThatItHasNotBegun) {
 }
 
 TEST_F(Sandbox, LooksUpNoLineForLongerThanItMay) {
-  // A name that stands for gigabytes of text: pairs of pairs of pairs.
+  // A name that expands to gigabytes of text: nested pairs.
   std::string name = "_Z1f1PI1AS0_E";
   for (int i = 1; i < 33; ++i) {
     const std::string digit(1, static_cast<char>(i < 10 ? '0' + i : 'A' + i - 10));

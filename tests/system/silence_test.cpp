@@ -1,4 +1,4 @@
-// Tests sketches that call nothing for a long time: waiting ones continue, hanging ones are reported.
+// Tests sketches that call nothing for a long time. Waiting sketches continue, hanging sketches are reported.
 
 #include "tests/system/system_test.h"
 

@@ -1,4 +1,4 @@
-// Its LED is dim on a real robot: the pin is never made an output.
+// The LED is dim on a real robot, because its pin is not an output.
 
 const int LED = 13;
 

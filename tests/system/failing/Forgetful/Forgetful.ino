@@ -1,4 +1,4 @@
-// Has a speed for each number of lines it may see; and uses it where it sees none.
+// Has a speed for each number of sensors on the line, and uses it even if no sensor is on the line.
 #include <LineKit.h>
 
 const uint8_t SENSOR_PINS[] = {A0, A1, A2};

@@ -1,5 +1,5 @@
-// Tours a floor by the left hand; and takes the first branch on the left, or bend, for the end of the line.
-// What counts as a branch is debounced, so the same worlds fail whatever compiles the sketch.
+// Tours a floor by the left-hand rule. Mistakes the first branch on the left, or a bend, for the end of the
+// line. The detection of branches is debounced, so the same worlds fail with every compiler.
 #include <LineKit.h>
 
 const uint8_t SENSOR_PINS[] = {A0, A1, A2};  // left, middle, right; HIGH on the line

@@ -1,4 +1,4 @@
-// Follows a line, and is too fast for the bends.
+// Follows a line, too fast for the bends.
 #include <LineKit.h>
 
 const uint8_t SENSOR_PINS[] = {A0, A1, A2, A3, A4};

@@ -1,4 +1,4 @@
-// Drives when the button is pressed; but the button is at pin 4.
+// Drives when the button is pressed, but reads the wrong pin: the button is at pin 4.
 #include <LineKit.h>
 
 const uint8_t BUTTON_PIN = 12;

@@ -1,5 +1,5 @@
-// Asks twice whether 100 ms have gone by, the right way and the wrong way, when none has: they differ where millis()
-// is about to wrap.
+// Checks twice whether 100 ms have passed, before they have: correctly, and wrongly. The results differ if
+// millis() is about to wrap.
 void setup() {
   Serial.begin(115200);
   for (int round = 0; round < 5; ++round) {

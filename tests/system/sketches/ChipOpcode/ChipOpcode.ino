@@ -1,4 +1,4 @@
-// Runs an instruction that the chip has not.
+// Executes an instruction that the chip does not have.
 void broken() { asm volatile(".word 0x0001"); }
 
 void setup() {

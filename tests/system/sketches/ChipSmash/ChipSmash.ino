@@ -1,4 +1,4 @@
-// Writes more into a local array than it holds: over its own return address.
+// Writes beyond the end of a local array, over its own return address.
 char text[24] = "as long as twenty-three";
 volatile byte length = 8;
 

@@ -1,5 +1,5 @@
-// Follows a line with the textbook's weighted line position, computed in int: 1000 * s1 + 2000 * s2 ... fits a PC's
-// int and not the chip's 16 bits.
+// Follows a line with the textbook's weighted line position, computed in int: 1000 * s1 + 2000 * s2 ... fits
+// a PC's int, but not the chip's 16 bits.
 const byte SENSORS[5] = {A0, A1, A2, A3, A4};
 
 int linePosition() {

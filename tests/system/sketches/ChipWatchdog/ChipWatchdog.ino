@@ -1,4 +1,4 @@
-// The watchdog bites, again and again.
+// The watchdog resets the chip repeatedly.
 #include <avr/wdt.h>
 
 void work() {

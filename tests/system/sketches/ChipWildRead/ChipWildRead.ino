@@ -1,4 +1,4 @@
-// Reads far beyond the chip's memory, by a wrong index.
+// Reads far beyond the chip's memory through a wrong index.
 volatile byte table[4];
 
 byte look(unsigned index) { return table[index]; }

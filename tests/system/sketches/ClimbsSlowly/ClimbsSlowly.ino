@@ -1,8 +1,8 @@
-// Follows a line for 1.2 m at 60 mm/s. A letter on the serial line says how it keeps its speed:
-//   p  in proportion to what is missing     i  by what has been missing so far, too
+// Follows a line for 1.2 m at 60 mm/s. A letter on the serial line selects the speed controller:
+//   p  proportional     i  proportional and integral
 const byte PIN[5] = {A0, A1, A2, A3, A4};
-const int TARGET = 60, FAR = 1200;   // mm/s, mm
-const float MM = 0.651;               // a count
+const int TARGET = 60, FAR = 1200;   // mm/s and mm
+const float MM = 0.651;               // per count
 volatile long left_counts, right_counts;
 char way;
 
@@ -57,6 +57,6 @@ void loop() {
     sum += v;
     weighted += v * (i - 2L) * 20;
   }
-  const int turn = sum > 1200 ? weighted / sum : 0;   // a gap has no line
+  const int turn = sum > 1200 ? weighted / sum : 0;   // no sensor is dark in a gap
   drive(power + turn, power - turn);
 }

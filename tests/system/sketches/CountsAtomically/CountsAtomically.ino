@@ -1,4 +1,4 @@
-// Counts an encoder's edges in a handler, and reads the count with interrupts off, as one should.
+// Counts an encoder's edges in a handler, and correctly reads the count with interrupts disabled.
 volatile long edges = 0;
 void edge() { edges++; }
 

@@ -1,4 +1,4 @@
-// Drives until the left encoder has counted enough, and looks at the count alone.
+// Drives until the left encoder has counted enough edges, and reads only the count.
 volatile int ticks = 0;
 
 void count() { ticks++; }

@@ -1,4 +1,4 @@
-// Counts its starts in two bytes of EEPROM, and answers what it is sent; "t" is a question for the time.
+// Counts its starts in two bytes of EEPROM, and echoes received bytes; "t" requests the time.
 #include <EEPROM.h>
 
 void setup() {

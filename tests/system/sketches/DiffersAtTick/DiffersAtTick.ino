@@ -1,4 +1,4 @@
-// A tick of millis() decides which second it is, on each target alike. It does not decide what 7 / 0 is.
+// On each target, a tick of millis() decides the current second. It does not decide the value of 7 / 0.
 volatile int nothing = 0;
 
 void setup() { Serial.begin(115200); }

@@ -1,4 +1,4 @@
-// Waits three seconds, but not when millis() wraps meanwhile (--clock 4294966s).
+// Waits three seconds, unless millis() wraps meanwhile (--clock 4294966s).
 void waitThreeSeconds() {
   const unsigned long until = millis() + 3000;
   while (millis() < until) delay(1);

@@ -1,4 +1,4 @@
-// A mean of no readings: a division by zero, which the host refuses and which gives some number on each chip.
+// Computes a mean of no readings: a division by zero. The host refuses it; each chip computes some number.
 volatile int sum = 512, readings = 0;
 
 int mean() { return sum / readings; }

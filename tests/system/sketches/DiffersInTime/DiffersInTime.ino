@@ -1,4 +1,4 @@
-// Waits by counting: as long as the chip is slow.
+// Waits by counting, so the slower the chip, the longer the wait.
 void waitByCounting() {
   for (volatile long i = 0; i < 900000; ++i) {
   }

@@ -1,4 +1,4 @@
-// 160 * 250 is 40000: too much for an int of 16 bits.
+// Computes 160 * 250 = 40000, which does not fit a 16-bit int.
 volatile int wheel = 160, turns = 250;
 
 void report() {
