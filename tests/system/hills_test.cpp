@@ -130,8 +130,7 @@ TEST_F(Hills, AreNotNeededToThrowOverARobotThatStartsAtOnce) {
   EXPECT_EQ(at_once.verdict, "toppled") << at_once.why;
   const wire::RunResult rises = run("TurnsBack", "", "r", 1.2, 1, "ideal", high);
   EXPECT_EQ(rises.verdict, "reached") << rises.why;
-  EXPECT_GT(rises.metrics.distance_m, without * 1.03);  // load moves from the caster to the driven wheels,
-                                                        // which grip better
+  EXPECT_GT(rises.metrics.distance_m, without * 1.03);  // the driven wheels carry more load, and grip better
 }
 
 TEST_F(Hills, ThatEndHighAreFallenOff) {

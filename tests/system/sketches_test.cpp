@@ -69,7 +69,7 @@ TEST_P(TouringSketch, VisitsAllStationsOfMapDAndComesHomeForEverySeed) {
     const wire::RunResult r =
         run({.sketch = GetParam(), .map = "d", .robot = "uno3", .goal = "tour", .seed = seed});
     EXPECT_EQ(r.verdict, "reached") << "seed " << seed << ": " << r.why;
-    // Numbered by the right-hand walk: a left-hand walk meets them in reverse order.
+    // The right-hand walk numbers the stations, so a left-hand walk reaches them in reverse order.
     if (std::string(GetParam()) == "RightPath") {
       EXPECT_THAT(r.metrics.stations, ElementsAre("1", "2", "3", "4", "5", "6", "7")) << "seed " << seed;
     } else {

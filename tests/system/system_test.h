@@ -31,16 +31,16 @@ inline std::filesystem::path sketch_folder(const std::string& name) {
 struct Run {
   std::string sketch;
   std::string map = "oval";
-  std::string robot = "uno5";  ///< with a board of the target in its own's place
+  std::string robot = "uno5";  ///< with a board of the target instead of its own
   std::string goal;
   std::string script;
   std::uint64_t seed = 1;
   double for_s = 600.0;
   std::string target = "host";
-  double clock_s = 0.0;  ///< what millis() begins with; chip targets only
+  double clock_s = 0.0;  ///< first value of millis(), on chip targets only
 };
 
-/// All tests of one process share a target's runner: no run may harm the next.
+/// All tests of one process share a target's runner, so no run may disturb the next one.
 inline client::Runner& runner_of(const std::string& target) {
   static std::map<std::string, client::Runner> runners;
   return runners.try_emplace(target, target).first->second;
@@ -66,7 +66,7 @@ inline wire::RunRequest request_of(const Run& run) {
 
 inline wire::RunResult run(const Run& run) { return runner_of(run.target).run(request_of(run)); }
 
-/// Returns a message about the tools that this target lacks; "" if it runs.
+/// Returns a message about the tools that this target lacks, or "" if it can run.
 inline std::string what_is_missing(const std::string& target) {
   const std::string tool = build::missing_tool(target);
   if (!tool.empty()) return tool;
@@ -78,8 +78,7 @@ inline std::string what_is_missing(const std::string& target) {
   return "";
 }
 
-/// For SetUp(): skips the test where the target does not run, or fails it if ROBOSIM_REQUIRE names the
-/// target.
+/// For SetUp(): skips the test if the target cannot run, or fails it if ROBOSIM_REQUIRE names the target.
 inline void needs_target(const std::string& target) {
   const std::string missing = what_is_missing(target);
   if (!missing.empty() && is_required(target)) FAIL() << missing;
@@ -92,7 +91,7 @@ inline std::uint64_t seeds_asked_for() {
   return text ? std::strtoull(text, nullptr, 10) : 0;
 }
 
-/// Where a sketch shall reach its goal.
+/// The target and the map on which a sketch must reach its goal.
 struct Trial {
   const char* target;
   const char* map;
@@ -102,8 +101,8 @@ inline std::string name_of(const testing::TestParamInfo<Trial>& trial) {
   return std::string(trial.param.target) + "_" + trial.param.map;
 }
 
-/// Returns every map on the host; on the chips, which take hundreds of times as long, `quick` alone, unless
-/// ROBOSIM_TEST_SEEDS is set. In a slow build the first four maps on the host, and no STM32.
+/// Returns all maps on the host. The chips take hundreds of times as long, so only `quick` runs on them
+/// unless ROBOSIM_TEST_SEEDS is set. A slow build runs only the first four maps on the host, and no STM32.
 inline std::vector<Trial> trials(const std::vector<const char*>& maps, const char* quick) {
   std::vector<Trial> all;
   const std::size_t hosts = kSlow ? std::min<std::size_t>(maps.size(), 4) : maps.size();

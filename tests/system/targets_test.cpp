@@ -1,4 +1,5 @@
-// Tests equal sketch, map, robot and seed on every target, and faults that only a chip shows.
+// Tests that equal sketch, map, robot and seed give equal runs on every target, and tests faults that only a
+// chip reveals.
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +93,7 @@ TEST_P(OnEveryTarget, TwoRunsOfEverySketchAreTheSameBitForBit) {
         test::Run{.sketch = "RightPath", .map = "d", .robot = "uno3"},
         test::Run{.sketch = "AiNavigator", .map = "d", .script = scan},
         test::Run{.sketch = "PonyNavigator", .map = "d", .robot = "pony", .script = pony_scan}}) {
-    // Sketches that poll are slow there.
+    // Polling sketches are slow on the STM32.
     if (GetParam() == std::string("stm32") && !sketch.script.empty() && seeds_asked_for() == 0) continue;
     test::Run once = sketch;
     once.goal = "none";
@@ -125,8 +126,8 @@ TEST_P(OnEveryTarget, AnInterruptAttachedOverBlackMeetsNoEdge) {
   EXPECT_EQ(r.serial, "0\r\n");
 }
 
-// R = base / tan(angle); a servo's 180 degrees are 544 to 2400 us. A pulse is up to 12 us longer than asked
-// for, by digitalWrite() and the core's interrupts, which takes 6 % of the radius.
+// R = base / tan(angle), and a servo's 180 degrees are 544 to 2400 us. digitalWrite() and the core's
+// interrupts lengthen a pulse by up to 12 us, which reduces the radius by 6 %.
 TEST_P(OnEveryTarget, CarsAndTricyclesDriveOnTheRadiusThatTheirServosPulsesSay) {
   constexpr double kDegrees = 180.0 * 250.0 / (2400.0 - 544.0);
   const double expected = 95.0 / std::tan(kDegrees * std::numbers::pi / 180.0);

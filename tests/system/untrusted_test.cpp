@@ -42,7 +42,7 @@ std::string follower(int speed) {
          std::to_string(speed) + " + turn, " + std::to_string(speed) + " - turn);\n  delay(5);\n}\n";
 }
 
-/// Follows it, or not, with nothing but Arduino's functions. `sees`: "%d" stands for a sensor's number.
+/// Returns a sketch that follows the line, or drives straight on, with only Arduino's functions.
 std::string by_hand(int speed, bool looks) {
   const auto sees = [&](const char* one, const char* other) {
     if (!looks) return std::string("false");
@@ -133,7 +133,7 @@ TEST_F(Untrusted, AClassOfThirtyGetsTwentySevenRightVerdictsAndThreeRefusals) {
 
 TEST_F(Untrusted, ASketchThatBreaksAToolOrCannotBeReadIsAnErrorOfItsOwn) {
   std::string nested;
-  for (int i = 0; i < 200'000; ++i) nested += "namespace a {";  // arduino-ctags takes stack for each
+  for (int i = 0; i < 200'000; ++i) nested += "namespace a {";  // arduino-ctags uses stack for each level
   folder_.write("anna/anna.ino", empty_sketch(nested + std::string(200'000, '}')));
   folder_.write("ben/ben.ino", empty_sketch(""));
   folder_.write("cleo/cleo.ino", empty_sketch(""));
@@ -356,7 +356,7 @@ TEST_F(Untrusted, CompilersSeeNoMoreWhereTheKernelHasNamespacesAndNoLandlock) {
   }
 }
 
-/// Returns the path of a system call in strace's output; "" if the call failed or has no path.
+/// Returns the path of a system call in strace's output, or "" if the call failed or has no path.
 std::string opened(const std::string& line) {
   if (line.find(" = -1 ") != line.npos || line.find("resumed>") != line.npos) return "";
   const std::size_t begin = line.find('"');

@@ -1,4 +1,4 @@
-// The module of a built folder, in node.
+// Loads the module of a built folder into node.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';

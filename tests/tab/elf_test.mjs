@@ -1,5 +1,6 @@
-// node elf_test.mjs FOLDER COMMAND: an .elf that is cut off or has changed bytes, read in the tab without libelf and by the
-// command with it: both refuse it with one sentence, or both run it to the same trace.
+// node elf_test.mjs FOLDER COMMAND: reads .elf files that are cut off or have changed bytes. The tab reads
+// them without libelf, and the command with libelf. Both must refuse a file with the same sentence, or run it
+// to the same trace.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -18,13 +19,14 @@ const below = (most) => (seed = (seed * 48271) % 2147483647) % most;
 
 const view = new DataView(whole.buffer, whole.byteOffset, whole.byteLength);
 const sections = view.getUint32(32, true), count = view.getUint16(48, true);
-/** A byte of what an ELF file says of itself: header, segments, sections. */
+/** Returns the place of a byte of an ELF file's structure: header, segments or sections. */
 const told = () => {
   const kind = below(3);
   if (kind === 0) return below(52);
   if (kind === 1) return view.getUint32(28, true) + below(32 * view.getUint16(44, true));
   const section = below(count);
-  const isNote = view.getUint32(sections + 40 * section + 4, true) === 7;  // for which chip it is: only the command asks
+  const isNote = view.getUint32(sections + 40 * section + 4, true) === 7;  // the chip's name: only the
+                                                                           // command checks it
   return isNote ? told() : sections + 40 * section + below(40);
 };
 function damaged(n) {

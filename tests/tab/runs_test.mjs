@@ -1,6 +1,6 @@
-// node runs_test.mjs FOLDER COMMAND [SECONDS [SEED …]]: every stock sketch on every map with these seeds, in the module and
-// by the command of this machine, for so many simulated seconds: the trace hash, the verdict with its sentence, and the
-// image's hash must be equal.
+// node runs_test.mjs FOLDER COMMAND [SECONDS [SEED …]]: runs every stock sketch on every map with these
+// seeds, in the module and by the command of this machine. Each run simulates SECONDS. The trace hash, the
+// verdict with its sentence, and the image's hash must be equal.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -28,7 +28,7 @@ for (const [sketch, { robot, hex }] of Object.entries(sketches)) {
     const words = ['run', `${sketch}.hex`, '--map', `${map}.map`, '--robot', robot, '--for', `${seconds}s`, '--seed', seed, '--script', 'script', '--json'];
     try {
       told = execFileSync(command, words, { cwd: work, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] });
-    } catch (ended) {  // a goal that is not reached has a status of its own
+    } catch (ended) {  // a missed goal has a nonzero status
       told = ended.stdout;
     }
     const native = told && JSON.parse(told);

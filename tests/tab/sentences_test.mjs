@@ -1,5 +1,5 @@
-// node sentences_test.mjs FOLDER COMMAND: what is wrong with a file is said in the sentence of the command, and figures are
-// read as it reads them.
+// node sentences_test.mjs FOLDER COMMAND: the tab rejects wrong files with the command's sentences, and reads
+// numbers as the command does.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -1,4 +1,4 @@
-// Tests the comparison of made-up histories.
+// Tests the comparison of fictitious histories.
 
 #include "sim/analysis/compare.h"
 
@@ -119,7 +119,7 @@ TEST(Compare, FormattingIsKnownAndDoesNotCount) {
   EXPECT_EQ(c.known[1].what, "width of long");
 }
 
-/// Returns a run that prints a number in intervals of `every`, going up and down between 0 and 40.
+/// Returns a run that prints a number every `every`, rising and falling between 0 and 40.
 History stream(std::int64_t every, int offset) {
   History h = run();
   for (std::int64_t t = every; t < h.end_ns; t += every) {
@@ -151,7 +151,7 @@ TEST(Compare, ALineThatComesFiveTimesInTwoSecondsIsAStreamToo) {
       Kind::number);
 }
 
-/// Returns a run that prints a number every 0.4 s, at `odd` another one.
+/// Returns a run that prints a number every 0.4 s, and `there` instead of the value at index `odd`.
 History readings(std::vector<int> values, std::size_t odd, int there) {
   History h = run();
   values.at(odd) = there;
@@ -177,7 +177,7 @@ TEST(Compare, TheLineOfAStreamThatIsShownIsTheOneOfThatMoment) {
   EXPECT_EQ(d->sides[1], "says \"e 8000\", and nothing like it within a second");
 }
 
-/// Returns a run that prints each second "on", and from `off_from` on "off".
+/// Returns a run that prints "on" each second, and "off" from `off_from` on.
 History light(std::int64_t off_from) {
   History h;
   h.end_ns = 70 * kS;

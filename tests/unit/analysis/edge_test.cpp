@@ -1,4 +1,4 @@
-// Runs that never happened: which of a target with another clock shows that it does what another target did.
+// Tests, with fictitious runs, which runs with another clock show that a target does the same as another one.
 
 #include "sim/analysis/edge.h"
 
@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Difference::Kind;
 
-/// Returns a run that drives ahead until it turns for 1 s, and ahead again until it ends.
+/// Returns a run that drives ahead, turns for 1 s, and drives ahead again to the end.
 History turning_at(std::int64_t at_ns, Manoeuvre manoeuvre, std::int64_t end_ns = 30 * kSecond_ns) {
   History h;
   h.verdict = "timeout";

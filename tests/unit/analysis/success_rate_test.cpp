@@ -75,7 +75,7 @@ TEST(Tally, StoppingEarlyNeverChangesTheAnswer) {
     for (std::int64_t failures = 0; failures <= 20; ++failures) {
       Tally whole(1000, Demand{0.99, sure}), stopped(1000, Demand{0.99, sure});
       for (std::int64_t i = 0; i < 1000; ++i) {
-        const bool success = i * 7919 % 1000 >= failures;  // spread over the runs
+        const bool success = i * 7919 % 1000 >= failures;  // distributes the failures over the runs
         whole.add(success);
         if (!stopped.decided()) stopped.add(success);
       }

@@ -1,4 +1,4 @@
-// Tests when the converter samples which voltage.
+// Tests when the converter samples, and which voltage.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@ namespace {
 
 class ChipTest : public testing::Test, protected IdleChip {
  protected:
-  /// Everything at once is under way.
+  /// Starts everything at the same time.
   void begin_everything() {
     write(reg::kAdcsra, 0xEF);  // free running, with its interrupt
     write(0xC1, 0x58);          // USART: both ways, with TXCIE

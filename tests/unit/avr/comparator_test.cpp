@@ -28,7 +28,7 @@ class ComparatorTest : public testing::Test, protected IdleChip {
     bench.pin_voltages.clear();
     bench.levels[pin('D', 6)] = bench.levels[pin('D', 7)] = false;
   }
-  /// Returns the number of cycles from an edge of AIN0 to the count that timer 1 has captured.
+  /// Returns the number of cycles from an edge of AIN0 to the count that timer 1 captures.
   int delay_of_rise() {
     const auto since = static_cast<int>(now());
     bench.set_level(pin('D', 6), true);
@@ -135,7 +135,7 @@ TEST_F(ComparatorTest, AChangeOfWhatIsCapturedIsAnEdgeIfTheyDiffer) {
   EXPECT_EQ(read(kTifr1) & kIcf1, 0) << "a falling one";
 }
 
-/// One that waits in a loop, too.
+/// A chip of another type that also waits in a loop.
 class OtherChip {
  public:
   explicit OtherChip(const ChipSpec& spec) : bench(spec, kLoop) {}

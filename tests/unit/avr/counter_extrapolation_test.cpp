@@ -1,4 +1,4 @@
-// Tests extrapolated values that follow a counter: all state within the window stays the same.
+// Tests extrapolated values that depend on a counter: the whole state within the window stays the same.
 #include "sim/avr/counter_extrapolation.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 constexpr Address kCounter = 0x4A;  // GPIOR1
 constexpr Address kMemory = 0x110;
 
-/// Computes with a counter, as clocks are computed with: sums, differences and shifts of several bytes.
+/// Computes with a counter as clock functions do: sums, differences and shifts of several bytes.
 class Computation : public RandomCode {
  public:
   explicit Computation(unsigned seed) : RandomCode(seed) {
@@ -76,7 +76,7 @@ class Computation : public RandomCode {
   }
 };
 
-/// The processor's state while and after it ran, with the counter at some value.
+/// The processor's registers after a run with some counter value, and its branches during the run.
 struct Outcome {
   std::vector<std::uint8_t> registers, branches;
   std::uint8_t sreg = 0;
@@ -84,7 +84,7 @@ struct Outcome {
 
 class RampTest : public testing::Test {
  protected:
-  /// Runs `code` from registers made of `seed`; `extrapolation` follows, if there is one.
+  /// Runs `code` from registers derived from `seed`. If `follows`, the extrapolation follows the run.
   Outcome run(const Program& code, unsigned seed, std::uint8_t counter, bool follows) {
     Cpu& cpu = follows ? *followed_ : *other_;
     std::mt19937 engine(seed);
@@ -108,7 +108,7 @@ class RampTest : public testing::Test {
       if (follows) {
         EXPECT_TRUE(extrapolation_->agrees(~0u)) << "before word " << cpu.pc();
       }
-      // A skip shows its choice by the next address.
+      // The next address shows whether the instruction skipped.
       if (instruction.op == Op::sbrc || instruction.op == Op::sbrs)
         outcome.branches.push_back(static_cast<std::uint8_t>(cpu.pc()));
     }

@@ -1,4 +1,4 @@
-// Tests external edges, and when the chip requests them.
+// Tests external edges, and when the chip requests to be notified of them.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"

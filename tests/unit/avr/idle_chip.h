@@ -1,5 +1,5 @@
-// A chip whose processor waits in an endless loop at each vector, while a test writes its registers like
-// firmware.
+// A chip whose processor waits in an endless loop at each vector, while a test writes its registers as
+// firmware would.
 #pragma once
 
 #include <vector>
@@ -16,17 +16,17 @@ class IdleChip {
   void write(Address address, std::uint8_t value) { bench.chip.cpu().store(address, value); }
   std::uint8_t read(Address address) { return bench.chip.cpu().load(address); }
   void run(Cycle cycles) { bench.run(cycles); }
-  /// Runs until exactly this cycle, where the loop's two cycles allow it.
+  /// Runs until exactly this cycle, if the loop's two cycles allow it.
   void run_to(Cycle cycle) { bench.chip.run_to(cycle); }
   Cycle now() { return bench.chip.cycle(); }
   int pin(char port, int bit) { return bench.chip.pins().at(port, bit); }
   void let_interrupts() { bench.chip.cpu().set_sreg(Cpu::kI); }
-  /// Waits by SLEEP, and after that in a loop again.
+  /// Waits by SLEEP, and in a loop again after waking.
   void fall_asleep() {
     bench.chip.cpu().set_pc(kSleep);
     run(1);
   }
-  /// The vector whose loop it is in; 0 = none since the reset.
+  /// Returns the vector at which the processor loops; 0 = no interrupt since the reset.
   int vector() { return static_cast<int>(bench.chip.cpu().pc() / 2); }
 
  private:

@@ -1,4 +1,4 @@
-// Tests programs that loop without end, and the changes that handlers may make.
+// Tests programs that loop without end, and the memory that handlers may change.
 #include "sim/avr/infinite_loop.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ constexpr Address kFlag = 0x110, kOther = 0x111;
 constexpr unsigned kBack = 0xCFFF, kReti = 0x9518;
 constexpr int kMost = 10'000, kVector = 3;
 
-/// A program from word 0x80 on, with the handler of a vector at 0x40.
+/// A program at word 0x80, with a vector's handler at 0x40.
 class RecurrenceTest : public testing::Test {
  protected:
   RecurrenceTest() {
@@ -28,7 +28,7 @@ class RecurrenceTest : public testing::Test {
   void fill(unsigned to) {
     while (code_.here() < to) code_.word(0);
   }
-  /// Its last instruction jumps back to where `to` is.
+  /// Adds the last instruction of a loop, which jumps back to `to`.
   void back(unsigned to) { code_.word(0xC000 | ((to - code_.here() - 1) & 0xFFF)); }
 
   std::optional<InfiniteLoop> round() {

@@ -1,4 +1,4 @@
-// Tests that marks stop the processor before an instruction, even one that is fused with the previous one.
+// Tests that marks stop the processor before an instruction, even one that is fused with its predecessor.
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega328p.h"

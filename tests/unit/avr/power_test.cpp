@@ -1,4 +1,4 @@
-// Tests the cycles that waking takes.
+// Tests the number of cycles for waking.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"
@@ -10,7 +10,8 @@ constexpr std::uint8_t kEnable = 1, kIdle = 0, kNoiseReduction = 2, kPowerDown =
                        kStandby = 12, kExtendedStandby = 14;
 constexpr Cycle kWatchdogTime = 256000, kWakes = 4, kEnters = 4;
 
-/// Sleeps in `mode` until the watchdog wakes it. Returns the cycles from then to the first of its handler.
+/// Sleeps in `mode` until the watchdog wakes the chip. Returns the cycles from then to the handler's first
+/// cycle.
 Cycle wakes_after(std::uint8_t mode) {
   IdleChip chip;
   chip.write(reg::kWdtcsr, 0x40);

@@ -11,7 +11,7 @@ namespace robosim::avr {
 constexpr unsigned kAdd = 0x0C00, kAdc = 0x1C00, kSub = 0x1800, kSbc = 0x0800, kCp = 0x1400, kCpc = 0x0400,
                    kAnd = 0x2000, kOr = 0x2800, kEor = 0x2400, kMov = 0x2C00, kMul = 0x9C00;
 constexpr unsigned kSubi = 0x5000, kSbci = 0x4000, kCpi = 0x3000, kAndi = 0x7000, kOri = 0x6000;
-/// A program, word by word.
+/// Builds a program word by word.
 class Program {
  public:
   void word(unsigned word) {
@@ -40,7 +40,7 @@ class Program {
     word(0x940E);
     word(to);
   }
-  /// A branch to `to` where `flag` of SREG is set, or clear.
+  /// Adds a branch to `to` that is taken if `flag` of SREG is set, or is clear.
   void branch(unsigned flag, bool set, unsigned to) {
     word((set ? 0xF000 : 0xF400) | ((to - here() - 1) & 0x7F) << 3 | flag);
   }
@@ -52,7 +52,7 @@ class Program {
   std::vector<std::uint8_t> flash;
 };
 
-/// Adds random instructions that only compute.
+/// Builds a program of random instructions that only compute.
 class RandomCode : public Program {
  public:
   explicit RandomCode(unsigned seed) : engine_(seed) {}
@@ -83,7 +83,7 @@ class RandomCode : public Program {
           word(0x9400 | any() << 4 | pick({0, 1, 2, 3, 5, 6, 7, 10}));  // com neg swap inc asr lsr ror dec
           break;
         case 5:
-          word(0x9408 | below(6) << 4 | (below(2) ? 0x80 : 0));  // a flag
+          word(0x9408 | below(6) << 4 | (below(2) ? 0x80 : 0));  // set or clear a flag
           break;
         case 6:
           word(0xFA00 | any() << 4 | below(8));  // bst

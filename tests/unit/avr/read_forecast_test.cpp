@@ -12,7 +12,7 @@ constexpr Address kTifr0 = 0x35, kTifr1 = 0x36, kTifr2 = 0x37, kTcnt0 = 0x46, kT
 
 class OutlookTest : public testing::Test, protected IdleChip {
  protected:
-  /// Reads at `cycle`, with nothing in between; the chip is then as before.
+  /// Returns the value read at `cycle`, without an access in between. Restores the chip.
   std::uint8_t read_at(Address address, Cycle cycle) {
     const auto before = bench.chip.save();
     bench.chip.cpu().skip_to(cycle);
@@ -28,7 +28,8 @@ TEST_F(OutlookTest, OfTimersHolds) {
   const auto below = [&](unsigned count) { return static_cast<unsigned>(engine() % count); };
   int counted = 0, known = 0;
   for (int trial = 0; trial < 3000; ++trial) {
-    // Modes, prescalers, compare values, counters, flags; no interrupts, so that nothing comes by itself.
+    // Sets random modes, prescalers, compare values, counters and flags. Interrupts are off, so that no code
+    // runs.
     write(0x44, static_cast<std::uint8_t>(below(4)));
     write(0x45, static_cast<std::uint8_t>(below(6) | (below(4) == 0) << 3));
     write(0x80, static_cast<std::uint8_t>(below(4)));

@@ -1,5 +1,5 @@
-// Tests that a counter which advances many ticks at once, and timers that count only on access, equal
-// counting tick by tick.
+// Tests that a counter which advances many ticks at once equals one that counts tick by tick. Tests the same
+// for timers that count only on access.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -15,7 +15,7 @@ class Chance {
  public:
   explicit Chance(unsigned seed) : engine_(seed) {}
   unsigned below(unsigned count) { return static_cast<unsigned>(engine_() % count); }
-  /// Returns a value that is small, or near an end, or anything.
+  /// Returns a small value, a value near the maximum, or any value.
   std::uint16_t value(std::uint16_t max) {
     const unsigned any = below(max + 1u);
     const unsigned values[] = {below(5), max - below(5), any, any};
@@ -72,7 +72,7 @@ TEST(Counter, RunsThroughManyTicksAsOneByOne) {
 
 class WatchedTimers : public testing::TestWithParam<unsigned> {};
 
-/// Returns all that firmware may see of the timers without changing it.
+/// Returns everything that firmware can read of the timers without changing it.
 std::vector<unsigned> seen(IdleChip& chip) {
   std::vector<unsigned> values;
   for (const Address address : {0x35, 0x36, 0x37, 0x46, 0x47, 0x48, 0x84, 0x85, 0x86, 0x87, 0x88, 0xB2})

@@ -18,7 +18,7 @@ constexpr std::uint8_t kPd6 = 1 << 6, kPb3 = 1 << 3;
 class TimerTest : public testing::Test, protected IdleChip {
  protected:
   PinDrive drive(char port, int bit) { return bench.drives[pin(port, bit)]; }
-  /// Runs `cycles`, and returns the number of events within them.
+  /// Runs `cycles`, and returns the number of events in this time.
   int events(Cycle cycles) {
     const Cycle end = now() + cycles;
     for (int count = 0;; ++count) {
@@ -83,7 +83,7 @@ TEST_F(TimerTest, TellsTheLevelsOfAPinThatIsToggledTooSlowlyForATone) {
   write(0x89, 15624 >> 8);
   write(0x88, 15624 & 0xFF);
   write(kTccr1a, 0x40);
-  write(kTccr1b, 0x0D);  // cleared on a match, prescaler 1024: each second
+  write(kTccr1b, 0x0D);  // clear on match, prescaler 1024: every second
   run(100);
   for (const bool level : {false, true, false, true}) {
     EXPECT_FALSE(drive('B', 1).pwm);
@@ -92,7 +92,7 @@ TEST_F(TimerTest, TellsTheLevelsOfAPinThatIsToggledTooSlowlyForATone) {
   }
 }
 
-// 16.9.2: above TOP a counter runs on to MAX, and there is a match on the way.
+// 16.9.2: above TOP a counter runs on to MAX, and matches on the way.
 TEST_F(TimerTest, TogglesAboveTop) {
   constexpr Address kOcr1a = 0x88;
   write(kDdrb, 1 << 1);
@@ -190,7 +190,7 @@ TEST_F(TimerTest, CountsAndCapturesEdgesFromOutside) {
   EXPECT_EQ(read(kIcr1l), 5);
 }
 
-// The same interrupt, again and again: the counter is then not counted in between.
+// The same interrupt repeats, and the counter is not updated in between.
 TEST_F(TimerTest, InterruptsToTheCycleForEver) {
   struct Way {
     std::uint8_t mode, enables;
@@ -220,7 +220,7 @@ TEST_F(TimerTest, InterruptsToTheCycleForEver) {
       chip.run_to(due + way.period / 2 + 1);
       EXPECT_EQ(chip.read(kTcnt0), way.period / 128);
       EXPECT_EQ(chip.read(reg::kTifr0) & way.enables, 0);
-      if (time == 8) {  // interrupts are off, and some are missed
+      if (time == 8) {  // interrupts are disabled, and some are missed
         chip.run_to(due + 5 * period + period / 2);
         EXPECT_EQ(chip.read(reg::kTifr0) & way.enables, way.enables);
         serve(chip.now() + 8);
@@ -236,7 +236,7 @@ TEST_F(TimerTest, StartsConversionsByAFlag) {
   write(kOcr0a, 99);
   write(kTccr0a, 2);
   write(reg::kAdcsrb, 3);     // timer 0's compare A
-  write(reg::kAdcsra, 0xA4);  // enabled, by a trigger, prescaler 16
+  write(reg::kAdcsra, 0xA4);  // enabled, started by a trigger, prescaler 16
   write(kTccr0b, 1);
   run(1000);
   EXPECT_EQ(bench.samples.size(), 1u) << "the flag stays set";

@@ -1,4 +1,4 @@
-// Tests the receiver, and a transmitter's effect on its pin, which a program cannot see.
+// Tests the receiver, and a transmitter's effect on its pin, which a program cannot read.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests that skipping busy-wait loops is not observable: two chips run the same program, one of them
+// Tests that skipping busy-wait loops is not observable. Two chips run the same program, one of them
 // instruction by instruction, and are equal at every comparison.
 #include <gtest/gtest.h>
 
@@ -16,15 +16,15 @@ namespace {
 using conformance::Bench;
 
 constexpr unsigned kTcnt0 = 0x46, kTcnt2 = 0xB2, kAdcsra = 0x7A, kEecr = 0x3F;
-constexpr unsigned kCount = 0x100, kMemory = 0x110;  // of overflows; anything
+constexpr unsigned kCount = 0x100, kMemory = 0x110;  // the number of overflows; arbitrary data
 
-/// Programs that wait in loops of all kinds, some that no compiler would make.
+/// Programs with all kinds of wait loops, including loops that no compiler would generate.
 class RandomProgram : public RandomCode {
  public:
   explicit RandomProgram(unsigned seed) : RandomCode(seed) {
     constexpr unsigned kVectors = 26, kHandler = 2 * kVectors, kMain = kHandler + 40;
     for (unsigned vector = 0; vector < kVectors; ++vector) jmp(vector == 0 ? kMain : kHandler);
-    // Any interrupt counts.
+    // Each interrupt increments a counter.
     word(0x938F);  // push r24
     word(0xB78F);  // in r24, SREG
     word(0x938F);
@@ -67,10 +67,10 @@ class RandomProgram : public RandomCode {
     if (below(4) == 0) put(kEecr, 4), put(kEecr, 2);
     const unsigned head = here();
     if (below(2)) {
-      word(0xB77F);  // in r23, SREG: what the last pass has left
+      word(0xB77F);  // in r23, SREG: result of the last pass
       if (below(2)) sts(kMemory + 3, 23);
     }
-    // It ends, whatever else it waits for.
+    // The loop ends after some interrupts, whatever else it waits for.
     lds(25, kCount);
     immediate(kCpi, 25, 1 + below(6));
     word(0xF000);  // brcs +0, set below
@@ -91,7 +91,7 @@ class RandomProgram : public RandomCode {
       word(0xC000 | ((head - here() - 1) & 0xFFF));
     }
     const unsigned end = here();
-    // brcs to the body, else jmp to the end
+    // brcs to the body, otherwise jmp to the end
     set(over, 0xF000 | 2 << 3);
     set(over + 1, 0x940C);
     set(over + 2, end);
@@ -137,7 +137,7 @@ class RandomProgram : public RandomCode {
     }
   }
 
-  /// Adds a read of a counter into the bytes of a number, as in micros().
+  /// Adds code that reads a counter into the bytes of a number, as micros() does.
   void clock(unsigned bytes) {
     const unsigned to = bytes == 4 ? pick({4, 8, 12, 20}) : pick({4, 6, 20});
     const bool saves = below(2);

@@ -1,4 +1,4 @@
-// Runs random programs on the processor and on the manual's model (manual_model.h). Runs several instructions
+// Runs random programs on the processor and on the manual's model (manual_model.h). Several instructions run
 // at a time, so that the processor defers work. Then compares program counter, cycles, status, stack pointer,
 // registers and 64 KB of memory.
 //
@@ -23,7 +23,7 @@ std::uint64_t instructions() {
   return wanted ? std::strtoull(wanted, nullptr, 10) : test::rounds(300'000ull);
 }
 
-/// Returns whether an instruction skips or branches under a condition.
+/// Returns whether an instruction skips or branches on a condition.
 bool chooses(const std::string& name) {
   return name == "CPSE" || name == "SBIC" || name == "SBIS" || name == "SBRC" || name == "SBRS" ||
          name.starts_with("BR");
@@ -47,7 +47,7 @@ TEST_P(Manual, SaysWhatTheProcessorDoesWithRandomInstructions) {
     count = 0;
     for (const std::uint64_t ran : pair.manual.ran) count += ran;
   }
-  // Each instruction has run, and each conditional one has gone both ways.
+  // Checks that each instruction has run, and that each conditional one has gone both ways.
   for (std::size_t row = 0; row < ManualModel::rows().size(); ++row) {
     const std::string name = ManualModel::rows()[row].name;
     if (!long_pc && (name.starts_with("ELPM") || name.starts_with("EI"))) continue;

@@ -1,9 +1,9 @@
 // Runs random instructions on the processor and on libsimavr's, from the same random state. Then compares
 // program counter, cycles, status, stack pointer, registers and memory.
 //
-// Skips instructions that libsimavr 1.6 lacks or executes unlike the chip: SPM, SLEEP, BREAK; I/O, which is
-// outside of the processor; LPM into its own pointer, which the manual leaves undefined; jumps out of
-// flash.
+// Skips instructions that libsimavr 1.6 lacks or does not execute as the chip does: SPM, SLEEP and BREAK.
+// Also skips I/O, which is outside of the processor, and jumps out of flash. LPM into its own pointer is
+// skipped because the manual leaves it undefined.
 extern "C" {
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core.h>
@@ -80,7 +80,7 @@ class Pair {
     std::memcpy(theirs_->flash, flash_.data(), flash_.size());
   }
 
-  /// Runs one random instruction; returns false for a skipped one.
+  /// Runs one random instruction. Returns false if it was skipped.
   bool run(std::mt19937& random) {
     const auto word = static_cast<std::uint16_t>(random());
     auto next = static_cast<std::uint16_t>(random() & 0x3FFF);

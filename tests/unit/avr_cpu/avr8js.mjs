@@ -1,5 +1,5 @@
-// node avr8js.mjs FOLDER PROGRAMS: runs the programs of against_avr8js_test.cpp on avr8js, which FOLDER has, and
-// prints the state behind each.
+// node avr8js.mjs FOLDER PROGRAMS: runs the programs of against_avr8js_test.cpp on the avr8js in FOLDER, and
+// prints the state after each.
 import { createRequire } from 'node:module';
 import { readFileSync } from 'node:fs';
 

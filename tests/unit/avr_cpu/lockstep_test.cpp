@@ -1,8 +1,8 @@
 // Runs the stock sketches in lockstep on the chip and on libsimavr's processor. Compares program counter,
 // cycles, status, stack pointer and registers after each instruction, and occasionally all of memory.
 //
-// libsimavr's peripherals are not used: the test sets values of I/O registers and the times of interrupts.
-// tests/conformance compares the chip's peripherals with libsimavr.
+// libsimavr's peripherals are not used: the test sets the values of I/O registers and the times of
+// interrupts. tests/conformance compares the chip's peripherals with libsimavr.
 //
 // ROBOSIM_LOCKSTEP=50000000 compares 50,000,000 instructions of each sketch; the default is small.
 extern "C" {
@@ -46,7 +46,7 @@ class Referee {
     std::memset(avr_->flash, 0xFF, kAtmega328p.flash_bytes);
     std::memcpy(avr_->flash, flash.data(), flash.size());
     for (auto& io : avr_->io) io = {nullptr, {this, &Referee::read}, {this, &Referee::write}};
-    // SREG, which it keeps bit by bit, is its own affair.
+    // libsimavr stores SREG bit by bit, and must access it itself.
     avr_->io[kSreg - kFirstIo] = {};
   }
   Referee(const Referee&) = delete;
@@ -66,7 +66,7 @@ class Referee {
     avr_->pc = 2 * cpu.pc();
     avr_->cycle = cpu.cycle();
   }
-  /// Runs one instruction, in which registers of I/O give `value`.
+  /// Runs one instruction. Its reads of I/O registers return `value`.
   void run(std::uint8_t value) {
     given_ = value;
     avr_->run_cycle_limit = avr_->run_cycle_count = 1;
@@ -102,7 +102,7 @@ bool writes_eecr(const Instruction& i) {
   return (i.op == Op::out || i.op == Op::sbi || i.op == Op::cbi) && i.k == kEecr;
 }
 
-/// Returns the value that `instruction` has read from an I/O register.
+/// Returns the value that `instruction` read from an I/O register.
 std::uint8_t given(const Instruction& instruction, const Cpu& cpu, bool skipped) {
   if (instruction.op == Op::sbic) return skipped ? 0x00 : 0xFF;
   if (instruction.op == Op::sbis) return skipped ? 0xFF : 0x00;
@@ -124,7 +124,7 @@ TEST_P(Lockstep, IsTheSameAfterEachInstruction) {
   std::uint32_t chance = 1;
   for (long count = 0; count < instructions();) {
     if (count % 5000 == 0) {
-      // Other voltages, levels and bytes, so that the sketch goes other ways.
+      // Changes voltages, levels and bytes, so that the sketch takes other branches.
       chance = chance * 1664525u + 1013904223u;
       bench.voltages[static_cast<int>(chance >> 16 & 7)] = 5.0 * (chance >> 24) / 256;
       bench.set_level(static_cast<int>(chance >> 8 & 0x0F), chance >> 30 & 1);
@@ -144,7 +144,7 @@ TEST_P(Lockstep, IsTheSameAfterEachInstruction) {
     const Instruction& next = cpu.instruction(pc + instruction.words);
     const bool skipped = cpu.pc() == pc + instruction.words + next.words;
     referee.run(given(instruction, cpu, skipped));
-    // The EEPROM halts the processor for the 4 cycles of a read, 2 of a write.
+    // A read of the EEPROM halts the processor for 4 cycles, a write for 2.
     if (writes_eecr(instruction)) referee->cycle = cpu.cycle();
     ASSERT_EQ(2 * cpu.pc(), referee->pc) << "behind word " << pc << ", instruction " << count;
     ASSERT_EQ(cpu.cycle(), referee->cycle) << "behind word " << pc << ", instruction " << count;

@@ -9,7 +9,7 @@ constexpr std::uint16_t kX = 26, kY = 28, kZ = 30;
 
 bool bit(unsigned value, unsigned number) { return value >> number & 1; }
 
-/// The bits of an opcode that the pattern fixes, and their values.
+/// The bits of an opcode that its pattern fixes, and their values.
 struct Fixed {
   unsigned mask = 0, value = 0;
 };
@@ -28,7 +28,7 @@ Fixed fixed_bits(const char* pattern) {
 struct ManualModel::Code {
   OpcodeRow row;
   int cycles;       ///< with a program counter of 16 bits
-  int long_cycles;  ///< of 22 bits
+  int long_cycles;  ///< with a program counter of 22 bits
   void (*run)(ManualModel& m);
 };
 

@@ -1,9 +1,9 @@
-// A model of the processor, written from the AVR Instruction Set Manual, DS40002198B, alone: its opcode
-// patterns, its Boolean formulas of flags, its table of cycles for AVRe and AVRe+. It is slow, and shares no
-// code with sim/avr, whose instructions are compared with it.
+// A model of the processor, written only from the AVR Instruction Set Manual, DS40002198B: opcode patterns,
+// Boolean formulas of flags, and cycles of AVRe and AVRe+. It is slow, and shares no code with sim/avr.
+// sim/avr's instructions are compared with it.
 //
-// All data memory is one array of 64 KB, in which SREG, SP, RAMPZ and EIND have their places; there are no
-// peripherals and no interrupts.
+// All data memory is one array of 64 KB, which includes SREG, SP, RAMPZ and EIND. There are no peripherals
+// and no interrupts.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace robosim::avr {
 /// A page of the manual: "LDS Rd,k" is "1001 000d dddd 0000" with a second word. SPM and BREAK are omitted.
 struct OpcodeRow {
   const char* name = nullptr;
-  const char* pattern = nullptr;  ///< of its first word, as the manual has it: 16 digits and letters
+  const char* pattern = nullptr;  ///< of the first word, as in the manual: 16 digits and letters
   int words = 1;
 };
 
@@ -25,11 +25,11 @@ class ManualModel {
  public:
   static constexpr std::uint16_t kRampz = 0x5B, kEind = 0x5C, kSp = 0x5D, kSreg = 0x5F;
 
-  /// `flash`: words, a power of two of them; `long_pc`: the program counter has 22 bits.
+  /// `flash` has words, a power of two of them. With `long_pc` the program counter has 22 bits.
   ManualModel(std::vector<std::uint16_t> flash, bool long_pc);
 
-  /// Runs one instruction. False: the opcode is reserved, or the program counter is beyond flash; nothing
-  /// has been done.
+  /// Runs one instruction. Returns false, and does nothing, if the opcode is reserved, or the program counter
+  /// is beyond flash.
   bool step();
 
   std::uint16_t sp() const { return word(kSp); }
@@ -40,9 +40,10 @@ class ManualModel {
   std::uint32_t pc = 0;  ///< in words
   std::uint64_t cycles = 0;
 
-  /// All rows, and how often each has run and not gone on to the next word.
+  /// Returns all rows. `ran` and `jumped` count how often each row ran, and how often it did not continue at
+  /// the next word.
   static std::span<const OpcodeRow> rows();
-  /// Returns the row of a word of flash; nothing if it is reserved.
+  /// Returns the row of a word of flash, or nothing if the word is reserved.
   static std::optional<std::size_t> row_of(std::uint16_t word);
   std::vector<std::uint64_t> ran, jumped;
 
@@ -50,7 +51,7 @@ class ManualModel {
   struct Code;
   static const Code& code_of(std::size_t row);
 
-  /// Returns the field that the manual names with this letter.
+  /// Returns the field with this letter in the manual.
   unsigned field(char letter) const;
   std::uint16_t word(std::uint16_t at) const {
     return static_cast<std::uint16_t>(data[at] | data[at + 1u] << 8);
@@ -61,7 +62,7 @@ class ManualModel {
   }
   bool flag(char name) const;
   void set_flag(char name, bool value);
-  /// Sets S = N xor V, from those two.
+  /// Sets S = N xor V.
   void set_sign() { set_flag('S', flag('N') != flag('V')); }
   void set_zero_and_negative(std::uint8_t result);
 

@@ -36,19 +36,19 @@ std::uint16_t random_word(std::mt19937& random, const char* pattern) {
 
 bool is_far(std::string_view name) { return name.starts_with("ELPM") || name.starts_with("EI"); }
 
-/// Returns the low register of the pointer that the instruction moves; 0 = none.
+/// Returns the low register of the pointer that the instruction increments or decrements; 0 = none.
 unsigned moved_pointer(std::string_view name) {
   if (name.find('+') == name.npos && name.find('-') == name.npos) return 0;
   return name.find('X') != name.npos ? 26 : name.find('Y') != name.npos ? 28 : 30;
 }
 
-/// "The result of these combinations is undefined": LD r26, X+ and the like.
+/// Returns whether the manual says "The result of these combinations is undefined": LD r26, X+ and similar.
 bool moves_its_own_register(std::string_view name, unsigned word) {
   const unsigned pointer = moved_pointer(name), d = word >> 4 & 31;
   return pointer != 0 && (d == pointer || d == pointer + 1);
 }
 
-/// Returns the name of an instruction that the processor may fuse with `name` before it, or `name` itself.
+/// Returns the name of an instruction that the processor may fuse with a preceding `name`, or `name` itself.
 std::string_view partner_of(std::string_view name, std::mt19937& random) {
   constexpr std::string_view kPartners[][2] = {
       {"ADD", "ADC"}, {"SUB", "SBC"},  {"SUBI", "SBCI"}, {"CP", "CPC"},   {"CPI", "CPC"},
@@ -58,7 +58,7 @@ std::string_view partner_of(std::string_view name, std::mt19937& random) {
   return name == first ? second : name;
 }
 
-/// Limits the high bits of the target of JMP and CALL to those that the flash has.
+/// Limits the high bits of a JMP's or CALL's target to the flash's address bits.
 std::uint16_t within_flash(std::uint16_t word, bool long_pc) {
   return static_cast<std::uint16_t>(word & ~0x01F0u & (long_pc ? ~0u : ~1u));
 }
@@ -95,7 +95,7 @@ std::vector<std::uint16_t> random_flash(std::mt19937& random, bool long_pc) {
     if (row.words == 2) flash.push_back(static_cast<std::uint16_t>(random()));
     if (name == "SBIW" && below(random, 2) == 0) {
       flash.back() = static_cast<std::uint16_t>(0x9701 | (word & 0x30));
-      flash.push_back(0xF7F1);  // BRNE, back to it
+      flash.push_back(0xF7F1);  // BRNE, back to the previous instruction
     }
   }
   flash.resize(size, kToItself);
@@ -160,7 +160,7 @@ bool Pair::run(int instructions) {
   while (cpu.cycle() < manual.cycles && (stop == Cpu::Stop::reached || stop == Cpu::Stop::sleep))
     stop = cpu.run(manual.cycles);
   if (!is_outside && (goes_on || is_undefined())) return goes_on;
-  // Where the model does not go on, neither does the processor.
+  // If the model does not continue, the processor must not continue either.
   if (!is_outside && cpu.pc() != manual.pc) return false;
   const std::uint16_t word = is_outside ? std::uint16_t{0} : manual.flash[manual.pc];
   const Cpu::Stop due = is_outside       ? Cpu::Stop::outside

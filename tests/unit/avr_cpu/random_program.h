@@ -11,7 +11,7 @@
 
 namespace robosim::avr {
 
-/// Where a program begins: the other memory is kept from the one before.
+/// The start of a program. All other memory keeps its content from the previous program.
 struct Start {
   std::array<std::uint8_t, 32> registers{};
   std::uint8_t sreg = 0, rampz = 0, eind = 0;
@@ -22,10 +22,11 @@ struct Start {
 /// Returns flash full of random instructions that the manual defines, with targets in flash.
 std::vector<std::uint16_t> random_flash(std::mt19937& random, bool long_pc);
 
-/// The two of them. Data memory is 64 KB of RAM behind the registers of I/O, which keep what is written.
+/// The processor and the model. Data memory is 64 KB of RAM after the I/O registers, which store whatever is
+/// written.
 class Pair {
  public:
-  /// `long_pc`: of 22 bits, on the largest ATmega's flash; else on 128 KB, which 16 bits reach.
+  /// With `long_pc`, uses 22 bits and the largest ATmega's flash, otherwise 16 bits and 128 KB.
   Pair(std::mt19937& random, bool long_pc);
 
   Start random_start(std::mt19937& random) const;
@@ -33,14 +34,14 @@ class Pair {
   /// Runs at most `instructions`, the model first. Returns false if the program cannot continue: the next
   /// instruction is reserved, undefined, or outside of flash.
   bool run(int instructions);
-  /// Describes the first difference; "" = none.
+  /// Describes the first difference, or returns "".
   std::string difference() const;
 
   ManualModel manual;
   Cpu cpu;
 
  private:
-  /// Returns whether the manual leaves the result open. A stack that overwrites SP counts as undefined.
+  /// Returns whether the manual leaves the result undefined, including a stack that overwrites SP.
   bool is_undefined() const;
 
   bool long_pc_;

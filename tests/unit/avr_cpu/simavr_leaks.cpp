@@ -1,3 +1,3 @@
-// Suppresses libsimavr's leak of the names of interrupts' signals. No other code may leak.
+// Suppresses libsimavr's leak of interrupt signal names. No other code may leak.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libsimavr\n"; }

@@ -1,5 +1,5 @@
-// Tests that executing the core's timer 0 handler and the read in millis() at once has the same result as
-// executing their instructions.
+// Tests the execution of the core's timer 0 handler, and of the read in millis(), in one step. The results
+// equal those of executing the instructions.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,8 +11,8 @@
 namespace robosim::avr {
 namespace {
 
-// As the stock core has it (wiring.c): millis at 0x105, its fraction at 0x104, overflows at 0x100. In front
-// of it `sei; rjmp .-4`, which it returns to.
+// The handler of the stock core (wiring.c): millis at 0x105, its fraction at 0x104, overflows at 0x100. It
+// returns to the `sei; rjmp .-4` in front of it.
 constexpr std::uint16_t kTimeProgram[] = {
     0x9478, 0xCFFE, 0x921F, 0x920F, 0xB60F, 0x920F, 0x2411, 0x932F, 0x933F, 0x938F, 0x939F, 0x93AF, 0x93BF,
     0x9180, 0x0105, 0x9190, 0x0106, 0x91A0, 0x0107, 0x91B0, 0x0108, 0x9130, 0x0104, 0xE023, 0x0F23, 0x372D,
@@ -41,7 +41,7 @@ class CountsTime : public testing::Test {
   }
   std::uint8_t byte() { return static_cast<std::uint8_t>(random_()); }
 
-  /// Puts the processor into the handler, mostly by an interrupt; all else is random.
+  /// Puts the processor into the handler, mostly by an interrupt. Everything else is random.
   void shuffle(Cpu& one) {
     for (std::uint8_t& data : one.data) data = random_() % 3 == 0 ? 0xFF : byte();
     one.data[0x104] = static_cast<std::uint8_t>(random_() % 128);

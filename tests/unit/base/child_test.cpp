@@ -90,7 +90,7 @@ TEST(Child, ACopyOfThisProcessNeverGoesOnAsThisProcess) {
   try {
     EXPECT_EQ(Child([]() -> int { throw std::runtime_error("in the copy"); }).wait().signal, SIGABRT);
   } catch (const std::runtime_error&) {
-    ::_exit(0);  // we are the copy
+    ::_exit(0);  // this is the copy
   }
 }
 
@@ -99,7 +99,7 @@ TEST(Child, OutputOfAProgramThatIsNotThereIsEmpty) {
   EXPECT_EQ(output_of({"/no/such/program"}), "");
 }
 
-#ifndef ROBOSIM_EMULATED  // qemu-user does not pass on that a program could not be started
+#ifndef ROBOSIM_EMULATED  // qemu-user does not report that a program could not be started
 TEST(Child, AProgramThatCannotBeStartedIsNamed) {
   ChildStart start;
   start.words = {"/no/such/program"};

@@ -29,7 +29,8 @@ class FileScope : public testing::Test {
     write_file(inside_ / "team/robot.toml", "robot");
     write_file(outside_ / "secret", "secret");
   }
-  /// Returns the text that a handle on `inside_` reads by that name; "" = the path leads out.
+  /// Returns the text that a handle on `inside_` reads under this name, or "" if the path leads out of the
+  /// folder.
   std::string read(const std::string& name) const {
     const HeldFolder folder(inside_);
     const Descriptor file = folder.open(name, O_RDONLY);
@@ -98,7 +99,7 @@ TEST_F(FileScope, RefusesEveryLinkOnTheWayWhereAFileIsToBeWritten) {
   EXPECT_TRUE(folder.open("team/robot.toml", O_RDONLY, HeldFolder::Links::refused).is_open());
 }
 
-/// Must run in a process of its own, since a scope holds for good.
+/// Runs `holds` within a scope. Must run in a separate process, because a scope cannot be removed.
 int in_scope(const std::vector<fs::path>& folders, const std::function<bool()>& holds) {
   const std::string variable = file_scope_variable(folders);
   ::setenv(kFileScope, variable.substr(variable.find('=') + 1).c_str(), 1);

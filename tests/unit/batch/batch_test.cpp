@@ -1,4 +1,4 @@
-// Tests a batch against single robots: the same commands give the same run, to the last bit.
+// Tests a batch against single robots: the same commands give bit-identical runs.
 #include "sim/batch/robots.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ robot::Description some_uno5(Chance& chance) {
                             &robot.chassis.grip, &robot.chassis.rolling, &robot.motors.no_load,
                             &robot.motors.stall_torque, &robot.motors.supply, &robot.motors.rotor_inertia})
     vary(*number);
-  if (chance.once_in(4)) robot.chassis.grip = {0.15, 0.0};  // it skids and slips
+  if (chance.once_in(4)) robot.chassis.grip = {0.15, 0.0};  // the robot skids and slips
   if (chance.once_in(6)) robot.chassis.height = {0.03, 0.0};
   if (chance.once_in(6)) robot.motors.inductance = {1.5e-3, 0.0};
   if (chance.once_in(3)) robot.electronics = {{1.0, 0.0}, chance.once_in(2)};
@@ -47,7 +47,7 @@ robot::Description some_uno5(Chance& chance) {
   return robot;
 }
 
-// A robot of robot::Robot, alone in a world of its own.
+// A robot::Robot, alone in a world of its own.
 struct Single {
   Single(const robot::Description& robot_, const grid::Map& map, std::uint64_t seed, Profile profile,
          const Pose& start, std::uint32_t number)
@@ -59,7 +59,7 @@ struct Single {
     world.vary_floor(NoiseStream(7, 0, "floor", "test"), profile == Profile::ideal ? 0.0 : 0.05);
   }
 
-  // Drives one wheel by a share of PWM, -1 .. 1, or 2 for a brake. Returns the driver's command.
+  // Drives one wheel by PWM `share`, -1 .. 1, or 2 to brake. Returns the driver's command.
   world::WheelCommand drive(world::Side side, double share, SimTime t) {
     const Pin en = side == left ? 5 : 6;
     const Pin in1 = side == left ? 7 : 9, in2 = side == left ? 8 : 10;
@@ -108,7 +108,7 @@ struct Counts {
   int slips = 0, skids = 0, contacts = 0, rests = 0;
 };
 
-// Compares `robots` on a map, with random commands and parameters, for a second.
+// Compares `robots` robots on a map, with random commands and parameters, for a second.
 void compare(const std::string& name, unsigned seed, std::size_t robots, Counts& counts) {
   SCOPED_TRACE(name + ", seed " + std::to_string(seed));
   Chance chance(seed);

@@ -1,5 +1,5 @@
 // Tests AVR chips and their boards' pins against avr-libc's headers and Arduino's variants, as the compiler
-// reads them.
+// evaluates them.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::vector<const BoardSpec*> avr_boards() {
   return boards;
 }
 
-/// The messages or the output of avr-g++ for a source.
+/// The output and messages of avr-g++ for a source.
 struct Compiled {
   std::string output, errors;
 };
@@ -45,7 +45,7 @@ Compiled compiled(const std::string& source, const std::string& arguments) {
   return {read_file(out), ok ? "" : read_file(err)};
 }
 
-/// Statements about numbers, which the compiler checks.
+/// Assertions about numbers, which the compiler checks.
 class Statements {
  public:
   void equal(const std::string& name, long long ours) {
@@ -57,7 +57,7 @@ class Statements {
   std::string text_;
 };
 
-/// Timers that share registers have names and bits there that an ATmega's have not.
+/// Registers that timers share have other names and bits than an ATmega's.
 void state_shared_timer(Statements& are, const TimerSpec& timer) {
   const std::string n = std::to_string(timer.number);
   are.equal("TCNT" + n, timer.count);

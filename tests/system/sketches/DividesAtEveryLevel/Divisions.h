@@ -1,4 +1,4 @@
-// Quotient and remainder by a divisor in a register and in memory, compiled at one level of optimisation.
+// Computes quotient and remainder for a divisor in a register and in memory, compiled at one optimisation level.
 #pragma once
 
 #include <Arduino.h>

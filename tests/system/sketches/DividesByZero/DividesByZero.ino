@@ -1,4 +1,4 @@
-// The classic: no sensor sees the line, and the weighted position divides by their sum.
+// A classic bug: no sensor sees the line, and the weighted position is divided by the sum of the readings, 0.
 int position(int left, int right) {
   return (0 * left + 1000 * right) / (left + right);
 }

@@ -1,4 +1,4 @@
-// Quotients and remainders where a processor has none to give: by zero, and of the most negative number by -1.
+// Computes quotients and remainders that are not defined: by zero, and of the most negative number by -1.
 volatile int8_t a8, b8;
 volatile uint8_t ua8, ub8;
 volatile int16_t a16, b16;
@@ -29,7 +29,7 @@ void divide(int32_t dividend, int8_t divisor) {
   SHOW(uint16_t, ua16, ub16)
   SHOW(int32_t, a32, b32)
   SHOW(uint32_t, ua32, ub32)
-#ifndef ARDUINO_BLUEPILL_F103C8  // whose library gives something else for 64 bits
+#ifndef ARDUINO_BLUEPILL_F103C8  // its library gives other 64-bit results
   SHOW(int64_t, a64, b64)
   SHOW(uint64_t, ua64, ub64)
 #endif

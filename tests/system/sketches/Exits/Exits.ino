@@ -1,4 +1,4 @@
-// Gives up by itself.
+// Ends itself.
 void setup() { exit(3); }
 
 void loop() {}

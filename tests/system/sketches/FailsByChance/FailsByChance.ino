@@ -1,4 +1,4 @@
-// Crashes where a noisy reading is odd: with some seeds, and not with others. Else it goes on for ever.
+// Crashes if a noisy reading is odd, which depends on the seed. Otherwise the sketch runs forever.
 void setup() {
   if (analogRead(A2) % 2 == 1) abort();
 }

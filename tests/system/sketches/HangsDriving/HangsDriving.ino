@@ -1,4 +1,4 @@
-// Switches the motors on and never looks again.
+// Switches the motors on, and reads nothing after that.
 void setup() {
   for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
   digitalWrite(7, HIGH);

@@ -1,4 +1,4 @@
-// The fault is in a header of the library that lies beside it.
+// The fault is in a header of the library next to this sketch.
 #include <Brittle.h>
 
 void setup() { brittle(nullptr); }

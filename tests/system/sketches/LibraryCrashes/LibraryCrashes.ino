@@ -1,4 +1,4 @@
-// The fault is in the library that lies beside it.
+// The fault is in the library next to this sketch.
 #include <Fragile.h>
 
 void setup() { fragile(nullptr); }

@@ -1,4 +1,4 @@
-// Reads a pin every 50 us in a handler of timer 2, like a remote control's receiver, while a loop waits for it.
+// Reads a pin every 50 us in a handler of timer 2, like a remote control's receiver, while loop() waits for the pin.
 volatile bool seen = false;
 volatile unsigned int times = 0;
 

@@ -1,11 +1,11 @@
-// A line follower that reads its five sensors in the way that a letter on the serial line asks for:
-//   t  thresholds at half scale, one conversion each          r  as they are, unscaled
-//   c  scaled by what it saw while it turned over the line    m  so, each the mean of 10 ms
-//   d  by the difference that its own light makes, at once    w  so, 1 ms after it has switched the light
-//   e  as t, and the first look without a line is its end     l  as t, and 250 ms without a line are its end
-//   b  as t, until one look at the battery is 20 steps low    v  as t, until the mean of 16 is
-//   k  keeps the middle one on the line's right edge
-//   p  prints the middle sensor, and the battery, for ever
+// A line follower. A letter on the serial line selects how it reads its five sensors:
+//   t  thresholds at half scale, one conversion each      r  raw, unscaled
+//   c  scaled by a calibration turn over the line         m  as c, each the mean of 10 ms
+//   d  difference with its own light switched, at once    w  as d, 1 ms after switching the light
+//   e  as t, ends at the first reading without a line     l  as t, ends after 250 ms without a line
+//   b  as t, ends if one battery reading is 20 steps low  v  as t, ends if the mean of 16 readings is
+//   k  keeps the middle sensor on the line's right edge
+//   p  prints the middle sensor and the battery forever
 const byte EMITTERS = 12, BATTERY = A5;
 const byte PIN[5] = {A0, A1, A2, A3, A4};
 int lo[5] = {1023, 1023, 1023, 1023, 1023}, hi[5];
@@ -32,7 +32,7 @@ void look() {
 
 bool is_scaled() { return way == 'c' || way == 'm'; }
 
-// 0 over white to 1000 over black.
+// Returns 0 over white to 1000 over black.
 int share(byte i) {
   if (way == 'r') return raw[i];
   if (!is_scaled()) return raw[i] > 511 ? 1000 : 0;

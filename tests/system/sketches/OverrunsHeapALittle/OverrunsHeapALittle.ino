@@ -1,4 +1,4 @@
-// Writes slightly beyond its allocated memory again and again, and continues with damaged data.
+// Repeatedly writes slightly beyond its allocated memory, and continues with damaged data.
 void setup() {
   for (int i = 0; i < 50; i++) {
     char* text = (char*)malloc(16);

@@ -1,8 +1,8 @@
-// Drives straight on by PWM of timer 1 on both enable pins. A letter on the serial line says how:
+// Drives straight on by PWM of timer 1 on both enable pins. A letter on the serial line selects the duty cycle:
 //   s  40 % at 490 Hz
 //   f  40 % at 31 kHz
-//   d  at 31 kHz a second of full power, and then half power, by which it slows down
-//   b  the same second, and then both motors are shorted
+//   d  at 31 kHz: full power for a second, and then half power, which slows the robot down
+//   b  full power for a second, and then both motors are shorted
 void both(byte duty) {
   analogWrite(9, duty);
   analogWrite(10, duty);

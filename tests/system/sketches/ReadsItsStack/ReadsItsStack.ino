@@ -1,5 +1,5 @@
-// The host has no stack pointer; but the wait by counting differs between the chips, too.
-#ifdef SP  // not on the Blue Pill
+// The host has no stack pointer. The chips differ, too, in the time that the counting takes.
+#ifdef SP  // missing on the Blue Pill
 unsigned int top() { return SP; }
 #else
 unsigned int top() { return 0; }

@@ -1,4 +1,4 @@
-// Has nothing more to do.
+// Prints a line and then does nothing.
 void setup() {
   Serial.begin(9600);
   Serial.println("done");

@@ -1,4 +1,4 @@
-// The host has no divisor of the clock: what differs says nothing of the sketch.
+// The host has no clock divisor, so a difference on the host says nothing about the sketch.
 #include <avr/power.h>
 
 void setup() {

@@ -1,5 +1,5 @@
-// A car's servo on pin 9 has 250 us more than its middle, by pulses that each board can make; then its motor is
-// switched on.
+// Turns a car's servo on pin 9 by 250 us from its middle, with pulses that every board can generate. Then
+// switches the motor on.
 const int MOTOR = 5, FORWARD = 7, BACKWARD = 8, SERVO = 9;
 
 void pulse() {

@@ -1,5 +1,5 @@
-// Follows a line until all of its sensors are dark: over a bar across it. A letter on the serial line says when that is:
-//   o  at the first look     b  when it has been so for 30 ms
+// Follows a line until all sensors are dark, over a bar across the line. A letter on the serial line selects when:
+//   o  at the first reading  b  after 30 ms of such readings
 const byte PIN[5] = {A0, A1, A2, A3, A4};
 char way;
 

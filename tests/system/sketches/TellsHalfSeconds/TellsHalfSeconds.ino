@@ -1,4 +1,4 @@
-// Prints half seconds: their number depends on a tick of millis(), and on the cost of printing.
+// Prints half seconds. Their number depends on a tick of millis(), and on the time for printing.
 void setup() { Serial.begin(9600); }
 
 void loop() {

@@ -1,4 +1,4 @@
-// All is done by a timer's interrupt, a hundred times a second: it drives for three seconds, stops, and says so.
+// A timer's interrupt does everything, a hundred times a second: it drives for three seconds, stops, and prints that.
 volatile int left = 300;
 
 ISR(TIMER1_COMPA_vect) {

@@ -1,6 +1,6 @@
-// Follows a line to its end, turns back, and so on. Prints "boot" when it starts. A letter on the serial line says how:
-//   t  it turns for a time that was found with 7.4 V      s  until it sees the line again
-//   h  it goes ahead with full power, at once             r  it raises its power to that within half a second
+// Follows a line to its end, turns back, and so on. Prints "boot" when it starts. A letter on the serial line selects:
+//   t  turns for a time that was measured at 7.4 V        s  turns until it sees the line again
+//   h  starts with full power immediately                 r  raises its power to full within half a second
 const byte PIN[3] = {A1, A2, A3};
 const int DARK = 500, TURN_MS = 252;
 int level[3];

@@ -1,6 +1,6 @@
-// Turns once about itself by its gyroscope, goes ahead while its middle sensor sees the line, and stops. A letter
-// on the serial line says how it reads the gyroscope:
-//   n  as it comes        o  less what it told at rest, the mean of 200
+// Turns around once by its gyroscope, drives ahead while its middle sensor sees the line, and stops. A letter
+// on the serial line selects how it uses the gyroscope's value:
+//   n  unchanged         o  minus the value at rest, the mean of 200 readings
 #include <Wire.h>
 
 const int MPU = 0x68;
@@ -12,7 +12,7 @@ void set(byte number, byte value) {
   Wire.endTransmission(true);
 }
 
-// deg/s
+// Returns the rate of turn in deg/s.
 float turning() {
   Wire.beginTransmission(MPU);
   Wire.write(0x47);
@@ -54,7 +54,7 @@ void setup() {
   float angle = 0;
   unsigned long before = micros();
   drive(-100, 100);
-  while (angle < 320) {  // it turns on by 37 degrees
+  while (angle < 320) {  // the robot coasts for another 37 degrees
     if (angle > 270) drive(-75, 75);
     const unsigned long now = micros();
     angle += (turning() - offset) * (now - before) * 1e-6;

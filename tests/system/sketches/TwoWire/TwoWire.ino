@@ -46,7 +46,7 @@ void setup() {
   Serial.println(read16(0x68, 0x75) >> 8, HEX);
   set(0x68, 0x6B, 0);
   delay(2);
-  Serial.println(read16(0x68, 0x3F) / 1000);  // 1 g and noise
+  Serial.println(read16(0x68, 0x3F) / 1000);  // 1 g plus noise
   delay(20);
   half(0x30, false);
   delay(5);

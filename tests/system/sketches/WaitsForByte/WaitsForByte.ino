@@ -1,4 +1,4 @@
-// Waits for a line from the computer, by looking at Serial's buffer alone.
+// Waits for a line from the computer, and reads only Serial's buffer meanwhile.
 void setup() {
   Serial.begin(9600);
   while (!Serial.available());

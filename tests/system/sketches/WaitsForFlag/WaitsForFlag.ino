@@ -1,4 +1,4 @@
-// Busy-waits for a volatile flag that an interrupt sets: a start button on pin 3. Then says so.
+// Busy-waits for a volatile flag that the interrupt of a start button on pin 3 sets. Then prints a line.
 volatile bool flag = false;
 
 void onPress() { flag = true; }

@@ -1,4 +1,4 @@
-// Its author counted pins wrong: on the robot uno2 nothing is wired to 2, 3 and A3.
+// Uses wrong pin numbers: on the robot uno2 nothing is connected to 2, 3 and A3.
 void setup() {
   pinMode(2, INPUT_PULLUP);
   pinMode(3, OUTPUT);
