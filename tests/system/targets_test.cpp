@@ -126,8 +126,8 @@ TEST_P(OnEveryTarget, AnInterruptAttachedOverBlackMeetsNoEdge) {
   EXPECT_EQ(r.serial, "0\r\n");
 }
 
-// R = base / tan(angle), and a servo's 180 degrees are 544 to 2400 us. digitalWrite() and the core's
-// interrupts lengthen a pulse by up to 12 us, which reduces the radius by 6 %.
+// R = base / tan(angle); a servo's 180 degrees are 544 to 2400 us. digitalWrite() and the core's interrupts
+// lengthen a pulse by up to 12 us. The radius is then 6 % smaller.
 TEST_P(OnEveryTarget, CarsAndTricyclesDriveOnTheRadiusThatTheirServosPulsesSay) {
   constexpr double kDegrees = 180.0 * 250.0 / (2400.0 - 544.0);
   const double expected = 95.0 / std::tan(kDegrees * std::numbers::pi / 180.0);

@@ -25,8 +25,8 @@ const told = () => {
   if (kind === 0) return below(52);
   if (kind === 1) return view.getUint32(28, true) + below(32 * view.getUint16(44, true));
   const section = below(count);
-  const isNote = view.getUint32(sections + 40 * section + 4, true) === 7;  // the chip's name: only the
-                                                                           // command checks it
+  const isNote = view.getUint32(sections + 40 * section + 4, true) === 7;  // the chip's name: not checked
+                                                                           // here
   return isNote ? told() : sections + 40 * section + below(40);
 };
 function damaged(n) {

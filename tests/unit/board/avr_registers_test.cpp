@@ -20,7 +20,7 @@ constexpr std::int64_t kClock_hz = 16'000'000;
 
 /// How a timer counts in a mode, given OCRnA = 100 and ICR1 = 5000.
 struct Mode {
-  int number;  ///< the bits WGM
+  int number;  ///< value of the bits WGM
   Kind kind;
   bool dual_slope;
   std::int64_t top;
@@ -108,7 +108,7 @@ TEST(AvrTimer, AToggledPinHasTheFrequencyOfTheDataSheetsFormula) {
   const PinDrive tone = driven(2, 0x42, 4, 141, 0);
   EXPECT_EQ(tone.tone_hz, 16'000'000u / (2 * 64 * 142));
   EXPECT_EQ(tone.duty, 0.5);
-  // One match, at TOP, in 2 TOP ticks.
+  // One match at TOP in 2 TOP ticks.
   EXPECT_EQ(driven(2, 0x41, 0x0C, 100, 0).tone_hz, 16'000'000u / (2 * 64 * 200));
 }
 
@@ -162,7 +162,7 @@ TEST(AvrAdc, ACodeIsTheShareOfTheReferenceRoundedDown) {
   EXPECT_EQ(adc_data(0x00, 0x3FF), 0x03FF);
 }
 
-/// A board on which every pin has its number in tenths of a volt.
+/// A board whose pins have the voltage of their number in tenths of a volt.
 class Volts final : public FirmwarePort {
  public:
   const BoardSpec& spec() const override { return *find_board("uno"); }
@@ -203,7 +203,7 @@ TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {
   EXPECT_FALSE(board.asked);
 }
 
-// Volts on pins are returned as if the supply had not dropped (FirmwarePort::supply_share).
+// A pin's volts are returned as if the supply had not dropped (FirmwarePort::supply_share).
 TEST(AvrAdc, ASupplyThatSinksIsSeenAgainstTheBandgapAndNotByIt) {
   Volts board;
   board.share = 0.8;

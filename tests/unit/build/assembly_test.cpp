@@ -46,7 +46,7 @@ TEST(PlacesOfAsm, OtherLinesStay) {
     EXPECT_EQ(changed(code), code);
 }
 
-// tests/unit/exec/division_test.cpp tests their results by running them.
+// tests/unit/exec/division_test.cpp tests their results.
 TEST(Divisions, LookAtTheDivisorFirstAndKeepTheInstruction) {
   EXPECT_EQ(changed("\tdivl\t-8(%rbp)\n"),
             "\tcmpl\t$0, -8(%rbp)\n"
@@ -77,7 +77,7 @@ TEST(Divisions, HaveLabelsOfTheirOwn) {
   EXPECT_EQ(labels.size(), 3 * 3u + 2);
 }
 
-// binutils 2.44 expands a macro that is named like an instruction within itself, 2.40 does not.
+// binutils 2.44 expands a macro with an instruction's name even within the macro itself; 2.40 does not.
 TEST(Divisions, NeedNoMacroOfTheAssembler) {
   EXPECT_THAT(changed("\tidivl\t%ecx\n\tsdiv\tw0, w0, w1\n"), Not(HasSubstr(".macro")));
 }

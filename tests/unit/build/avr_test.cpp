@@ -1,4 +1,5 @@
-// Tests compiling sketches for the chip. Skipped if its tools are missing: see require_target.h.
+// Tests compiling sketches for the chip. The tests are skipped if its tools are missing: see
+// require_target.h.
 #include <gmock/gmock.h>
 
 #include <atomic>

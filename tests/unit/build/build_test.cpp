@@ -46,13 +46,13 @@ TEST_F(SketchTest, AnImageExportsNothingButItsEntryAndNeedsLittleOfTheMachine) {
   const std::string nm = find_program("nm").string();
   EXPECT_THAT(lines(run(Command{{nm, "-D", "-j", "--defined-only", image.image.string()}, "/", {}}).output),
               ElementsAre("robosim_image"));
-  // Nothing that a sketch may define for a purpose of its own, and nothing with a state or a lock.
+  // Excludes names that a sketch may define itself, and functions with a state or a lock.
   std::vector<std::string> harmless = {"memcpy", "memmove", "memset",   "strcat", "strcpy",
                                        "strlen", "strnlen", "strfromd", "memcmp", "strstr"};
-#if defined(__arm__)  // a division by zero
+#if defined(__arm__)  // for a division by zero
   harmless.emplace_back("raise");
 #endif
-#if defined(__arm__) || defined(__aarch64__)  // a weak name without definition
+#if defined(__arm__) || defined(__aarch64__)  // a weak name without a definition
   harmless.emplace_back("_Z11serialEventv");
 #endif
   EXPECT_THAT(

@@ -77,7 +77,7 @@ TEST_F(SketchTest, AChangeOfOursThatTheAssemblerRefusesIsNotTheSketchsFault) {
   write("Empty/Empty.ino", kEmptySketch);
   const std::string compiler = build_here("Empty").compiler;  // "gcc 12.2.0 x86_64-linux-gnu"
   const std::string gcc = compiler.substr(compiler.rfind(' ') + 1) + "-gcc";
-  // Stands for a later assembler, which refuses what changed_for_host() writes.
+  // Simulates a later assembler, which rejects the output of changed_for_host().
   const fs::path later = write("Divides/bin/" + gcc,
                                "#!/bin/sh\nfor file; do :; done\n"
                                "if grep -q '^.Lrobosim_divides' \"$file\"; then\n"

@@ -1,4 +1,4 @@
-// Creates a folder for each test, and a cache that all tests share, so that the core is compiled once.
+// Creates a folder for each test, and a cache that all tests share. The core is therefore compiled only once.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ class SketchTest : public testing::Test {
     ::unsetenv("TMPDIR");
   }
 
-  /// Writes a file below the test's folder; gives its path.
+  /// Writes a file below the test's folder. Returns its path.
   std::filesystem::path write(const std::string& name, const std::string& content) const {
     std::filesystem::create_directories((folder_ / name).parent_path());
     write_file(folder_ / name, content);

@@ -1,5 +1,5 @@
-// Tests folders that try to make compilers do more than compile. The sketch's author, who need not be the
-// user, chooses names and contents of files.
+// Tests folders that try to make compilers do more than compile. The sketch's author chooses the names and
+// contents of files, and need not be the user.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -52,7 +52,7 @@ class HostileTest : public SketchTest {
     return "no error";
   }
 
-  /// Returns the one line that `script` prints within walls of its own, in the environment of a compiler.
+  /// Returns the line that `script` prints in the compiler's sandbox and environment.
   std::string printed_within_walls(const std::string& script) const {
     fs::create_directories(folder_ / "scratch");
     return run_within({}, {{{"/bin/sh", "-c", script}, "/", {}, folder_ / "scratch"}})[0].output;
@@ -151,7 +151,7 @@ TEST_F(HostileTest, WhatACompilerLeavesRunningChangesNothingThatIsStored) {
   const Cache cache(folder_ / "cache");
   const fs::path made = write("made.o", "as it was");
   const Entry stored = cache.store("key", {}, read_made(made), "made.o", {}, {});
-  std::ofstream(made) << "as it is now";  // by a program that has the file open
+  std::ofstream(made) << "as it is now";  // written by a program that still has the file open
   EXPECT_EQ(read_file(stored.result), "as it was");
 }
 
@@ -194,7 +194,7 @@ TEST_F(HostileTest, NoCompilerChangesWhatItIsGivenFromTheCacheOrReadsMore) {
 }
 
 TEST_F(HostileTest, FlagsThatReadAlikeAreNotTheSameKey) {
-  // The core, which all sketches share, has such a key, too.
+  // All sketches share the core, whose key has the same form.
   write("Pupil/Pupil.ino",
         "#ifdef B\nint b;\n#endif\nvoid setup() {\n#ifdef B\n  B();\n#endif\n}\nvoid loop() {}\n");
   Request request{folder_ / "Pupil", *find_board("uno")};
@@ -223,7 +223,7 @@ TEST_F(HostileTest, ANumberInAMessageMayBeTooLargeForOne) {
         "#line 1 \"a\\nb.c:99999999999999999999:1: fatal error: y.h: No such file or directory\"\nint x = ;",
         "asm(\".error \\\"b.c:99999999999999999999: Error: x\\\"\");"}) {
     write("Pupil/Pupil.ino", std::string(line) + "\n" + kEmptySketch);
-    EXPECT_NE(error_of("Pupil"), "no error") << line;  // and nothing else than an InputError is thrown
+    EXPECT_NE(error_of("Pupil"), "no error") << line;  // and no other exception is thrown
   }
 }
 
@@ -236,7 +236,7 @@ TEST_F(HostileTest, NoSketchMakesItselfAFaultOfTheMachine) {
   EXPECT_THAT(error_of("Pupil"), HasSubstr("Pupil.ino:1:"));
 }
 
-/// Returns whether `work` takes no more than 10 s of processor time: what it does in linear time takes 1 s.
+/// Returns whether `work` takes at most 10 s of processor time. Linear-time work takes 1 s.
 bool ends_soon(const std::function<void()>& work) {
   return Child([&] {
            const rlimit most{10, 10};
@@ -324,7 +324,8 @@ TEST_F(HostileTest, APrecompiledHeaderIsNotLoaded) {
 }
 
 TEST_F(HostileTest, AWorkingPrecompiledHeaderIsNotLoadedEither) {
-  // gcc loads it where all options are those it was made with. They are, except the first include.
+  // gcc loads a precompiled header if all options match those it was compiled with. Here all match, except
+  // the first include.
   const auto compiles_with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words = {find_program("g++").string(), "-c", "-o", (folder_ / "x.o").string()};
     words.insert(words.end(), more.begin(), more.end());
@@ -356,7 +357,7 @@ TEST_F(HostileTest, TheTimeOfABuildOrAFileIsNotInIt) {
     const Image image = build({folder_ / "Pupil", *find_board("uno"), target});
     for (const char* name : {"Pupil/Pupil.ino", "Pupil/x.cpp", "Pupil/y.c"})
       fs::last_write_time(folder_ / name, fs::file_time_type::clock::now() - std::chrono::hours(1000));
-    write("Pupil/y.c", read_file(folder_ / "Pupil/y.c") + "\n");  // another key
+    write("Pupil/y.c", read_file(folder_ / "Pupil/y.c") + "\n");  // changes the key
     EXPECT_EQ(build({folder_ / "Pupil", *find_board("uno"), target}).image_sha256, image.image_sha256)
         << target;
   }

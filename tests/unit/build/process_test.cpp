@@ -38,7 +38,7 @@ TEST_F(SketchTest, WhatTheUserSetsInTheEnvironmentDoesNotChangeResults) {
 TEST_F(SketchTest, ASignalIsSeen) {
   EXPECT_EQ(run(Command{{"/bin/sh", "-c", "kill -9 $$"}, "/", {}}).status, 128 + 9);
   EXPECT_THROW(run(Command{{"/bin/sh", "-c", "kill -2 $$"}, "/", {}}), std::runtime_error);
-#ifndef ROBOSIM_EMULATED  // qemu-user does not pass on that a program could not be started
+#ifndef ROBOSIM_EMULATED  // qemu-user does not report that a program could not be started
   EXPECT_ANY_THROW(run(Command{{"/no/such/program"}, "/", {}}));
 #endif
 }

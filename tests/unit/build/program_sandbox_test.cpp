@@ -1,4 +1,4 @@
-// Tests the compiler's sandbox: a source of an untrusted sketch cannot name files outside.
+// Tests the compiler's sandbox: a source of an untrusted sketch cannot read files outside of its folder.
 #include "sim/base/program_sandbox.h"
 
 #include <gmock/gmock.h>

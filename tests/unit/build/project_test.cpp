@@ -1,5 +1,5 @@
-// Tests that sketches of one project share code in folders next to them. Tests that an untrusted sketch
-// cannot read outside of its folder.
+// Tests that sketches of one project share code in folders next to them. An untrusted sketch cannot read
+// outside of its folder.
 #include "sim/build/project.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Runs the compiled sketches of the folder `sketches` by the host executor.
+// Runs the compiled sketches of the folder `sketches` with the host executor.
 #include <gmock/gmock.h>
 
 #include "tests/unit/build/run_fixture.h"
@@ -106,7 +106,7 @@ TEST_F(RunTest, ATimerInterruptCallsItsHandler) {
           "volatile int n;\nISR(TIMER1_COMPA_vect) { n++; }\n"
           "void setup() { Serial.begin(115200); OCR1A = 15999; TCCR1A = 0; TCCR1B = _BV(WGM12) | _BV(CS10);"
           " TCNT1 = 0; TIMSK1 = _BV(OCIE1A); while (n < 50) ; Serial.println(millis()); }\nvoid loop() {}\n"),
-      "48\n");  // the first is that of init()'s PWM; millis() follows Timer0's overflows, 1.024 ms apart
+      "48\n");  // the first is pending from init()'s PWM; millis() follows Timer0's overflows, 1.024 ms apart
 }
 
 TEST_F(RunTest, GainsInEepromSurviveAPowerCycle) {
@@ -158,7 +158,7 @@ TEST_F(RunTest, GlobalsNamedAsTheCLibrarysFunctionsAreTheSketchsOwn) {
   run_image(image, 100 * kMillisecond);
 }
 
-// Such a function returns on the chip, too; its value means nothing.
+// On the chip such a function returns, too. Its value is meaningless.
 TEST_F(RunTest, AFunctionThatShouldGiveAValueAndHasNoReturnReturns) {
   EXPECT_EQ(run_code("int a;\nvoid never() { Serial.println(\"never called\"); }\n"
                      "bool __attribute__((noinline)) set_up(int& b) { b = 1; }\n"

@@ -1,4 +1,5 @@
-// Tests compiling sketches for the Blue Pill. Skipped if its tools are missing: see require_target.h.
+// Tests compiling sketches for the Blue Pill. The tests are skipped if its tools are missing: see
+// require_target.h.
 #include <gmock/gmock.h>
 
 #include "tests/support/require_target.h"

@@ -15,7 +15,7 @@ using ::testing::Not;
 
 class Slips : public SketchTest {
  protected:
-  /// The body of loop() begins in line 6.
+  /// Returns the messages for a sketch with this body of loop(), which begins at line 6.
   std::string said_of(const std::string& body) {
     write("My/My.ino",
           "#define LOG(x)\nint x, y, z;\nvoid f() {}\nvoid setup() {}\nvoid loop() {\n" + body + "\n}\n");

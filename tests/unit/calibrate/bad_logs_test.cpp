@@ -1,4 +1,4 @@
-// Tests invalid logs and stopwatch files: one message each, with the file and mostly the line.
+// Tests invalid logs and stopwatch files: each gets one message, with the file and usually the line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class Folder : public test::TemporaryFolder {
   }
 };
 
-/// Returns the error message for these logs; "" if they are valid.
+/// Returns the error message for these logs, or "" if they are valid.
 std::string answer(const std::vector<std::string>& logs, double tape_m = 0.019,
                    const std::string& stopwatch = "", std::string robot = bench::kRobot) {
   const Folder folder;
@@ -163,8 +163,7 @@ TEST(BadStopwatchFiles, AreAnsweredWithPlaceAndReason) {
 }
 
 TEST(Logs, BeginWhereTheBoardBeganLast) {
-  // A board resets when the monitor opens its port, and Arduino's monitor can put a time before each
-  // line.
+  // A board resets when the monitor opens its port, and Arduino's monitor can print a time before each line.
   const std::string start = "# robosim calibration log\n";
   EXPECT_EQ(answer({start + "t_us,S1\n0,1\n50" + "\n" + start + sweep()}), "");
   std::string stamped;

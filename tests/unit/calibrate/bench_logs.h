@@ -1,4 +1,4 @@
-// Makes logs of a robot for tests: the output that its sketch would print.
+// Makes logs of a robot for tests, as its sketch would print them.
 #pragma once
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 
 namespace robosim::calibrate::bench {
 
-/// A robot with one sensor, S1, at the left of its middle so that it sees the tape.
+/// A robot with one sensor, S1. It is left of the middle, so that it sees the tape.
 inline const char* kRobot = R"(board = "uno"
 [chassis]
 outline = { radius = "60 mm", at = ["0 mm", "0 mm"] }
@@ -53,16 +53,16 @@ pins = { a = 3 }
 periods = 150
 )";
 
-/// A sensor that passes a tape of 19 mm each second at 100 mm/s, with a footprint of 4 mm.
+/// A sensor that passes a 19 mm tape every second at 100 mm/s, with a footprint of 4 mm.
 struct Eye {
   int floor = 100, tape = 900;
-  double first_s = 0.5, last_s = 6.0;  ///< of the passages
+  double first_s = 0.5, last_s = 6.0;  ///< time of the first and last passage
   int most = 2000;
   int at(double t) const {
     const double into = std::fmod(t, 1.0) - 0.5;
     if (t < first_s || t > last_s) return floor;
     const double share = std::fmin(std::fmax((9.5 + 2.0 - std::fabs(100.0 * into)) / 4.0, 0.0), 1.0);
-    const double ripple = 2.0 * std::sin(1000.0 * t);  // for noise
+    const double ripple = 2.0 * std::sin(1000.0 * t);  // simulates noise
     return std::min(static_cast<int>(std::lround(floor + (tape - floor) * share + ripple)), most);
   }
 };
@@ -73,7 +73,7 @@ inline std::string sweep(const Eye& eye = {}, const std::string& name = "S1", in
   return text;
 }
 
-/// Returns the sweep with counts: `per_second` on each wheel, the left one backwards.
+/// Returns the sweep with encoder counts: `per_second` on each wheel, the left wheel backward.
 inline std::string counted_sweep(double per_second) {
   std::string text = "# counts_per_period = 2\nt_us,count_left,count_right,S1\n";
   for (int i = 0; i < 1200; ++i) {
@@ -83,7 +83,7 @@ inline std::string counted_sweep(double per_second) {
   return text;
 }
 
-/// Returns a drive whose wheels make `left` and `right` counts per second, once powered.
+/// Returns a drive whose wheels make `left` and `right` counts per second while powered.
 inline std::string drive(int told, double left, double right,
                          const char* head = "# counts_per_period = 2\n") {
   std::string text = std::string(head) + "t_us,left,right,count_left,count_right\n";

@@ -1,4 +1,4 @@
-// Tests inserting parameters into a robot file without other changes of its text.
+// Tests that parameters are inserted into a robot file without other changes of its text.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

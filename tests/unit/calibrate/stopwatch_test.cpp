@@ -1,4 +1,4 @@
-// Tests motor parameters by stopwatch and tape measure.
+// Tests motor parameters measured with a stopwatch and a tape measure.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
 
-// Distances that a simulated uno3 of 156.1 rpm, 1.024 kg cm and 192 mA at 7.11 V came, to 5 mm.
+// Returns distances that a simulated uno3 travelled, rounded to 5 mm. Its motors have 156.1 rpm, 1.024 kg cm
+// and 192 mA at 7.11 V.
 std::vector<Timed> timed() {
   return {{"", 0, 255, 0.4, 0.221, 0.005},
           {"", 0, 255, 1.0, 0.509, 0.005},

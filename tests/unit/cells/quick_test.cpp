@@ -1,4 +1,4 @@
-// Tests that fast moves, without a caller between them, equal the robot's moves one by one.
+// Tests that fast moves, without calls in between, equal the robot's moves one by one.
 #include "sim/cells/quick.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using grid::Cell;
 using grid::CellAt;
 using grid::Direction;
 
-/// Asks after each move, and wants nothing.
+/// Is called after each move, and does nothing.
 class Asks final : public MoveWatcher {
  public:
   void moved(const CellPose&, Sense, Move, double) override {}
@@ -37,7 +37,7 @@ class Dice {
   std::uint64_t next_ = 0;
 };
 
-// Cells of all kinds without any order: what no map of lines looks like.
+// Returns random cells of all kinds, unlike any map of lines.
 grid::Map jumble(Dice& dice) {
   grid::Map map;
   map.width = 2 + static_cast<int>(dice.below(9));
@@ -48,7 +48,7 @@ grid::Map jumble(Dice& dice) {
   return map;
 }
 
-// Lines by a generator, with some cells that were changed.
+// Returns a generated map with some changed cells.
 grid::Map damaged(Dice& dice) {
   constexpr grid::Family kFamilies[] = {grid::Family::tree, grid::Family::cycles, grid::Family::grid};
   grid::Map map =
@@ -180,8 +180,8 @@ TEST(Quick, AScanAndDrivesEndAsWatchedOnes) {
   EXPECT_GT(arrived, test::rounds(500));
 }
 
-// One line, as long as can be, with a dead end on every second cell: the way back goes over more lines than a
-// walker keeps in mind.
+// One line of maximum length, with a dead end at every second cell. The way back crosses more lines than a
+// walker stores.
 TEST(Quick, AScanDeeperThanTheWalkersMemoryEndsAsAWatchedOne) {
   constexpr int kWidth = 1001, kRows = test::rounds(150);
   grid::Map map;

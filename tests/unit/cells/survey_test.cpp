@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 
 grid::Map drawn(const std::string& rows) { return grid::parse_map(rows, "drawn.map"); }
 
-// A survey of a map from a start, "X,Y,DIR" or the map's own.
+// A survey of a map from a start: "X,Y,DIR", or the map's default.
 struct Surveyed {
   grid::Map map;
   grid::Start start;
@@ -47,7 +47,7 @@ TEST(SurveyTest, TheMapsOfThePaperTakeThePapersTimes) {
   }
 }
 
-// Counts how often each cell's border is crossed, in each direction.
+// Counts how often each border between cells is crossed, in each direction.
 class EdgeCounter final : public MoveWatcher {
  public:
   explicit EdgeCounter(const CellRobot& robot) : robot_(robot) {}
@@ -71,7 +71,7 @@ class EdgeCounter final : public MoveWatcher {
   int most_ = 0;
 };
 
-// Returns where on a map to begin: at its default start, or on any line cell, facing anywhere.
+// Returns a start on a map: its default, or any line cell with any heading.
 grid::Start somewhere(const grid::Map& map, std::uint64_t n) {
   if (n % 3 == 0) return grid::default_start(map);
   std::vector<grid::CellAt> line;
@@ -80,7 +80,7 @@ grid::Start somewhere(const grid::Map& map, std::uint64_t n) {
   return {line[n * 7919 % line.size()], static_cast<grid::Direction>(n / 3 % 4)};
 }
 
-// 1,000 maps, by families: trees, cycles, crossings of four ways, up to 200 junctions.
+// Tests 1,000 maps, by families: trees, cycles, four-way crossings, up to 200 junctions.
 class Generated : public ::testing::TestWithParam<grid::Family> {};
 
 TEST_P(Generated, FloorsAreFoundAsTheyAreAndEdgesUsedTwiceEachWayAtMost) {
@@ -188,7 +188,7 @@ TEST(SurveyTest, AnObstacleRightBesideAJunctionCostsNoMove) {
   EXPECT_EQ(s.graph().junctions[0].arms.size(), 4u);
 }
 
-// The last table of the original's description: where it crashed or never ended.
+// The maps of the last table of the original's description, on which the original crashed or never ended.
 TEST(WhereTheOriginalFailed, ALineWithoutJunctionsHasTwoStations) {
   for (const char* start :
        {"0,1,E", "0,1,W", "0,1,N", "2,1,E", "2,1,W", "2,1,N", "2,1,S", "4,1,W", "4,1,E"}) {
@@ -242,7 +242,7 @@ TEST(WhereTheOriginalFailed, AStartOnAJunctionIsAsGoodAsAnyOther) {
 }
 
 TEST(WhereTheOriginalFailed, JunctionsMayBeNestedDeeperThanAHundred) {
-  // A comb: a spine with a tooth at every other cell, so that each junction lies after the previous one.
+  // A comb: a spine with a tooth at every other cell, so that each junction follows the previous one.
   std::string tooth, spine;
   for (int i = 0; i < 300; ++i) {
     tooth += "01";

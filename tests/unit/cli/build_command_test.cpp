@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// An image as a build returns it; the file is not an ELF file, so it states no limits.
+// An image as a build returns it. The file is not an ELF file, so it has no limits.
 class BuildReport : public ::testing::Test {
  protected:
   BuildReport() {

@@ -40,7 +40,7 @@ HuntSpace space_of_a_talker() {
 TEST(HuntTwin, PartsWhereAnotherLineIsSaid) {
   EXPECT_EQ(apart(sent("ready\r\nok\r\n"), sent("ready\r\nunknown\r\n")), "says “ok”; says “unknown”");
   EXPECT_EQ(apart(sent("ready\n"), sent("ready\ngoing\n")), "says nothing then; says “going”");
-  EXPECT_EQ(apart(sent("ready\nok\n"), sent("ready\nok\nbe")), "");  // that line may still be coming
+  EXPECT_EQ(apart(sent("ready\nok\n"), sent("ready\nok\nbe")), "");  // the next line may still be arriving
 }
 
 TEST(HuntTwin, PartsWhereANumberIsFarFromTheOther) {
@@ -211,7 +211,7 @@ TEST(TestCase, OfAFamilyGoOnOnAChipFromOneMoment) {
     EXPECT_EQ(test_case.family, test_cases.back().family);
     EXPECT_NE(space.builds[test_case.build].target, "host");
     EXPECT_EQ(test_case.branch_point.at_ms, 30000);
-    // The last stimulus also comes last in its script, as in a run that diverges.
+    // In a run that diverges, the last stimulus also comes last in its script.
     ASSERT_EQ(test_case.stimuli.size(), 3U);
     EXPECT_TRUE(
         std::equal(at.test_case.stimuli.begin(), at.test_case.stimuli.end(), test_case.stimuli.begin()));
@@ -340,7 +340,7 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
           << "it parts a text at another byte";
     const TestCase differential = counterpart_of(test_case, space);
     if (test_case.differential == Differential::clock) {
-      // Later than a sketch's own times, and without a wrap of 32 bits within an hour's tenth.
+      // The clock is later than a sketch's own times, and does not wrap at 32 bits within a tenth of an hour.
       EXPECT_GE(differential.clock_ms, kPast_ms);
       EXPECT_LT(differential.clock_ms, test_case.clock_ms);
       EXPECT_TRUE(differential.clock_ms == kPast_ms ||

@@ -44,7 +44,7 @@ class SourceTextTest : public ::testing::Test {
  protected:
   SourceTextTest() { write_file(folder_.path() / "My.ino", kSketch); }
 
-  /// Returns the text and lines that explain() adds to a chain of these lines.
+  /// Returns the texts and lines that explain() adds to a chain of these lines.
   std::vector<std::pair<std::string, std::vector<int>>> added_to(std::vector<int> lines) {
     SourceText source({folder_.path()});
     wire::Cause cause{0.0, "in loop()", {}};
@@ -62,7 +62,7 @@ class SourceTextTest : public ::testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  std::vector<int> left_;  ///< of the chain's own lines
+  std::vector<int> left_;  ///< remaining lines of the original chain
 };
 
 using Link = std::pair<std::string, std::vector<int>>;

@@ -1,7 +1,7 @@
-// A runner that plays back a file: the tests' stand-in for robosim-host. It is started through a link whose
-// name plus ".play" is the file to play. Each line is sent as it is, except for these:
+// A runner that plays back a file, and replaces robosim-host in tests. It is started through a link; the file
+// to play is the link's name plus ".play". Each line is sent unchanged, except for these:
 //   !wait          reads one request
-//   !signal N      dies of signal N
+//   !signal N      ends itself with signal N
 //   !exit N        ends with status N
 //   !interrupt     waits until SIGINT arrives
 //   !echo          sends a note that quotes the last request's "image"
@@ -30,7 +30,7 @@ int main(int, char** arguments) {
       if (!std::getline(std::cin, request)) return 0;
     } else if (line.rfind("!signal", 0) == 0) {
       std::cout.flush();
-      signal(argument(), SIG_DFL);  // a sanitizer would make an exit of it
+      signal(argument(), SIG_DFL);  // a sanitizer would turn the signal into an exit
       raise(argument());
     } else if (line.rfind("!exit", 0) == 0) {
       return argument();

@@ -1,10 +1,10 @@
-// A runner that obeys a request's "image": the pool's stand-in for robosim-host.
+// A runner that obeys a request's "image", and replaces robosim-host in tests of the pool.
 //   die          ends itself
 //   never        does not answer
 //   input        answers with an error of kind "input"
-//   slow         says a lot before it answers
-//   any other    is the verdict
-// It also ends itself on a request for a run's start, since a pool only waits for answers.
+//   slow         sends many lines before it answers
+//   any other    answers with this verdict
+// The runner also ends itself if a run's start is requested, because a pool only waits for results.
 #include <unistd.h>
 
 #include <iostream>

@@ -50,7 +50,7 @@ TEST(ImportRobotrace, TwoCirclesOfOneSenseAreAnOval) {
   EXPECT_NEAR(found.smallest_radius_m, 0.4, kRounding);
   EXPECT_TRUE(map.light_line);
   EXPECT_NEAR(map.line_m, 0.019, 1e-12);
-  // Four changes of curvature, a start and a goal.
+  // Four changes of curvature, the start and the goal.
   ASSERT_EQ(map.course.marks.size(), 6u);
   EXPECT_NEAR(map.course.marks[5].along, found.length_m - 1.0, kRounding);
   EXPECT_LT(map.course.marks[5].away, 0.0);
@@ -60,7 +60,7 @@ TEST(ImportRobotrace, TwoCirclesOfOneSenseAreAnOval) {
   EXPECT_NEAR(map.course.race->goal, found.length_m - 1.0, kRounding);
   ASSERT_TRUE(map.start && map.start->on_path);
   EXPECT_NEAR(map.start->on_path->along, found.length_m - 0.5, kRounding);
-  // 20 cm to each edge.
+  // The margin is 20 cm to each edge.
   EXPECT_NEAR(map.width * map.cell_m, 2.8 + 0.4, 0.1001);
   EXPECT_NEAR(map.height * map.cell_m, 0.8 + 0.4, 0.1001);
 }
@@ -99,7 +99,7 @@ TEST(ImportCurvature, SegmentsAreStraightsAndArcsAndTheWayFromGoalToStartIsAdded
   EXPECT_TRUE(found.is_closed);
   EXPECT_NEAR(found.length_m, 4.0 + kPi, kRounding);
   EXPECT_NEAR(found.smallest_radius_m, 0.5, 1e-12);
-  // Without a heading line, too.
+  // Checks the same without a heading line.
   EXPECT_NEAR(survey(import("1.0, 0\n0.5, -1.0\n")).length_m, 1.5, kRounding);
 }
 
@@ -121,7 +121,7 @@ TEST(ImportPoints, ACircleOfManyPointsStaysWithinAThirdOfAMillimetre) {
   EXPECT_LT(grid::write_map(map).size(), 20'000u);
 }
 
-// Three by three cells; a dead end in the middle, and the way round it is open.
+// Three by three cells with a dead end in the middle. The way around it is open.
 constexpr const char* kMaze =
     "o---o---o---o\n"
     "|           |\n"
@@ -135,7 +135,7 @@ TEST(ImportMaze, PassagesBecomeLines) {
   const grid::Map map = import(kMaze);
   ASSERT_TRUE(map.start);
   const grid::Network network = grid::trace_network(map, *map.start);
-  // The horseshoe's two ends; goal and the cell below it are cut off from them.
+  // The stations are the horseshoe's two ends. The goal and the cell below it are not connected to them.
   EXPECT_EQ(network.stations.size(), 2u);
   EXPECT_EQ(network.unreachable.size(), 2u);
   const grid::Map crlf = import([] {
@@ -148,7 +148,7 @@ TEST(ImportMaze, PassagesBecomeLines) {
 
 TEST(ImportMaze, NumbersSayTheSameAsCharacters) {
   std::string numbers;
-  // x y N E S W
+  // The columns are x, y and the walls N, E, S, W.
   for (const char* row : {"0 0 0 1 1 1", "1 0 0 1 1 1", "2 0 0 1 1 1", "0 1 0 1 0 1", "1 1 1 1 0 1",
                           "2 1 0 1 0 1", "0 2 1 0 0 1", "1 2 1 0 1 0", "2 2 1 1 0 0"})
     numbers += std::string(row) + "\n";
@@ -206,7 +206,7 @@ TEST(Import, WhatIsNoCourseIsRefusedWithAReason) {
   }
 }
 
-// A maze whose posts are + has a first line that might be numbers, by its characters.
+// If a maze has + as posts, the characters of its first line might be numbers.
 constexpr const char* kPlusMaze =
     "+---+---+---+\n"
     "|       |   |\n"
@@ -236,7 +236,7 @@ TEST(Maze, WithItsWallsHasThemAsThickAsASixteenthOfACellAndItsLinesAreNotPainted
     for (const grid::CellAt edge :
          {grid::CellAt{i, 0}, grid::CellAt{i, 48}, grid::CellAt{0, i}, grid::CellAt{48, i}})
       EXPECT_EQ(map.at(edge), grid::Cell::wall) << i;
-  // Checks the way from the start to the north, and a wall to its right.
+  // Checks the way from the start to the north, and the wall to its right.
   EXPECT_EQ(map.at({8, 24}), grid::Cell::gap);
   EXPECT_EQ(map.at({16, 40}), grid::Cell::wall);
   EXPECT_EQ(map.at({16, 8}), grid::Cell::gap) << "between the two upper left cells";
@@ -246,8 +246,8 @@ TEST(Maze, WithItsWallsHasThemAsThickAsASixteenthOfACellAndItsLinesAreNotPainted
     lines += cell == grid::Cell::line;
   }
   EXPECT_EQ(lines, 0) << "nothing is painted";
-  // Around it, and six sides of cells within, in three straight pieces: 16 + 16 from the floor up, 32 to the
-  // right from its upper half, 16 down from above.
+  // The walls around the maze, and six sides of inner cells in three straight pieces: 16 + 16 up from the
+  // floor, 32 to the right from their upper half, 16 down from above.
   EXPECT_EQ(walls, 4 * 48 + 31 + 32 + 16);
   EXPECT_NO_THROW(grid::parse_map(grid::write_map(map), "again.map"));
   EXPECT_THAT(message_of("0 0\n1 0\n", 0.18), HasSubstr("walls require a maze"));
@@ -282,7 +282,7 @@ TEST(ImportRescue, AStraightAGapAndTheExitAreOneWay) {
                                       "", 3, 1));
   ASSERT_EQ(map.course.paths.size(), 1u);
   const grid::Path& path = map.course.paths[0];
-  EXPECT_NEAR(path.length(), 0.3 + 0.3 + 0.15, kRounding);  // the line ends at the bar in the exit's middle
+  EXPECT_NEAR(path.length(), 0.3 + 0.3 + 0.15, kRounding);  // the line ends at the bar inside the exit
   double gap = 0.0;
   for (const grid::PathPiece& piece : path.pieces()) gap += piece.is_gap ? piece.length : 0.0;
   EXPECT_NEAR(gap, 0.05, kRounding);
@@ -306,7 +306,7 @@ TEST(ImportRescue, ItsGoalIsTheCompetitionsWithTheCheckpointsAlongTheWay) {
   EXPECT_FALSE(map.course.rescue->to_zone);
 }
 
-// An arc of 150 mm down, and back to the left by one that is turned.
+// An arc of 150 mm leads down, and a second arc, which is turned, leads back to the left.
 TEST(ImportRescue, TilesAreTurnedClockwise) {
   const grid::Map map =
       import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kArc) + "," +
@@ -317,12 +317,12 @@ TEST(ImportRescue, TilesAreTurnedClockwise) {
   EXPECT_NEAR(path.end().position.y, 0.3 + 0.15, kRounding);
 }
 
-// Entered from the left, the green square before it to the left: its route turns there.
+// The tile is entered from the left. The green square in front of it is on the left, so the route turns left.
 TEST(ImportRescue, AtAnIntersectionTheWayTurnsAsTheGreensSayAndTheOtherArmsStay) {
   const std::string to_the_right = rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kPlus) + "," +
                                    rescue_tile(2, 0, 0, kStraight);
   const grid::Map map = import(rescue(to_the_right));
-  ASSERT_EQ(map.course.paths.size(), 3u);  // and the arms up and down
+  ASSERT_EQ(map.course.paths.size(), 3u);  // the others are the arms up and down
   EXPECT_NEAR(map.course.paths[0].length(), 0.9, kRounding);
   EXPECT_NEAR(map.course.paths[1].length(), 0.15, kRounding);
   ASSERT_EQ(map.course.areas.size(), 1u);
@@ -331,7 +331,8 @@ TEST(ImportRescue, AtAnIntersectionTheWayTurnsAsTheGreensSayAndTheOtherArmsStay)
   EXPECT_NEAR(green.middle.position.x, 0.3 + 0.45 + 0.0225, 1e-9);
   EXPECT_NEAR(green.middle.position.y, 0.3 + 0.45 + 0.0225, 1e-9);
   EXPECT_NEAR(2.0 * green.half_length, 0.025, 1e-12);
-  // Turned by a half turn it is entered from its right, where the square is on the left: the way leads down.
+  // A tile turned by a half turn is entered from its other side. The green square is then on the left, and
+  // the route leads down.
   const grid::Map turned =
       import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 180, kPlus) + "," +
                     rescue_tile(1, 1, 90, kStraight)));
@@ -350,7 +351,7 @@ TEST(ImportRescue, TheWayGoesOnBehindTheEvacuationZone) {
   ASSERT_EQ(imported.map.course.areas.size(), 2u);
   EXPECT_EQ(imported.map.course.areas[0].colour.hue, grid::Hue::silver);
   ASSERT_EQ(imported.remarks.size(), 2u);
-  EXPECT_THAT(imported.remarks[0], HasSubstr("so the map has no goal"));  // one tile makes no path
+  EXPECT_THAT(imported.remarks[0], HasSubstr("so the map has no goal"));  // a path needs more than one tile
   EXPECT_THAT(imported.remarks[1], HasSubstr("2 tiles of the evacuation zone"));
 }
 
@@ -369,7 +370,7 @@ TEST(ImportRescue, WhatAMapCannotHoldIsSaid) {
   EXPECT_EQ(imported.map.at({3 + 3 + 1, 3 + 1}), grid::Cell::wall);
 }
 
-// Each tile in the middle of four straights, entered from one that it is joined to.
+// Each tile is in the middle of four straight tiles, and is entered from a tile that is connected to it.
 TEST(ImportRescue, EveryTileLeadsFromOneSideToAnotherHoweverItIsTurned) {
   for (const TileKind& kind : rescue_tiles()) {
     for (const int rot : {0, 90, 180, 270}) {

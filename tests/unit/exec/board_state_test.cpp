@@ -23,7 +23,7 @@ PinDrive pull_up() {
 
 class BoardStateTest : public testing::Test {
  protected:
-  /// Pins (or 100 + byte) of all inputs up to `until`, in order.
+  /// Returns the pins (or 100 + byte) of all inputs up to `until`, in order.
   std::vector<int> inputs(SimTime until) {
     std::vector<int> result;
     BoardInput input;

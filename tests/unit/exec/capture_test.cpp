@@ -1,4 +1,4 @@
-// Tests that timer 1 captures the times of edges of pin 8. Expected values are those of the chip.
+// Tests that timer 1 captures the times of edges of pin 8. The expected values are the chip's.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -34,7 +34,7 @@ void loop() {
   TIMSK1 = served = 0;
 })");
   run(10 * kMillisecond);
-  // 1 ms high, 2 ms low: 2000 and 4000 ticks of half a microsecond, whatever the sketch does meanwhile.
+  // 1 ms high, 2 ms low: 2000 and 4000 ticks of half a microsecond, whatever the sketch does in the meantime.
   for (int i = 0; i < 7; ++i)
     board().schedule_edge(8, i % 2 == 0, now_ + (i / 2 * 3 + i % 2) * kMillisecond + 300 * kMicrosecond);
   run(40 * kMillisecond);

@@ -48,7 +48,7 @@ TEST_F(CrashTest, DeepRecursion) {
 TEST_F(CrashTest, AWildPointer) {
 #if defined(__x86_64__)
   const char* const reason = "wild pointer";
-#else  // the processor tells the address, whatever it is
+#else  // these processors report any address
   const char* const reason = "of address 0x";
 #endif
   expect(crash("void faulty() { *(volatile char*)0x123456789ABCDEFull = 1; }"), reason, "faulty", 2);
@@ -63,7 +63,7 @@ TEST_F(CrashTest, InsideALibraryFunctionTheSketchsLineIsNamed) {
          "faulty", 2);
 }
 
-// The sketch spoils a pointer of the executor, as a write past the end of an array may do.
+// The sketch overwrites a pointer of the executor, as a write past the end of an array might.
 TEST_F(CrashTest, InTheExecutorWhereTheSketchHasSpoiltWhatItIsCalledWith) {
 #ifdef ROBOSIM_ASAN
   GTEST_SKIP() << "the sanitizers of Robosim itself end the process first";
@@ -74,7 +74,7 @@ TEST_F(CrashTest, InTheExecutorWhereTheSketchHasSpoiltWhatItIsCalledWith) {
       "faulty() "
       "{ fake[0] = *(void**)robosim::host::board; robosim::host::board = (robosim::FirmwarePort*)fake; "
       "digitalWrite(13, HIGH); ++n; }");
-  // The kind of crash in there depends on the processor.
+  // The kind of crash depends on the processor.
   EXPECT_NE(found.reason, "none");
   expect(found, "", "faulty", 2);
 }
@@ -144,7 +144,7 @@ TEST_F(CrashTest, ManyCrashesLeaveNothingBehind) {
   }
 }
 
-// A sketch chooses what is in the file that addr2line reads.
+// The sketch determines the content of the file that addr2line reads.
 TEST_F(CrashTest, TheProgramThatLooksUpLinesSeesNothingButTheImage) {
   if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
   const std::string image = build("void setup() {}\nvoid loop() {}\n").string();

@@ -39,7 +39,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
     return build::build(request).image;
   }
 
-  /// Builds `text`, makes an executor for it and switches it on at `t`.
+  /// Builds `text`, creates an executor for it, and switches it on at `t`.
   void start(const std::string& text, SimTime t = 0) {
     host_ = std::make_unique<HostExecutor>(*find_board(board_name_), build(text));
     host_->set_lateness(lateness_);
@@ -63,7 +63,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
     return serial_;
   }
 
-  /// The lines of what was printed, as numbers.
+  /// Returns the printed lines as numbers.
   std::vector<long long> numbers() const {
     std::vector<long long> result;
     for (std::size_t at = 0, end = 0; (end = serial_.find("\r\n", at)) != std::string::npos; at = end + 2)
@@ -96,7 +96,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
   std::vector<PinEvent> pins_;
 };
 
-/// A source of a constant voltage; high from 2.5 V.
+/// A constant voltage; high from 2.5 V.
 class FixedSource : public PinSource {
  public:
   explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// Two registers of two bytes, sixteen bytes of memory from 0x100.
+/// A processor with two registers of two bytes, and sixteen bytes of memory at 0x100.
 class Fake final : public Processor {
  public:
   std::string registers() const override { return registers_[0] + registers_[1]; }
@@ -61,7 +61,7 @@ struct Past final : History {
 
 class GdbServer : public testing::Test {
  protected:
-  /// Says all this and then "go on", and lets the processor stand still until then.
+  /// Sends these packets and then "continue". The processor stands still until then. Returns the replies.
   std::vector<std::string> ask(const std::vector<std::string>& packets) {
     for (const std::string& packet : packets) gdb_.say(packet);
     gdb_.say("c");

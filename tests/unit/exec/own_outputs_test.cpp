@@ -1,4 +1,4 @@
-// Tests reads and interrupts of pins that the sketch drives itself. Expected values are those of the chip.
+// Tests reads and interrupts of pins that the sketch drives itself. The expected values are the chip's.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -165,7 +165,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(25, 49, 0, 30, 0, 1));
 }
 
-// The timer of 16 bits counts edges of pin 5, that of 8 bits those of pin 4.
+// The 16-bit timer counts edges of pin 5, and the 8-bit timer edges of pin 4.
 TEST_F(OwnOutputs, ATimerCountsEdgesOfItsPin) {
   start(R"(volatile int full;
 ISR(TIMER1_COMPA_vect) { ++full; }
@@ -197,7 +197,7 @@ void loop() {})");
   run(510 * kMillisecond);
   for (int i = 0; i < 7; ++i) board().schedule_edge(5, i % 2 == 0, now_ + i * kMillisecond);
   run(60 * kMillisecond);
-  EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // the first handler is that of init()'s PWM
+  EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // the first interrupt is pending from init()'s PWM
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Tests that skipping firmware that only waits is not observable: its later actions and all reports are the
-// same.
+// Tests that skipping firmware that only waits is not observable: its later actions and all reports are
+// equal.
 #include <fmt/format.h>
 
 #include "tests/unit/exec/fixture.h"
@@ -7,7 +7,7 @@
 namespace robosim::exec {
 namespace {
 
-/// A level that changes occasionally, and reports its next change. Each sample of its volts differs.
+/// A level that changes occasionally, and reports its next change. Each sample of its voltage differs.
 class Changing final : public PinSource {
  public:
   double volts(SimTime t) override { return (level(t) ? 4.0 : 0.0) + 0.01 * (++measured % 99); }
@@ -130,7 +130,7 @@ TEST_F(Polling, OfAFlagThatATimerSets) {
       "void loop() { uint8_t before = ticks; while (ticks == before); digitalWrite(13, ticks & 1); }\n");
 }
 
-// Timer 0 overflows repeatedly meanwhile. Its handler delays the loop at any place of a round.
+// Timer 0 overflows repeatedly in the meantime. Its handler delays the loop at any point of a round.
 TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   const std::string begin =
       "volatile bool flag, other; volatile uint8_t rounds; bool on;\n"
@@ -151,7 +151,8 @@ TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   }
 }
 
-// The converter needs no requests: each conversion begins when the end of the previous one is noticed.
+// The converter needs no requests: each conversion begins when the firmware notices the end of the previous
+// one.
 TEST_F(Polling, WhileTheConverterRunsFreely) {
   same(
       "unsigned long last, sum;\n"

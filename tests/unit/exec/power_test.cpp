@@ -93,7 +93,7 @@ void loop() {})");
   EXPECT_FALSE(pins_[2].drive.level);
 }
 
-// AFMotor's motors are static objects, whose constructors connect their pins to timer 2.
+// AFMotor's motors are static objects whose constructors connect their pins to timer 2.
 TEST_F(PowerTest, InitLeavesTheBitsOfTimersThatConstructorsHaveSet) {
   output(R"(struct Shield {
   Shield() { TCCR1A = 0x80; TCCR1B = 0x10; TCCR2A |= _BV(COM2A1) | _BV(WGM21) | _BV(WGM20); 
@@ -124,7 +124,7 @@ TEST_F(PowerTest, FirmwareStartsItsClockWhenItIsSwitchedOn) {
       "void loop() {}",
       100 * kSecond);
   run(20 * kMillisecond);
-  EXPECT_THAT(numbers(), ElementsAre(0, 9));  // 9 overflows of 1.024 ms
+  EXPECT_THAT(numbers(), ElementsAre(0, 9));  // nine overflows of 1.024 ms
   EXPECT_GT(byte_times_[0], 100 * kSecond);
 }
 

@@ -1,4 +1,4 @@
-// Tests registers other than those of timers and pins. Expected values are those of the chip.
+// Tests registers other than those of timers and pins. The expected values are the chip's.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -165,7 +165,7 @@ void loop() {})"),
             "125");
 }
 
-// Loops of this kind empty the receiver; the others clear SPIF and unlock the result of the ADC.
+// The loop empties the receiver. The other statements clear SPIF and unlock the ADC's result.
 TEST_F(Registers, ARegisterThatIsAStatementIsRead) {
   start(R"(int drained;
 void setup() {
@@ -253,7 +253,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(0x50, 0, 0x40, 0x80, 0x50, 0));
 }
 
-// DS40002061B, table 24-1: 25 clocks, 13 from then on. A clock is 8 us here.
+// DS40002061B, table 24-1: 25 clocks for the first conversion, 13 for later ones. A clock is 8 us here.
 TEST_F(Registers, TheFirstConversionBehindAdenTakes25Clocks) {
   output(R"(void convert() {
   const unsigned long start = micros();

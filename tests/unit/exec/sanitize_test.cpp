@@ -1,4 +1,4 @@
-// Tests the findings of checks in a sketch built with --sanitize, and their messages.
+// Tests the findings of a sketch built with --sanitize, and their messages.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -8,7 +8,7 @@ class SanitizeTest : public HostTest {
  protected:
   SanitizeTest() { sanitize_ = true; }
 
-  /// Line 1 of the sketch is `line_1`, line 2 is `void faulty() { BODY }`, which setup() calls once.
+  /// Starts a sketch with `line_1`, and `void faulty() { BODY }` on line 2. setup() calls faulty() once.
   void start_faulty(const std::string& line_1, const std::string& body) {
     start(line_1 + "\nvoid faulty() { " + body +
           " }\nvoid setup() {\n  delay(5);\n  faulty();\n}\nvoid loop() {}\n");

@@ -30,7 +30,7 @@ void loop() {})");
   run(300 * kMillisecond);
   EXPECT_EQ(serial_.size(), 165u);
   ASSERT_EQ(changes(13).size(), 2u);
-  EXPECT_NEAR(static_cast<double>(changes(13)[1]), 100 * 1.04e6, 1.1e6);  // 65 fit on the chip
+  EXPECT_NEAR(static_cast<double>(changes(13)[1]), 100 * 1.04e6, 1.1e6);  // the chip buffers 65 bytes
 }
 
 TEST_F(SerialTest, SixtyFiveBytesFitWithoutWaiting) {

@@ -19,7 +19,7 @@ void loop() {})");
 }
 
 TEST_F(TimeTest, MillisGoesOnWithTimer0AndSkipsOneOf43) {
-  // An overflow takes 1.024 ms: after 42 of them the fraction adds up to a whole millisecond (wiring.c).
+  // An overflow takes 1.024 ms. After 42 overflows the fractions add up to a whole millisecond (wiring.c).
   output(R"(void setup() {
   Serial.begin(115200);
   unsigned long last = millis(), steps = 0, skips = 0;
@@ -120,7 +120,7 @@ TEST_F(TimeTest, TimePassesInEveryWayOfWaiting) {
 }
 
 TEST_F(TimeTest, WithInterruptsOffADelayEndsEarlyAsOnTheChip) {
-  // micros() falls back when Timer 0 overflows twice; in simavr delay(1000) then takes 98,041 cycles.
+  // micros() jumps back when Timer 0 overflows twice. In simavr delay(1000) then takes 98,041 cycles.
   start(
       "void setup() { noInterrupts(); pinMode(12, OUTPUT); delay(1000); pinMode(13, OUTPUT); } void loop() "
       "{}");

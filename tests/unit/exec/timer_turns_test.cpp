@@ -1,5 +1,5 @@
-// Tests moments at which a timer leaves its regular period. Expected values are those of the chip: the
-// same sketch on target avr.
+// Tests moments at which a timer leaves its regular period. The expected values are the chip's, from the same
+// sketch on target avr.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -9,13 +9,13 @@ using testing::ElementsAre;
 using testing::SizeIs;
 
 struct Step {
-  int tick;  ///< 64 us each, of timer 2, which begins at 0 with all its registers 0
+  int tick;  ///< ticks of 64 us since timer 2 started at 0, with all its registers 0
   const char* statement;
 };
 
 class TimerTurns : public HostTest {
  protected:
-  /// Behind each statement "TCNT2 TIFR2 pins"; pins: 1 is OC2B, 2 is OC2A.
+  /// Returns "TCNT2 TIFR2 pins" after each statement. pins: 1 is OC2B, 2 is OC2A.
   std::string after(const std::vector<Step>& steps) {
     std::string sketch = R"(unsigned long t0;
 int noted;
@@ -53,7 +53,7 @@ void loop() {})");
   }
 };
 
-// Table 15-8 of the data sheet: with the tick after TOP in these modes.
+// Table 15-8 of the data sheet: in these modes, new values take effect at the tick after TOP.
 TEST_F(TimerTurns, ValuesOfPwmAreTakenOverLater) {
   EXPECT_EQ(after({{5, "TCCR2A = 0xA3;"},
                    {10, "OCR2A = 20; OCR2B = 100; TIFR2 = 7;"},

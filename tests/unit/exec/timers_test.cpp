@@ -37,7 +37,7 @@ void loop() { for (volatile int i = 0; i < 100; ++i); delay(3); analogRead(0); }
   run(500 * kMillisecond);
   const std::vector<SimTime> times = changes(13);
   ASSERT_GT(times.size(), 20u);
-  // Timer 2 overflows every 256 * 1024 cycles; the first handler is that of init()'s PWM.
+  // Timer 2 overflows every 256 * 1024 cycles. The first interrupt is pending from init()'s PWM.
   for (std::size_t i = 3; i < times.size(); ++i)
     EXPECT_NEAR(static_cast<double>(times[i] - times[i - 1]), 16.384e6, 15e3);
 }
@@ -75,7 +75,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(AllOf(Ge(99990), Le(100020)), 0));
 }
 
-// On the target avr, TIFR1 is equal. TOV1 depends on the prescaler's phase since the reset.
+// On the target avr, TIFR1 has the same value. TOV1 depends on the prescaler's phase since the reset.
 TEST_F(TimersTest, InitsPwmHasRaisedFlagsThatStayInAnotherMode) {
   output(R"(volatile int count;
 ISR(TIMER1_COMPA_vect) { ++count; }

@@ -38,14 +38,14 @@ void loop() {})");
   run(5 * kMillisecond);
   ASSERT_EQ(source.asked_at.size(), 2u);
   const SimTime started = changes(13)[1], ended = changes(13)[2];
-  // It starts with the next clock of the ADC, of 8 us.
+  // The conversion starts with the next ADC clock; a clock is 8 us.
   const auto sampled = static_cast<double>(source.asked_at[1]);
   EXPECT_NEAR(sampled - static_cast<double>(started), 16e3, 4.5e3);
   EXPECT_NEAR(static_cast<double>(ended) - sampled, 104e3 - 12e3, 1e3);
 }
 
-// 4 V, then a pin with 1 V: 24 to 43 % of the 3 V between them are left of a source of 1 MOhm, and again of
-// that; of one of 10 kOhm nothing is.
+// First a pin with 4 V, then a pin with 1 V. With a source of 1 MOhm, 24 to 43 % of the 3 V difference
+// remain, and the same share of that at the next reading. With 10 kOhm nothing remains.
 TEST_F(AnalogTest, AWeakSourceLeavesSomeOfTheChannelBeforeInAReading) {
   start(R"(void setup() {
   Serial.begin(115200);

@@ -1,4 +1,5 @@
-// Tests boards with other chips in the emulator, by sketches that use features only they have or lack.
+// Tests boards with other chips in the emulator, with sketches that use features only these chips have or
+// lack.
 #include <map>
 
 #include "tests/unit/exec_avr/fixture.h"
@@ -175,7 +176,7 @@ void loop() {}
     EXPECT_EQ(board().drive(pin).duty, 0.2) << "phase correct, pin " << int{pin};
 }
 
-// Pin 1 rises if the sketch begins after a watchdog reset, pin 0 at every beginning.
+// Raises pin 0 at every start, and pin 1 only after a watchdog reset.
 constexpr const char* kLooksWhoResetIt = R"(
 #include <avr/wdt.h>
 void setup() {

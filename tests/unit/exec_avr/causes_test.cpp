@@ -38,7 +38,7 @@ class CausesTest : public AvrTest {
     causes_ = avr_->find_causes();
     ASSERT_NE(causes_, nullptr);
   }
-  /// Returns the causes of the level that drives pin 5 at the end, by lines of the sketch.
+  /// Returns the causes of the final level of pin 5, by lines of the sketch.
   std::map<int, CauseStep> lines_behind_pin_5() {
     causes_->end();
     causes_->ask({5}, now_);
@@ -46,7 +46,7 @@ class CausesTest : public AvrTest {
     causes_->close();
     return by_line();
   }
-  /// Returns the steps by line. Of several at one line, it is the one that reads.
+  /// Returns the steps by line. If a line has several steps, returns the one that reads.
   std::map<int, CauseStep> by_line() const {
     std::map<int, CauseStep> lines;
     for (const CauseStep& step : causes_->steps()) {
@@ -94,7 +94,7 @@ TEST_F(CausesTest, LeadToAVariableThatHasWhatItBeganWith) {
   EXPECT_EQ(lines.at(1).kind, CauseStep::Kind::keeps);
 }
 
-// The moments in between were saved before, as by a simulation.
+// Follows causes into an earlier part of the run, which is repeated from a snapshot, as in a simulation.
 TEST_F(CausesTest, AreFollowedThroughWhatWasNotedApart) {
   FixedSource sensor(3.0);
   start(R"(volatile int gain;
@@ -128,7 +128,7 @@ void loop() {
   EXPECT_EQ(lines.at(4).pin, kA2);
 }
 
-// Code that a branch has skipped may be far from it, and in a function that it would have called.
+// Skipped code may be far from its branch, and in a function that the branch would have called.
 TEST_F(CausesTest, LeadToTheBranchThatLeftAValueAsItWas) {
   FixedSource sensor(3.0);
   start(R"(int speed = 90, lost;

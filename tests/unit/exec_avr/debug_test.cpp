@@ -1,4 +1,5 @@
-// Tests the chip under a debugger. Everything happens in one thread: the debugger's packets are sent ahead.
+// Tests the chip under a debugger. Everything runs in one thread, because the debugger's packets are sent in
+// advance.
 
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// Handlers, pin edges, PWM and the UART, all of which a halt could disturb.
+// Uses handlers, pin edges, PWM and the UART, all of which a halt could disturb.
 const std::string kBusy = R"(volatile unsigned passes;
 void setup() {
   pinMode(13, OUTPUT);
@@ -39,12 +40,12 @@ class DebugTest : public AvrTest {
     avr_->debug_with(*server_);
   }
 
-  /// A packet whose reply is fetched by replies().
+  /// Sends a packet. replies() returns its reply.
   void ask(const std::string& packet) {
     gdb_->say(packet);
     ++asked_;
   }
-  /// Lets the chip run on; when it halts again, that is one more reply.
+  /// Lets the chip continue. When it halts again, there is one further reply.
   void go(const char* order = "c") { gdb_->say(order); }
   std::vector<std::string> replies(int halts = 0) {
     std::vector<std::string> texts;
@@ -74,7 +75,7 @@ class DebugTest : public AvrTest {
       value = value << 8 | static_cast<std::uint32_t>(std::stoul(hex.substr(i - 2, 2), nullptr, 16));
     return value;
   }
-  /// Returns everything that came out of the board.
+  /// Returns all output of the board.
   std::string trace() const {
     std::string text = serial_;
     for (const SimTime t : byte_times_) text += fmt::format(" {}", t);
@@ -160,7 +161,8 @@ TEST_F(DebugTest, AStepGoesThroughHandlersToTheNextInstructionOfTheSketch) {
   const auto firmware = avr::Firmware::read(built_.image, *find_board("uno"));
   go();
   run(5 * kMillisecond);
-  // A tick is 24 us shorter than Timer0's round: in 45 ticks the handler meets these steps more than once.
+  // A tick is 24 us shorter than Timer0's period. Within 45 ticks, the handler therefore runs during these
+  // steps more than once.
   constexpr int kTicks = 45, kSteps = 150;
   for (int tick = 0; tick < kTicks; ++tick) {
     gdb_->press_ctrl_c();

@@ -50,13 +50,13 @@ TEST_F(DetectorsTest, WhatIsMetOrOnlySparesAStepOrWatchesForAChangeIsNone) {
       "void setup() {}\n"
       "void loop() {\n"
       "  x += 0.25;\n"
-      "  if (x == 10.0) n = 1;\n"                   // it is, once
-      "  if (x != last) last = x + 0.01 * sign;\n"  // a change
-      "  error *= sign; sign = -sign;\n"            // to and fro
+      "  if (x == 10.0) n = 1;\n"                   // is equal once
+      "  if (x != last) last = x + 0.01 * sign;\n"  // compares for a change
+      "  error *= sign; sign = -sign;\n"            // alternates
       "  if (error == 0) n = 2;\n"
-      "  if (error < 0.1 && x > 3.3) n = 3;\n"  // no equality
+      "  if (error < 0.1 && x > 3.3) n = 3;\n"  // does not compare for equality
       "  big = 400.5;\n"
-      "  if (big == 400) n = 4;\n"  // never passed
+      "  if (big == 400) n = 4;\n"  // never crosses the number
       "}\n");
   run(50 * kMillisecond);
   EXPECT_THAT(avr_->detected(), IsEmpty());

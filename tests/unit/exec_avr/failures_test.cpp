@@ -1,5 +1,5 @@
-// Tests that every way in which firmware can crash its chip is reported with reason and place. The sketches
-// are those of the system tests.
+// Tests that every way in which firmware can crash its chip is reported with reason and place. Uses the
+// sketches of the system tests.
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ class FailuresTest : public AvrTest {
     run(duration);
     return avr_->crash();
   }
-  /// "0x9D56": `offset` bytes from where the compiler has put a variable of the last sketch.
+  /// Returns an address such as "0x9D56", `offset` bytes after a variable of the last sketch.
   std::string address(const char* variable, int offset) const {
     const auto found = avr::Firmware::read(built_.image, *find_board(board_name_)).find_variable(variable);
     return found ? fmt::format("0x{:04X}", *found + offset) : "no variable";
@@ -39,7 +39,7 @@ TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
     const char* reason;
     const char* function;
     int line;
-    int index = 0;  ///< into the variable `table`, whose address is the compiler's choice
+    int index = 0;  ///< index into `table`, whose address the compiler chooses
   };
   for (const Case& c :
        {Case{"ChipWildRead", "read of address {}, where the chip has no memory", "look", 4, 40000},
@@ -60,7 +60,8 @@ TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
     EXPECT_EQ(crash->where.file, std::string(c.sketch) + ".ino");
     const auto place = std::pair(crash->where.function, crash->where.line);
     const auto expected = std::pair(std::string(c.function), c.line);
-    // The assembler of avr-gcc 5.4 gives data no line, as the .word of an asm(): then it is the caller's.
+    // avr-gcc 5.4's assembler gives data, such as the .word of an asm(), no line. The caller's line is then
+    // reported.
     if (c.sketch == std::string("ChipOpcode"))
       EXPECT_THAT(place, AnyOf(expected, std::pair(std::string("broken"), 2)));
     else
@@ -137,7 +138,8 @@ TEST_F(FailuresTest, ACallIsTheOneThatTheSketchMakesNotOneOfTheCore) {
   EXPECT_EQ(avr_->activity().call, "delay()");
 }
 
-// Two coroutines, each on a stack of its own in a variable; BODY is what the second one does each time.
+// Returns a sketch with two coroutines, each on its own stack in a variable. The second one executes BODY in
+// each round.
 std::string coroutines(const std::string& body) {
   return R"(uint8_t stack_a[120], stack_b[120];
 uint8_t *sp_main, *sp_a, *sp_b;
@@ -166,8 +168,7 @@ void setup() { Serial.begin(115200); sp_a = prepare(stack_a, task_a); sp_b = pre
 void loop() { switch_to(&sp_main, &sp_a); delay(10); })";
 }
 
-// The sketch acts as an RTOS: the timer's handler leaves the task that it has interrupted, and another goes
-// on.
+// The sketch acts as an RTOS: the timer's handler leaves the interrupted task, and another task continues.
 TEST_F(FailuresTest, ATaskThatAHandlerHasLetGoOnIsInNoHandler) {
   start(R"(uint8_t stack_b[100];
 uint8_t *sp_main, *sp_b;
@@ -216,7 +217,7 @@ TEST_F(FailuresTest, ASketchMayHaveStacksOfItsOwn) {
   EXPECT_GT(numbers().size(), 7u);
 }
 
-// ChibiOS does it so: the register that has kept the one stack pointer then loads the other.
+// ChibiOS switches like this: the register that saved one stack pointer then loads the other.
 TEST_F(FailuresTest, StacksOfItsOwnMayBeSwitchedThroughOneRegister) {
   std::string sketch = coroutines("");
   const auto from = sketch.find("\"lds r30, from"), to = sketch.find("\".irp r,29,28");
@@ -230,10 +231,10 @@ TEST_F(FailuresTest, StacksOfItsOwnMayBeSwitchedThroughOneRegister) {
   EXPECT_GT(numbers().size(), 7u);
 }
 
-// `stack + sizeof stack`: the first byte that is pushed lies behind the variable, and the stack in it.
+// `stack + sizeof stack`: the first pushed byte is after the variable, and the rest of the stack inside it.
 TEST_F(FailuresTest, AStackOfItsOwnMayBeginRightBehindItsVariable) {
   const auto with = [](const char* body) {
-    // no_reorder fixes the order, which compilers otherwise choose: no used memory lies after the stack.
+    // no_reorder prevents the compiler from reordering the variables, so no used memory follows the stack.
     return std::string(
                "__attribute__((no_reorder)) volatile uint8_t before[4], stack_b[200], after[4];\n"
                "int deep(int n) { volatile char room[20]; room[n] = n;"

@@ -47,7 +47,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
     return built_.image;
   }
 
-  /// Builds `text`, makes an executor for it and switches it on at 0.
+  /// Builds `text`, creates an executor for it, and switches it on at 0.
   void start(const std::string& text) {
     avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), build(text));
     for (Pin pin = 0; pin < board().spec().pin_count; ++pin) board().watch(pin, *this);
@@ -74,14 +74,14 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
     EXPECT_FALSE(avr_->crash()) << avr_->crash()->reason;
     return serial_;
   }
-  /// The lines of what was printed, as numbers.
+  /// Returns the printed lines as numbers.
   std::vector<long long> numbers() const {
     std::vector<long long> result;
     for (std::size_t at = 0, end = 0; (end = serial_.find("\r\n", at)) != std::string::npos; at = end + 2)
       result.push_back(std::stoll(serial_.substr(at, end - at)));
     return result;
   }
-  /// Returns when `pin` changed, also when it became an output.
+  /// Returns when `pin` changed, including when it became an output.
   std::vector<SimTime> changes(Pin pin) const {
     std::vector<SimTime> times;
     for (const PinEvent& event : pins_)
@@ -106,7 +106,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
   std::vector<PinEvent> pins_;
 };
 
-/// A source of a constant voltage; high from 2.5 V. Counts its queries.
+/// A constant voltage, high from 2.5 V. Counts its queries.
 class FixedSource : public PinSource {
  public:
   explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}

@@ -1,4 +1,4 @@
-// Tests which silent sketches hang, and which wait for an interrupt that may come.
+// Tests which silent sketches hang, and which ones wait for an interrupt that may still come.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {

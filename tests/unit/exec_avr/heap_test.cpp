@@ -1,4 +1,4 @@
-// A heap that grows, and memory that was not there (sim/exec/avr/detect/heap.h).
+// Tests the detection of a growing heap, and of failed allocations (sim/exec/avr/detect/heap.h).
 
 #include "tests/unit/exec_avr/fixture.h"
 

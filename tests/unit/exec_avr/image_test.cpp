@@ -77,7 +77,7 @@ TEST_F(ImageTest, TheFlashInUseIsTheSameForTheBuildAndForTheChip) {
   EXPECT_NO_THROW(AvrExecutor(small, built_.image));
 }
 
-/// `flash` as Intel HEX, 16 bytes a line.
+/// Returns `flash` as Intel HEX, 16 bytes per line.
 std::string hex_of(const std::vector<std::uint8_t>& flash) {
   std::string text;
   const auto line = [&](std::size_t at, unsigned kind, std::size_t count) {

@@ -1,4 +1,4 @@
-// Tests the reported rounds of loop() against the sketch, which toggles pin 13 once in each.
+// Tests the reported rounds of loop() against the sketch, which toggles pin 13 once per round.
 
 #include <algorithm>
 
@@ -16,10 +16,10 @@ class AvrLoopTest : public AvrTest {
     return avr_->resources().value_or(Resources{});
   }
 
-  /// Expects that the rounds found are those of `text`, each of which toggles pin 13 once.
+  /// Expects that the reported rounds are those of `text`, each of which toggles pin 13 once.
   void expect_true_rounds(const std::string& text, SimTime duration = 300 * kMillisecond) {
     const Resources r = run_for(text, duration);
-    const std::vector<SimTime> times = changes(13);  // the first: it becomes an output
+    const std::vector<SimTime> times = changes(13);  // the first change makes it an output
     ASSERT_GT(times.size(), 20u) << text;
     const auto rounds = static_cast<double>(times.size() - 1);
     EXPECT_NEAR(static_cast<double>(r.loops), rounds, 1.0) << text;
@@ -27,7 +27,7 @@ class AvrLoopTest : public AvrTest {
     for (std::size_t i = 1; i < times.size(); ++i) longest = std::max(longest, times[i] - times[i - 1]);
     const double mean_us = 1e-3 * static_cast<double>(times.back() - times[1]) / (rounds - 1.0);
     EXPECT_NEAR(r.loop_us_mean, mean_us, 0.02 * mean_us) << text;
-    // A handler that runs between the two places makes one round longer and another shorter.
+    // A handler that runs between the two places makes one round longer and the other one shorter.
     EXPECT_NEAR(r.loop_us_max, 1e-3 * static_cast<double>(longest), 25.0) << text;
   }
 
@@ -109,7 +109,7 @@ TEST_F(AvrLoopTest, TheRoundsOfAMainOfItsOwnAreThoseOfItsEndlessLoop) {
 }
 
 TEST_F(AvrLoopTest, WhatCannotBeToldIsNotSaid) {
-  // The same machine code as `if (n < 50) { …; continue; }`.
+  // Compiles to the same machine code as `if (n < 50) { …; continue; }`.
   expect_nothing_said(
       "volatile byte n;\nint main() {\n  DDRB = 32;\n  for (;;) {\n"
       "    while (n < 50) {\n      n = n + 1;\n      PIND = 1;\n    }\n    n = 0;\n    PINB = 32;\n  }\n}");
@@ -118,7 +118,8 @@ TEST_F(AvrLoopTest, WhatCannotBeToldIsNotSaid) {
 }
 
 TEST_F(AvrLoopTest, TheShareOfHandlersIsWhatTheLoopLoses) {
-  // Timer 1 counts all cycles; the loop, of as many each round, runs in those that handlers leave.
+  // Timer 1 counts all cycles. The delay loop needs a fixed number of them, and runs only while no handler
+  // does.
   const std::string text = R"(#include <util/delay_basic.h>
 volatile byte table[8];
 ISR(TIMER2_COMPA_vect) { for (byte i = 0; i < 8; ++i) table[i] = i; }

@@ -45,8 +45,7 @@ TEST_F(MemoryTest, VariablesAndFlashAreThoseOfTheImage) {
   EXPECT_GT(r.flash_bytes, 400u);
 }
 
-// Where rounds of loop() and waiting loops are noticed, nothing is put into the flash that a program may
-// read.
+// The detection of loop()'s rounds and of wait loops does not modify the flash that a program may read.
 TEST_F(MemoryTest, AProgramThatChecksItsOwnFlashFindsItAsItWasBuilt) {
   output(R"(extern const char __data_load_end;
 void setup() { Serial.begin(115200); }

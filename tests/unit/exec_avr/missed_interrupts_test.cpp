@@ -1,4 +1,5 @@
-// Tests losses while interrupts are off (sim/exec/avr/detect/missed_interrupts.h).
+// Tests the detection of interrupts that are lost while interrupts are off
+// (sim/exec/avr/detect/missed_interrupts.h).
 
 #include "tests/unit/exec_avr/fixture.h"
 
@@ -12,7 +13,8 @@ using testing::SizeIs;
 class LossesTest : public AvrTest {
  protected:
   void before_power_on() override { avr_->detect({2}); }
-  /// Pulses of 0.2 ms come at pin 2, 1000 a second; loop() is `line`, the fourth.
+  /// Returns the findings for a sketch whose loop() is `line`, the fourth line. Pulses of 0.2 ms arrive at
+  /// pin 2, 1000 per second.
   std::vector<Detected> seen(const std::string& line, const std::string& handler = "++count;") {
     start("volatile unsigned count; volatile float f = 1;\nvoid pulse() { " + handler +
           " }\nvoid setup() { Serial.begin(115200); attachInterrupt(0, pulse, RISING); }\nvoid loop() { " +

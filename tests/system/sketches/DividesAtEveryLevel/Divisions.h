@@ -1,4 +1,4 @@
-// Computes quotient and remainder for a divisor in a register and in memory, compiled at one optimisation level.
+// Computes quotient and remainder for a divisor in a register and in memory, at one optimisation level.
 #pragma once
 
 #include <Arduino.h>

@@ -1,4 +1,4 @@
-// Names of a PC's C library that avr-libc does not have: a sketch for an Uno may use them all.
+// Uses names of a PC's C library that avr-libc does not have. A sketch for an Uno may define all of them.
 #include <avr/wdt.h>
 
 int open, close, send, connect, accept, bind, listen, kill, fork, pipe, sync, nice, brk, gamma, j0, j1, jn, yn, y1, rindex,

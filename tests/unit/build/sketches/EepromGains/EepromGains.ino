@@ -1,4 +1,4 @@
-// Gains kept in EEPROM.
+// Stores gains in EEPROM.
 #include <EEPROM.h>
 #include <avr/eeprom.h>
 

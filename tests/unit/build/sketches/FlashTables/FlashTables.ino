@@ -1,4 +1,4 @@
-// Tables and texts in program memory.
+// Reads tables and texts from program memory.
 #include <avr/pgmspace.h>
 
 const uint8_t levels[] PROGMEM = {0, 10, 40, 90, 160, 250};

@@ -1,4 +1,4 @@
-// avr-libc's number formatting, as far as it differs from a PC's.
+// Formats numbers in ways in which avr-libc differs from a PC's library.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-// Functions used before they are defined, with every kind of parameter that needs care.
+// Uses functions before they are defined, with every kind of parameter that needs care.
 enum Direction { LEFT, STRAIGHT, RIGHT };
 
 struct Reading {

@@ -1,4 +1,4 @@
-// Ports, the ADC and PWM by their registers.
+// Uses ports, the ADC and PWM through their registers.
 volatile int reading;
 
 void setup() {

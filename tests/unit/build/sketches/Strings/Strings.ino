@@ -1,4 +1,4 @@
-// String, and commands from the serial port.
+// Uses String, and commands from the serial port.
 String command = "";
 String words[3] = {"left", "right", "stop"};
 

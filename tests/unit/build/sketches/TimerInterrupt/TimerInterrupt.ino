@@ -1,4 +1,4 @@
-// A control loop on Timer1, at 1 kHz.
+// Runs a control loop on Timer1, at 1 kHz.
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <util/atomic.h>
