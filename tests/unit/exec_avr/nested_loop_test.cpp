@@ -1,4 +1,4 @@
-// A loop() that is called out of itself (sim/exec/avr/detect/nested_loop.h).
+// Tests the detection of a loop() that calls itself (sim/exec/avr/detect/nested_loop.h).
 
 #include "tests/unit/exec_avr/fixture.h"
 

@@ -1,4 +1,4 @@
-// Tests the Pro Minis in the emulator. Only clock and supply differ, and both come from data.
+// Tests the Pro Minis in the emulator. Only their clock and supply differ, and both come from data.
 #include "tests/support/clock_sketch.h"
 #include "tests/unit/exec_avr/fixture.h"
 

@@ -1,5 +1,5 @@
-// Torn reads, torn writes and lost updates: found in an image with checks, which ends there, and by a
-// detector in the one that is flashed.
+// Tests torn reads, torn writes and lost updates. An image with checks stops at them, and a detector finds
+// them in the flashed image.
 
 #include <array>
 
@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(In, TearingTest, testing::Bool(), [](const auto& test) 
   return test.param ? "AnImageWithChecks" : "TheImageThatIsFlashed";
 });
 
-/// A timer counts 20,000 times a second, and loop() is `line`.
+/// Returns a sketch whose timer counts 20,000 times a second, and whose loop() is `line`.
 std::string pluralize(const std::string& line, const std::string& handler = "ticks += 40;") {
   return "#include <util/atomic.h>\n"
          "volatile unsigned long ticks; volatile bool ready; volatile unsigned long seen;\n"
@@ -110,7 +110,7 @@ TEST_P(TearingTest, AByteThatNoHandlersWriteIsUndoneOfIsNone) {
   }
 }
 
-// The correct way; the handler runs as often.
+// These are correct ways. The handler runs as often.
 TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
   const std::string kHandsOver = "if (!ready) { ticks = ticks + 777; ready = true; }";
   const std::array<std::string, 2> right[] = {
@@ -131,7 +131,7 @@ TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
   }
 }
 
-// tone() writes how often the pin has to change, 4 bytes, while the tone before still counts them down.
+// tone() writes the number of pin changes (4 bytes) while the previous tone is still counting them down.
 TEST_P(TearingTest, WhatTheCoreDoesWithItsOwnNumbersIsNotTheSketchs) {
   start("void setup() {}\nvoid loop() { tone(11, 4000, 512); delayMicroseconds(random(1000)); }\n");
   run(500 * kMillisecond);

@@ -10,7 +10,7 @@ class SerialTest : public AvrTest {};
 TEST_F(SerialTest, BytesLeaveAtTheBaudRate) {
   output("void setup() { Serial.begin(9600); Serial.print(\"0123456789\"); }\nvoid loop() {}");
   EXPECT_EQ(serial_, "0123456789");
-  // 10 bits at 9600 baud, as nearly as 16 MHz allows: UBRR = 207 gives 9615.
+  // 10 bits at 9600 baud. With 16 MHz the nearest rate is 9615 (UBRR = 207).
   EXPECT_NEAR(static_cast<double>(byte_times_[9] - byte_times_[2]) / 7, 1.04e6, 1e3);
 }
 

@@ -1,4 +1,5 @@
-// A stack that has room until an interrupt comes at the wrong moment (sim/exec/avr/detect/stack_margin.h).
+// Tests the detection of a stack that overflows only if an interrupt comes at the wrong moment
+// (sim/exec/avr/detect/stack_margin.h).
 
 #include "tests/unit/exec_avr/fixture.h"
 
@@ -12,9 +13,9 @@ using testing::SizeIs;
 class StackMarginTest : public AvrTest {
  protected:
   void before_power_on() override { avr_->detect({}); }
-  /// The variables, `taken` bytes and a few more, and what loop() needs at most leave 1832 - `taken` bytes.
-  /// It needs so much for some 10 µs of each 5 ms. Timer 2's handler, which takes 108, comes each ms, at
-  /// other moments.
+  /// Variables (`taken` bytes and a few more) and loop()'s deepest stack leave 1832 - `taken` bytes. The
+  /// stack is that deep for about 10 µs of each 5 ms. Timer 2's handler uses 108 bytes of stack, and runs
+  /// each ms at other moments.
   std::vector<Detected> seen(int taken, const std::string& loop = "deep();", const char* attribute = "") {
     start("volatile byte all[" + std::to_string(taken) + "], sum;\nISR(TIMER2_COMPA_vect" + attribute +
           ") {\n"

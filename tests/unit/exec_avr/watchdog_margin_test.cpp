@@ -1,4 +1,5 @@
-// A watchdog that is fed too late to be sure of it (sim/exec/avr/detect/watchdog_margin.h).
+// Tests the detection of a watchdog that is fed with too little margin
+// (sim/exec/avr/detect/watchdog_margin.h).
 
 #include "tests/unit/exec_avr/fixture.h"
 

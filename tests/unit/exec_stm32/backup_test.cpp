@@ -1,4 +1,4 @@
-// The backup domain (RM0008 5, 6, 7.3.9, 18), and small units: CRC (4), the cycle counter.
+// Tests the backup domain (RM0008 5, 6, 7.3.9, 18), and two small units: CRC (4) and the cycle counter.
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
@@ -15,7 +15,7 @@ class BackupTest : public BusFixture {
     BusFixture::SetUp();
     store(kPwr, 1u << 8);
   }
-  /// The RTC counts hundredths of a second, by LSI.
+  /// Starts the RTC, which counts hundredths of a second from LSI.
   void start_rtc() {
     store(kRccCsr, kLsiOn);
     store(kRccBdcr, 1u << 15 | 2u << 8);

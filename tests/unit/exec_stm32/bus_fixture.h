@@ -12,7 +12,7 @@ class BusFixture : public testing::Test {
   std::uint32_t load(Address address) { return bus_.load(address, 4); }
   void store(Address address, std::uint32_t value) { bus_.store(address, value, 4); }
   Cycle now() { return bus_.link().clock.now; }
-  /// Lets `cycles` pass, stopping at each event as the processor does.
+  /// Advances time by `cycles`, and stops at each event as the processor does.
   void pass(Cycle cycles) {
     Cycle& clock = bus_.link().clock.now;
     for (const Cycle end = clock + cycles; clock < end;) {
@@ -22,14 +22,14 @@ class BusFixture : public testing::Test {
       bus_.take_inputs();
     }
   }
-  /// Gives the clock to all peripherals.
+  /// Enables the clocks of all peripherals.
   void SetUp() override {
     using namespace robosim::stm32;
     for (const Address enable : {kRccAhbEnr, kRccApb1Enr, kRccApb2Enr}) store(enable, 0xFFFFFFFF);
   }
   void TearDown() override { EXPECT_FALSE(bus_.unmodelled()) << bus_.unmodelled()->what; }
   void enable(robosim::stm32::Irq irq) { store(robosim::stm32::kNvicIser + irq / 32u * 4u, 1u << irq % 32u); }
-  /// Serves the interrupt, which must be enabled, and returns whether it was pending.
+  /// Serves the interrupt, which must be enabled. Returns whether it was pending.
   bool takes(robosim::stm32::Irq irq) {
     if (bus_.link().nvic.wakes() != kFirstIrq + irq) return false;
     bus_.link().nvic.enter(kFirstIrq + irq);

@@ -1,4 +1,4 @@
-// SPI (RM0008 25) and I2C (26), with no device at their pins.
+// Tests SPI (RM0008 25) and I2C (26), without devices at their pins.
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
@@ -20,7 +20,7 @@ class SpiTest : public BusFixture {
 
 TEST_F(SpiTest, AFrameTakesItsTimeAndBringsTheLevelOfMiso) {
   enable(kIrqSpi1);
-  store(kSpi1, kMaster | 2u << 3);  // 8 cycles a bit
+  store(kSpi1, kMaster | 2u << 3);  // 8 cycles per bit
   EXPECT_EQ(status(), kTxeFlag);
   store(kSpi1 + 12, 0x55);
   EXPECT_EQ(status(), kTxeFlag | kBsy);

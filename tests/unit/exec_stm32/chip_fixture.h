@@ -53,7 +53,7 @@ class Stm32ChipTest : public testing::Test, protected SerialWatcher {
     EXPECT_FALSE(chip_->crash()) << chip_->crash()->reason;
     return serial_;
   }
-  /// Returns the crash of a statement that setup() runs in a function of its own: line 2 of the sketch.
+  /// Returns the crash of a sketch whose setup() calls a function with this statement, on line 2.
   const std::optional<Crash>& crash_of(const std::string& statement, SimTime duration = kSecond) {
     start("volatile int n;\nvoid __attribute__((noinline)) work() { " + statement +
           " }\nvoid setup() { work(); }\nvoid loop() {}\n");

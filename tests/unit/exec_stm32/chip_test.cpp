@@ -40,7 +40,7 @@ TEST_F(Stm32ChipTest, ASketchMayHaveAMainOfItsOwn) {
 }
 
 TEST_F(Stm32ChipTest, DelaysLastTheirTimeAtBothClocks) {
-  // More by what the calls themselves take, which is nine times as much at 8 MHz.
+  // The periods are longer by the time for the calls themselves, which is nine times as long at 8 MHz.
   for (const auto& [board, calls_ns] : {std::pair{"bluepill", 10e3}, std::pair{"bluepill8", 80e3}}) {
     board_name_ = board;
     start(
@@ -62,7 +62,7 @@ TEST_F(Stm32ChipTest, DelaysLastTheirTimeAtBothClocks) {
 }
 
 TEST_F(Stm32ChipTest, AnInterruptPreemptsAndReturnsToTheVeryInstruction) {
-  // A checksum over much arithmetic, with SysTick and a timer's interrupts all along, is that without them.
+  // A long computation's checksum is the same with and without interrupts of SysTick and a timer.
   const std::string sum =
       "uint32_t work() { uint32_t h = 1; double d = 1; for (uint32_t i = 0; i < 3000; ++i) { h = h * 31 + i "
       "/ "
@@ -80,7 +80,7 @@ TEST_F(Stm32ChipTest, AnInterruptPreemptsAndReturnsToTheVeryInstruction) {
   EXPECT_GT(quiet.size(), 3u);
 }
 
-// Handlers of three exceptions that report their runs, and `busy()`, a time in which they can run.
+// Handlers of three exceptions, which log their runs, and `busy()`, which takes enough time for them to run.
 const char* const kHandlers =
     "#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\nString log_;\n"
     "void busy() { for (volatile int i = 0; i < 50; ++i); }\n"
@@ -263,7 +263,7 @@ TEST_F(Stm32ChipTest, WfeSleepsUntilAnEventThatMayHaveBeenBefore) {
       "0y");
 }
 
-// Code after WFI runs when a handler has cleared SLEEPONEXIT (PM0056 2.5.1).
+// The code after WFI runs once a handler has cleared SLEEPONEXIT (PM0056 2.5.1).
 TEST_F(Stm32ChipTest, WithSleeponexitOnlyHandlersRun) {
   EXPECT_EQ(
       output("volatile uint32_t& scr = *(volatile uint32_t*)0xE000ED10;\n"

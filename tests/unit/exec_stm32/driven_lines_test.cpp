@@ -1,4 +1,4 @@
-// Tests which line of the sketch has driven a pin.
+// Tests which line of the sketch drives a pin.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -23,7 +23,7 @@ class Stm32DrivenLinesTest : public Stm32ChipTest, PinWatcher {
     lines_[chip_->board().spec().pins[pin].name].push_back(chip_->driving(pin, drive).line);
   }
 
-  std::map<std::string, std::vector<int>> lines_;  // 0 where none is known
+  std::map<std::string, std::vector<int>> lines_;  // 0 = unknown line
 };
 
 TEST_F(Stm32DrivenLinesTest, AreThoseOfTheSketchThatCallTheCore) {
@@ -42,8 +42,8 @@ void loop() {})");
   EXPECT_THAT(lines_["D22"], ElementsAre(8));
 }
 
-// A new duty takes effect at a timer's next update: up to 2 ms after its analogWrite(), in another
-// line.
+// A new duty takes effect at a timer's next update: up to 2 ms after its analogWrite(), when another line
+// runs.
 TEST_F(Stm32DrivenLinesTest, AreThoseThatWroteADutyWhichIsTakenOverLater) {
   start(R"(void setup() {
   analogWrite(12, 50);

@@ -1,4 +1,4 @@
-// External lines (RM0008 10.2, 10.3).
+// Tests external lines (RM0008 10.2, 10.3).
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {

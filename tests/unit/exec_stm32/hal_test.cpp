@@ -1,5 +1,5 @@
 // Tests every function of hal/stm32 that accesses registers, against the model of the chip. hal/stm32 is
-// compiled for this machine here; its loads and stores go to the emulated processor's bus.
+// compiled for this machine, and its loads and stores go to the emulated processor's bus.
 
 #include <gmock/gmock.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Stands for the processor: time passes with every access, and handlers run when their interrupts are due.
+/// Replaces the processor. Time passes with every access, and handlers run when their interrupts are due.
 class Chip {
  public:
   Chip(BoardState& state, FlashMemory& flash) : board(state), bus(board, flash, 0) {}
@@ -254,7 +254,7 @@ TEST_F(HalTest, AnalogReadTakesAnotherResolution) {
   analogReadResolution(10);
 }
 
-/// A duty counts from the next period on.
+/// A duty takes effect at the next period.
 constexpr Cycle kPwmPeriod = 73'440;
 
 TEST_F(HalTest, AnalogWriteTakesAnotherResolution) {
@@ -370,7 +370,7 @@ TEST_F(HalTest, TheEepromKeepsWhatIsWrittenThroughItsChangesOfBanks) {
     expected[address] = value;
   }
   for (std::uint16_t i = 0; i < 1024; ++i) ASSERT_EQ(robosim_eeprom_read(i), expected[i]) << i;
-  // Another chip with the same flash.
+  // Creates another chip with the same flash.
   chip_ = std::make_unique<Chip>(board_, flash_);
   chip = chip_.get();
   for (std::uint16_t i = 0; i < 1024; i = static_cast<std::uint16_t>(i + 51))
@@ -380,7 +380,7 @@ TEST_F(HalTest, TheEepromKeepsWhatIsWrittenThroughItsChangesOfBanks) {
 TEST_F(HalTest, AWriteThatPowerOffInterruptsLeavesTheValueBefore) {
   robosim_eeprom_write(5, 50);
   robosim_eeprom_write(5, 51);
-  // The second half of the change, its address, is not there yet.
+  // Erases the second half of the record, its address, as if it had not been written yet.
   for (std::uint8_t* half = flash_.data(); half < flash_.data() + robosim::stm32::kFlashBytes; half += 4)
     if (half[0] == 51 && half[1] == 0xA5) half[2] = half[3] = 0xFF;
   EXPECT_EQ(robosim_eeprom_read(5), 50);

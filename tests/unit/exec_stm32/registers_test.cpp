@@ -83,7 +83,7 @@ TEST(BusTest, TheOtherUsartsSendInTheirTimeAndAreHeardByNobody) {
   Bus bus(clocked, flash, 0);
   Clock& clock = bus.link().clock;
   bus.store(kRccApb2Enr, kIopaEn, 4);
-  bus.store(kRccCfgr, kPpre1Half, 4);  // their bus has half the processor's frequency
+  bus.store(kRccCfgr, kPpre1Half, 4);  // their bus has half the processor's clock
   for (const auto& [usart, irq] : {std::pair{2, 38}, std::pair{3, 39}}) {
     const Address base = stm32f103c8::kUarts[usart - 1].address;
     const auto at = [&](Address of_usart1) { return base + of_usart1 - kUsart1; };
@@ -92,7 +92,7 @@ TEST(BusTest, TheOtherUsartsSendInTheirTimeAndAreHeardByNobody) {
     bus.store(kRccApb1Enr, clock_bit(base), 4);
     bus.store(at(kUsartBrr), 104, 4);
     bus.store(at(kUsartCr1), kUe | kTe | kRe | kTcie, 4);
-    bus.store(at(kUsartSr), 0, 4);  // TC, which is set after a reset
+    bus.store(at(kUsartSr), 0, 4);  // clears TC, which is set after a reset
     bus.store(kNvicIcpr + 4, 1u << (irq - 32), 4);
     const Cycle began = clock.now;
     bus.store(at(kUsartDr), 'x', 4);

@@ -9,7 +9,7 @@
 namespace robosim::exec {
 namespace {
 
-// So that a sketch can write registers, and has handlers of its own: of 60 interrupts, in RAM.
+// Lets a sketch write registers, and install handlers of 60 interrupts in RAM.
 const std::string kBegins = R"(#define R(address) (*(volatile unsigned*)(address))
 static unsigned vectors[76] __attribute__((aligned(512)));
 volatile unsigned counts[8];
@@ -28,8 +28,8 @@ static void dawdle(unsigned n) { for (volatile unsigned i = 0; i < n; i++); }
 struct Case {
   const char* name;
   const char* text;
-  bool is_cut = false;  ///< its power, once
-  int us = 350;         ///< at most, from one moment to the next
+  bool is_cut = false;  ///< whether its power is cut once
+  int us = 350;         ///< longest time between two moments
 };
 
 const Case kCases[] = {
@@ -233,7 +233,7 @@ class Stm32Snapshots : public Stm32ChipTest, public testing::WithParamInterface<
     told_.add(static_cast<std::uint64_t>(t) + byte);
   }
 
-  /// Runs to `t`, where the power may go off or come back.
+  /// Runs to `t`. At two moments, the power goes off or comes back.
   void go_to(std::size_t moment, SimTime t) {
     chip_->run_until(t);
     if (!GetParam().is_cut) return;

@@ -1,6 +1,5 @@
 // Compares the emulator with libunicorn, instruction by instruction: registers, flags, RAM and time. An IT
-// and its instructions are one step, whose time is not
-// compared.
+// and its instructions are one step, and their time is not compared.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +19,7 @@ using namespace robosim::stm32;
 constexpr std::uint32_t kCode = kFlash + 0x400, kStack = kRam + kRamBytes - 0x400;
 constexpr int kLength = 200;
 
-/// A chip that begins at kCode.
+/// A chip whose program begins at kCode.
 class Chip {
  public:
   explicit Chip(const Firmware& firmware) : flash_(firmware.flash), cpu(firmware, bus_, engine_, {}) {}
@@ -55,10 +54,10 @@ Firmware firmware_of(const std::vector<std::uint16_t>& code) {
   return firmware;
 }
 
-/// Returns random instructions, except jumps and those that control the processor.
+/// Returns random instructions, except jumps and instructions that control the processor.
 std::vector<std::uint16_t> random_code(std::mt19937& random) {
   std::vector<std::uint16_t> code;
-  int block = 0;  // instructions left of an IT block
+  int block = 0;  // remaining instructions of an IT block
   while (code.size() < kLength) {
     if (block-- <= 0 && random() % 12 == 0) {
       constexpr unsigned kConditions = 14;
@@ -71,10 +70,11 @@ std::vector<std::uint16_t> random_code(std::mt19937& random) {
     if (random() % 2) first = static_cast<std::uint16_t>(0xE800 | (first & 0x17FF));
     const Thumb thumb = decode_thumb(kCode + 2 * static_cast<std::uint32_t>(code.size()), first, second);
     const bool jumps = thumb.op >= Op::b && thumb.op <= Op::tbh;
-    // libunicorn keeps the lowest bits of an SP that is moved to; the chip has none (B1.4.7).
+    // libunicorn keeps the lowest bits of a value that is moved to SP. The chip clears them (B1.4.7).
     const bool to_pc = thumb.d == 15 || thumb.op == Op::add_high || thumb.op == Op::mov_high ||
                        (thumb.op == Op::ldm && thumb.value & 1u << 15);
-    // In blocks, and as far behind them as they let the chip run, loads and stores seldom find RAM.
+    // In blocks, and for some instructions after them, loads and stores seldom access RAM, so most are
+    // skipped.
     const bool transfers = thumb.op >= Op::ldr && thumb.op <= Op::stm;
     const bool goes_wrong = transfers && block > -4 && random() % 8 != 0;
     if (thumb.op == Op::other || thumb.op >= Op::it || jumps || to_pc || goes_wrong) {
@@ -87,7 +87,7 @@ std::vector<std::uint16_t> random_code(std::mt19937& random) {
   return code;
 }
 
-/// Most loads and stores find RAM, not always aligned.
+/// Makes most loads and stores access RAM, not always aligned.
 void find_ram(const Thumb& thumb, std::mt19937& random, Chip& ours, Chip& referee) {
   if (thumb.op < Op::ldr || thumb.op > Op::stm || random() % 200 == 0) return;
   const std::uint32_t base = kRam + 0x1000 + random() % 0x2000, offset = random() % 0x100;
@@ -129,7 +129,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
       const Cycle began = ours.now(), referee_began = referee.now();
       ours.step();
       referee.step();
-      // Behind a block that left instructions out one may be ahead of the other.
+      // After a block with skipped instructions, one emulator may be ahead of the other.
       for (int i = 0; i < 16 && (ours.cpu.fault().has_value() != referee.cpu.fault().has_value() ||
                                  ours.cpu.next_pc() != referee.cpu.next_pc());
            ++i) {
@@ -142,7 +142,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
       for (std::uint32_t at = pc; at <= ours.cpu.pc() + 2; at += 2) text << " " << firmware.half(at);
       const std::string where = text.str();
       ASSERT_EQ(ours.cpu.fault().has_value(), referee.cpu.fault().has_value()) << where;
-      // libunicorn continues a little after a fault within a block.
+      // After a fault within a block, libunicorn executes further instructions.
       went_wrong_in_block = ours.cpu.fault() && is_block;
       if (went_wrong_in_block) break;
       for (int number = 0; number < Cpu::kPc; ++number)
@@ -163,7 +163,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
   EXPECT_GT(blocks, 300);
 }
 
-// Tests numbers below, within and above the bounds, as constrain() has them: too rare among random ones.
+// Tests values below, within and above the bounds, as for constrain(). Random values rarely include them.
 TEST(Thumb, SaturatesAsLibunicornDoes) {
   std::mt19937 random(1);
   std::vector<std::uint16_t> code;

@@ -1,4 +1,4 @@
-// The timers (RM0008 14, 15), and the pins that AFIO_MAPR gives them (9.3).
+// Tests the timers (RM0008 14, 15), and the pins that AFIO_MAPR assigns to them (9.3).
 #include <vector>
 
 #include "tests/unit/exec_stm32/bus_fixture.h"
@@ -19,13 +19,13 @@ class TimersTest : public BusFixture, protected PinWatcher {
       for (const Address half : {kCrl, kCrh}) store(kGpioA + port * kPortBytes + half, 0x44444444);
   }
   void pin_changed(Pin, const PinDrive& drive, SimTime t) override { edges_.push_back({t, drive.level}); }
-  /// The pin is the timer's output.
+  /// Makes the pin an output of its timer.
   void alternate(int port, int bit) {
     const Address at = kGpioA + static_cast<Address>(port) * kPortBytes + (bit < 8 ? kCrl : kCrh);
     const int shift = 4 * (bit % 8);
     store(at, (load(at) & ~(15u << shift)) | kAlternate << shift);
   }
-  /// Schedules an edge after `in` cycles of 8 MHz.
+  /// Schedules an edge in `in` cycles of 8 MHz.
   void edge(Pin pin, bool level, Cycle in) {
     levels_[pin] = level;
     board_.schedule_edge(pin, level, bus_.link().clock.time_of(now() + in));
@@ -133,7 +133,8 @@ TEST_F(TimersTest, TheProgramReadsTheLevelOfItsOwnPwm) {
   store(kTim3 + kTimCcr1, 30);
   store(kTim3 + kTimCcer, 1);
   const Address idr = kGpioA + kIdr, bit = 0x42000000 + (idr - 0x40000000) * 32 + 6 * 4;
-  // RM0008 14.3.10: active below CCR; counting down, up to CCR; centred, a CCR-th of ARR around the lowest.
+  // RM0008 14.3.10: active while the count is below CCR. Counting down, active up to CCR. Centred, active for
+  // CCR of ARR counts around the lowest.
   for (const auto& [control, mode, high] : {std::tuple{0u, kPwmMode1, 30},
                                             {1u << 4, kPwmMode1, 31},
                                             {1u << 5, kPwmMode1, 60},
@@ -162,8 +163,8 @@ TEST_F(TimersTest, TheProgramReadsTheLevelOfItsOwnPwm) {
 
 TEST_F(TimersTest, CapturesTheCountAtAnEdgeOfEitherInputOfAPair) {
   enable(kIrqTim2);
-  store(kTim2 + kTimCcmr1, 1u << 0 | 2u << 8);  // channels 1 and 2 look at TI1
-  store(kTim2 + kTimCcer, 1u << 0 | 3u << 4);   // 2 at its falling edge
+  store(kTim2 + kTimCcmr1, 1u << 0 | 2u << 8);  // channels 1 and 2 capture TI1
+  store(kTim2 + kTimCcer, 1u << 0 | 3u << 4);   // channel 2 captures the falling edge
   store(kTim2 + kTimDier, 1u << 1);
   store(kTim2 + kTimCr1, kCen);
   edge(kPa0, true, 300);
@@ -199,7 +200,7 @@ TEST_F(TimersTest, CountsAnEncodersEdgesInItsDirection) {
 TEST_F(TimersTest, OneTimerCountsTheOthersUpdates) {
   store(kTim2 + kTimArr, 99);
   store(kTim2 + kTimCr2, 2u << 4);       // TRGO = update
-  store(kTim3 + kTimSmcr, 7 | 1u << 4);  // counts ITR1, TIM2's
+  store(kTim3 + kTimSmcr, 7 | 1u << 4);  // counts ITR1, which is TIM2's TRGO
   store(kTim3 + kTimCr1, kCen);
   store(kTim2 + kTimCr1, kCen);
   pass(1050);

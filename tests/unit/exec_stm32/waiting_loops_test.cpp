@@ -1,4 +1,4 @@
-// Tests that skipping busy-wait loops is not observable: two chips run the same program, one of them
+// Tests that skipping busy-wait loops is not observable. Two chips run the same program, one of them
 // instruction by instruction, and are equal at every comparison.
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using namespace robosim::stm32;
 constexpr std::uint32_t kCode = kFlash + 0x400, kStack = kRam + kRamBytes - 0x100;
 constexpr std::uint32_t kCount = kRam + 0x40, kMemory = kRam + 0x80;
 
-/// Machine code, half a word by half a word.
+/// Builds machine code, halfword by halfword.
 class Program {
  public:
   std::uint32_t here() const { return kCode + 2 * static_cast<std::uint32_t>(code.size()); }
@@ -41,7 +41,7 @@ class Program {
     load_value(0, value);
     store(address, 0);
   }
-  /// Branches to `to`, a little before or after; condition 14: always.
+  /// Branches to `to`, which is nearby. Condition 14 means always.
   void branch(unsigned condition, std::uint32_t to) {
     const auto offset = (to - here() - 4) / 2;
     half(condition == 14 ? 0xE000 | (offset & 0x7FF) : 0xD000 | condition << 8 | (offset & 0xFF));
@@ -50,11 +50,11 @@ class Program {
   std::vector<std::uint16_t> code;
 };
 
-/// Programs that wait in loops of all kinds, some that no compiler would make.
+/// Programs with all kinds of wait loops, including loops that no compiler would generate.
 class RandomProgram : public Program {
  public:
   explicit RandomProgram(unsigned seed) : engine_(seed) {
-    // Any interrupt counts.
+    // Each interrupt increments a counter.
     handler_ = here();
     half(0xB403);  // push {r0, r1}
     load_value(0, kCount);
@@ -68,7 +68,7 @@ class RandomProgram : public Program {
     junk(3);
     half(0xBD10);  // pop {r4, pc}
     main_ = here();
-    if (seed % 2) {  // 36 MHz: a cycle is a fraction of nanoseconds
+    if (seed % 2) {  // at 36 MHz a cycle is not a whole number of nanoseconds
       put(kRccCr, kHsiOn | kPllOn);
       put(kRccCfgr, kPllMul9 | kSwPll);
     }
@@ -122,7 +122,7 @@ class RandomProgram : public Program {
     }
   }
 
-  // Adds a loop that ends when interrupts have been counted, or a piece leaves it.
+  // Adds a loop that ends after some interrupts, or when one of its parts jumps out.
   void wait() {
     put(kCount, 0);
     if (below(3) == 0) put(kUsartDr, below(256));
@@ -141,7 +141,7 @@ class RandomProgram : public Program {
     switch (below(12)) {
       case 0:
         return load(reg, pick({kUsartSr, kAdcSr, kRccCr, kStkLoad, kScbIcsr, kGpioA + kOdr}));
-      case 1:  // one of both: a button's pin, or all
+      case 1:  // one pin (of a button), or all pins
         return load(reg, below(2) ? bit_band(kGpioA + kIdr, below(16)) : kGpioA + kIdr);
       case 2:
         return store(kMemory + 4 * below(3), reg);
@@ -150,20 +150,20 @@ class RandomProgram : public Program {
       case 4:
         if (below(6) == 0) return load(reg, pick({kStkVal, kStkCtrl, kUsartDr, kAdcDr}));
         return junk(2);
-      case 5:  // it counts passes
+      case 5:  // counts passes
         if (below(3)) return junk(1);
         load(reg, kMemory + 12);
         half(0x3001 | reg << 8);
         return store(kMemory + 12, reg);
-      case 6: {  // a call
+      case 6: {  // a function call
         const std::uint32_t offset = function_ - here() - 4;
         half(0xF400 | (offset >> 12 & 0x3FF));
         return half(0xF800 | (offset >> 1 & 0x7FF));
       }
-      case 7:  // it
+      case 7:  // if-then (it)
         half(0xBF08 | below(14) << 4);
         return junk(1);
-      case 8:  // it counts down, in a loop of its own
+      case 8:  // counts down in an inner loop
         half(0x2500 | (1 + below(20)));
         half(0x3D01);
         return branch(1, here() - 2);

@@ -42,7 +42,7 @@ TEST_F(WatchdogsTest, TheIndependentOneTakesItsOwnTimeWhateverTheProcessorsClock
 }
 
 TEST_F(WatchdogsTest, TheWindowWatchdogResetsWhenItIsWrittenTooLateOrTooEarly) {
-  store(kWwdg + 4, 0x50 | 1u << 7);  // the window; 8192 cycles a step
+  store(kWwdg + 4, 0x50 | 1u << 7);  // the window; a step has 8192 cycles
   store(kWwdg, 0xFF);
   pass(0x2E * 8192);
   EXPECT_EQ(load(kWwdg), 0xD1u);

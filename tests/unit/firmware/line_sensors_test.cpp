@@ -29,12 +29,12 @@ TEST_F(LineSensorsTest, PutTheLineWhereTheMeanOfWhatTheySeeIs) {
 }
 
 TEST_F(LineSensorsTest, AddUpInMoreThanTheSixteenBitsOfAnUnosInt) {
-  // 1000 * 3500 + 1000 * 2500 = 6,000,000: in 16 bits, -29,824.
+  // 1000 * 3500 + 1000 * 2500 = 6,000,000, which is -29,824 in 16 bits.
   const std::uint16_t values[] = {0, 0, 0, 0, 0, 0, 1000, 1000};
   EXPECT_EQ(LineSensors::weightedPosition(values, 8, 99), 3000);
-  // 818 * 100 is 81,800, and 16,264 in 16 bits.
+  // 818 * 100 = 81,800, which is 16,264 in 16 bits.
   EXPECT_EQ(LineSensors::scaled(818, 0, 1023), 799);
-  // Microseconds of an RC sensor, beyond 32,767.
+  // Times of an RC sensor above 32,767 us.
   EXPECT_EQ(LineSensors::scaled(60000, 20000, 60000), 1000);
 }
 
@@ -97,7 +97,7 @@ TEST_F(LineSensorsTest, HaveEachARangeOfTheirOwn) {
   AnalogLineSensors sensors(kFive);
   sensors.setRange(0, 1000);
   sensors.setRange(3, 500, 600);
-  sensors.setRange(5, 1, 2);  // there is none
+  sensors.setRange(5, 1, 2);  // there is no sensor 5
   see(550, 550, 550, 550, 550);
   sensors.read();
   for (std::uint8_t i = 0; i < 5; ++i) EXPECT_EQ(sensors.value(i), i == 3 ? 500 : 550) << int{i};
@@ -188,7 +188,7 @@ TEST_F(LineSensorsTest, TimeTheDischargeOfRcSensors) {
   sensors.setRange(200, 2200);
   fake::board.pins[2].drains_us = 200;
   fake::board.pins[3].drains_us = 1200;
-  fake::board.pins[4].drains_us = 9999;  // never, as far as the timeout goes
+  fake::board.pins[4].drains_us = 9999;  // longer than the timeout
   sensors.read();
   EXPECT_NEAR(sensors.raw(0), 200, 30);
   EXPECT_NEAR(sensors.raw(1), 1200, 30);

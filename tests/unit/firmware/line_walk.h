@@ -30,7 +30,7 @@ class FloorSensors : public LineSensors {
   const Robot& robot_;
 };
 
-/// A walker on a floor, and all that it has said: each landmark, where its axle then stands and when, and its
+/// A walker on a floor, with all its reports: each landmark, with the axle's position and the time, and its
 /// pauses.
 struct Walk {
   explicit Walk(std::vector<Line> lines) : robot(std::move(lines)) {
@@ -54,7 +54,7 @@ struct Walk {
         std::lround(10 * robot.y) / 10.0, robot.angle, static_cast<unsigned>(fake::board.now_us / 1000));
     said += text;
   }
-  /// Looks round, follows the line, and turns at each landmark as given.
+  /// Finds the line, follows it, and turns as given at each landmark.
   void go(const std::vector<nav::Turn>& turns) {
     tell(walker.begin());
     tell(walker.follow());

@@ -1,4 +1,4 @@
-// Tests LineWalker with obstacles in its way.
+// Tests LineWalker with obstacles on its line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -112,9 +112,9 @@ junction 1110, heading 2 at 198,1, cost 21; axle at 197.2,2.8, 9.47 rad, 10070 m
 )");
 }
 
-// Its bumper may still touch it.
+// The bumper may still touch the obstacle.
 TEST(LineWalkerTest, DoesNotWaitForAnObstacleFromWhichItTurnsAway) {
-  for (const int wall : {310, 395}) {  // near the junction, and beyond it
+  for (const int wall : {310, 395}) {  // near the junction and beyond it
     Walk walk({kTrunk, {200, 0, 200, 300}});
     walk.robot.wall_x = wall;
     walk.go({kOn});

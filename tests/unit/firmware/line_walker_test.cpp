@@ -11,7 +11,7 @@ namespace {
 
 using namespace walked;
 
-// The expected values of each trip are exact: a map consists of places, costs and times, and a robot that
+// The expected values of each trip are exact. A map consists of places, costs and times, and a robot that
 // drives differently measures other values.
 TEST(LineWalkerTest, ComesToBothEndsOfALine) {
   Walk walk({{-300, 0, 300, 0}});
@@ -213,7 +213,7 @@ end 1000, heading 2 at -299,3, cost 161; axle at -298.2,0.0, 9.42 rad, 9205 ms
 )");
 }
 
-// Its outer sensor gets as dark as by an arm; the row does not.
+// The outer sensor gets as dark as over an arm, but the other sensors do not.
 TEST(LineWalkerTest, FollowsALineThatComesUnderItsOuterSensorAslant) {
   for (const int length : {40, 80, 150, 300}) {
     const double slant = 36 * M_PI / 180, x = 200 + length * std::cos(slant), y = length * std::sin(slant);

@@ -10,19 +10,19 @@ namespace {
 using Side = PathFollower::Side;
 using State = PathFollower::State;
 
-// The three sensors' readings, for followers of either side; `near` is on the preferred side.
+// Readings of the three sensors, for followers of either side. `near` is the sensor on the preferred side.
 struct Seen {
   bool near, middle, far;
 };
 constexpr Seen kLine{false, true, false};
 constexpr Seen kOffTheEdge{false, false, false};  // just next to the edge, or no line at all
-constexpr Seen kFarOnly{false, false, true};      // next to the line, which the far sensor sees
+constexpr Seen kFarOnly{false, false, true};      // next to the line, which only the far sensor reads
 constexpr Seen kBranch{true, true, false};
 constexpr Seen kTee{true, true, true};
 
 class PathFollowerTest : public ::testing::TestWithParam<Side> {
  protected:
-  // Shows `seen` to the sensors for `ms`, read every 2 ms.
+  // Applies `seen` to the sensors for `ms`, read every 2 ms.
   void see(Seen seen, int ms) {
     for (int i = 0; i < ms; i += 2) {
       now += 2;
@@ -30,13 +30,13 @@ class PathFollowerTest : public ::testing::TestWithParam<Side> {
       path.update(left ? seen.near : seen.far, seen.middle, left ? seen.far : seen.near, now);
     }
   }
-  // Returns the turn that it makes, in steps of PWM between the wheels: positive to the preferred side.
+  // Returns the difference between the wheels' PWM: positive is a turn to the preferred side.
   int turn() const {
     const int to_the_left = path.rightSpeed() - path.leftSpeed();
     return GetParam() == Side::left ? to_the_left : -to_the_left;
   }
   int speed() const { return (path.leftSpeed() + path.rightSpeed()) / 2; }
-  // Sees this until the state changes; how long that took, in ms.
+  // Applies `seen` until the state changes. Returns the time in ms.
   int see_until_change(Seen seen, int most_ms = 2000) {
     const State before = path.state();
     int ms = 0;
@@ -45,7 +45,7 @@ class PathFollowerTest : public ::testing::TestWithParam<Side> {
   }
 
   PathFollower path{GetParam()};
-  std::uint32_t now = 0xFFFFFF00u;  // so that the clock wraps round during the test
+  std::uint32_t now = 0xFFFFFF00u;  // the clock wraps during the test
 };
 
 INSTANTIATE_TEST_SUITE_P(OnEitherSide, PathFollowerTest, ::testing::Values(Side::left, Side::right),
@@ -137,7 +137,7 @@ TEST_P(PathFollowerTest, TurnsToTheOtherSideWhereTheLineEnds) {
 
 TEST_P(PathFollowerTest, DoesNotTakeTheFloorBesideTheEdgeForTheEndOfTheLine) {
   see(kLine, 300);
-  see(kOffTheEdge, 76);  // the wide part of the zigzag: a line's width, and a little
+  see(kOffTheEdge, 76);  // the widest part of the zigzag: slightly more than a line's width
   EXPECT_EQ(path.state(), State::following);
 }
 
@@ -161,7 +161,7 @@ TEST_P(PathFollowerTest, DoesNotBelieveAFlicker) {
 
 TEST_P(PathFollowerTest, DoesNotTakeTheLineItselfForABranch) {
   see(kLine, 300);
-  see({true, false, false}, 400);  // it has slipped away under the sensor
+  see({true, false, false}, 400);  // the line has moved under the near sensor
   EXPECT_EQ(path.branches(), 0);
   EXPECT_TRUE(path.state() == State::following || path.state() == State::crossing);
 }
@@ -172,7 +172,7 @@ TEST_P(PathFollowerTest, DoesNotTakeTheBranchItHasJustTurnedIntoForAnother) {
   while (path.state() != State::turning) see(kLine, 2);
   see(kOffTheEdge, 300);
   while (path.state() != State::following) see(kLine, 2);
-  see(kBranch, 100);  // not straight on the line yet
+  see(kBranch, 100);  // not yet straight on the line
   EXPECT_EQ(path.state(), State::following);
   see(kLine, 20);
   see(kBranch, 20);
@@ -199,7 +199,7 @@ TEST_P(PathFollowerTest, KeepsItsMeasureWhereABranchCannotHaveBeenOneWidth) {
   EXPECT_EQ(path.widthMs(), PathFollower::Settings().width_ms);
 }
 
-// Each change of what it does, at its millisecond: its settings are those of a robot that has been built.
+// Checks the millisecond of each change, with the settings of a real robot.
 TEST_P(PathFollowerTest, KeepsToItsTimetable) {
   static const char* const states[] = {"following", "crossing", "rolling", "stopping", "turning", "settling"};
   std::string said = "\n", before;
@@ -215,17 +215,17 @@ TEST_P(PathFollowerTest, KeepsToItsTimetable) {
     }
   };
   look(kLine, 100);
-  look(kBranch, 50);  // a branch, a little narrower than the width that it begins with
-  look(kLine, 430);   // off the line that it came on ...
+  look(kBranch, 50);  // a branch, slightly narrower than the initial width
+  look(kLine, 430);   // away from the old line ...
   look(kOffTheEdge, 60);
-  look(kLine, 200);  // ... to the branch
+  look(kLine, 200);  // ... onto the branch
   look(kOffTheEdge, 40);
   look(kFarOnly, 10);
   look(kOffTheEdge, 300);  // the end
   look(kLine, 100);
-  look(kBranch, 154);  // the line itself, which has slipped away
+  look(kBranch, 154);  // the line itself, which moved sideways
   look(kOffTheEdge, 63);
-  look(kLine, 10);  // no end yet: it rolls on, and there it is again
+  look(kLine, 10);  // not an end: the line reappears while the robot rolls on
   EXPECT_EQ(said, R"(
 0 ms: following at 85, turning by 170
 107 ms: crossing at 85, turning by 0

@@ -55,7 +55,7 @@ TEST(PidController, DoesNotWindUpWhileItsOutputIsAtTheLimit) {
   pid.setLimits(-100, 100);
   for (int i = 0; i < 10000; ++i) pid.update(20.0f, 0.01f);  // 100 s, far beyond the limit
   EXPECT_LT(pid.integral(), 1.0f);
-  // The error is gone: so is the output, at once.
+  // The error is gone, so the output drops immediately.
   EXPECT_LT(pid.update(0.0f, 0.01f), 10.0f);
 }
 

@@ -18,7 +18,7 @@ using testing::ElementsAre;
 constexpr std::uint8_t kPonyBumper = 7;
 constexpr std::uint8_t kSensors[] = {A0, A1, A2};
 
-/// The pony's motors follow what register 0 says within some 50 ms; sensors read HIGH on the line.
+/// The pony's motors follow register 0 with a time constant of 50 ms. Its sensors read HIGH on the line.
 class PonyBody : public walked::Body {
  public:
   explicit PonyBody(std::vector<walked::Line> lines) : Body(std::move(lines), kPonyBumper) { look(); }
@@ -42,8 +42,7 @@ class PonyBody : public walked::Body {
   double left_ = 0, right_ = 0;
 };
 
-/// A pony on a floor, and all that it has said: each landmark, its lights, where its axle then stands and
-/// when.
+/// A pony on a floor, with all its reports: each landmark, its lights, the axle's position and the time.
 struct Ride {
   explicit Ride(std::vector<walked::Line> lines) : body(std::move(lines)) { pony.begin(); }
 
@@ -324,7 +323,7 @@ class PonyTest : public testing::Test {
   ~PonyTest() override { fake::board = fake::Board{}; }
 
   static int bits(int reg) { return fake::board.shifted[fake::board.shifted.size() - 1 - reg]; }
-  /// Returns the number of steps of a period in which the bits are set.
+  /// Returns the number of steps of a period during which the bits are set.
   int steps(int mask, int left, int right, int count = 15) {
     int set = 0;
     for (int i = 0; i < count; ++i) {
@@ -360,7 +359,7 @@ TEST_F(PonyTest, StepsEveryTwoMilliseconds) {
   const auto start = fake::board.now_us;
   steps(0, 10, 10, 100);
   EXPECT_NEAR(static_cast<double>(fake::board.now_us - start), 200'000, 30);
-  fake::board.now_us += 50'000;  // the caller takes longer: the next steps are not shortened
+  fake::board.now_us += 50'000;  // the caller is late; the following steps are not shortened
   const auto late = fake::board.now_us;
   steps(0, 10, 10, 100);
   EXPECT_NEAR(static_cast<double>(fake::board.now_us - late), 198'000, 100);
@@ -392,7 +391,7 @@ TEST_F(PonyTest, BelievesASensorAfterTwoLooks) {
 }
 
 TEST_F(PonyTest, ShowsEachNumberByItsSegments) {
-  // The lit segments of 0..9: e g f a b c d, bit 0 last.
+  // The lit segments of the digits 0..9: e g f a b c d, bit 0 last.
   const int digits[] = {0x7D, 0x30, 0x5B, 0x7A, 0x36, 0x6E, 0x6F, 0x38, 0x7F, 0x3E};
   for (int n = 0; n < 100; ++n) {
     pony.show(static_cast<std::uint8_t>(n));

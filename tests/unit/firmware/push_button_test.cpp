@@ -14,7 +14,7 @@ class PushButtonTest : public ::testing::Test {
     button.begin();
   }
 
-  // Holds the pin at a level for `ms`, while the button reads it every millisecond.
+  // Keeps the pin at a level for `ms`, while the button reads it every millisecond.
   void hold(int level, int ms) {
     fake::board.pins[kPin].reads = level;
     for (int i = 0; i < ms; ++i) {
@@ -84,7 +84,7 @@ TEST_F(PushButtonTest, TakesAButtonToTheSupply) {
 }
 
 TEST_F(PushButtonTest, DebouncesAcrossTheWrapAroundOfItsClock) {
-  fake::board.millis_at_start = 0xFFFFFFF8u;  // wraps round in 8 ms: after 49.7 days
+  fake::board.millis_at_start = 0xFFFFFFF8u;  // wraps in 8 ms, as after 49.7 days
   button.begin();
   hold(LOW, 15);
   EXPECT_EQ(presses, 0);

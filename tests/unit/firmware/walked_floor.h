@@ -1,6 +1,6 @@
 // A painted floor and bodies that move on it. Robot is an ideal robot for LineWalker. Its motors reach the
 // commanded speed immediately, and its encoders never miss a count. Its sensors return the share of line
-// under them. x is ahead of the start, y to the right (mm); angles are clockwise.
+// under them. x is the distance ahead of the start, y to the right, in mm. Angles are clockwise.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,10 @@
 namespace walked {
 
 struct Line {
-  double x1, y1, x2, y2;  ///< of its centre
+  double x1, y1, x2, y2;  ///< ends of its centre line
 };
 
-/// Pins that Robot is wired to.
+/// Pins that Robot's parts are connected to.
 enum : std::uint8_t {
   kLeftPwm = 3,
   kLeft1,
@@ -42,11 +42,11 @@ class Body {
   virtual ~Body() { fake::board = fake::Board{}; }
 
   double x = 0, y = 0, angle = 0;
-  /// The bumper is pressed while the nose is at this x or beyond, for `wall_ms`.
+  /// The bumper is pressed for `wall_ms` while the robot's front is at this x or beyond.
   double wall_x = 1e9;
   std::uint32_t wall_ms = 1000000;
 
-  /// 0 floor .. 1000 line, under a sensor so far ahead and aside of the axle.
+  /// Returns 0 (floor) to 1000 (line) for a sensor at this position relative to the axle.
   int darkness(double ahead, double aside) const {
     const double at_x = x + ahead * std::cos(angle) - aside * std::sin(angle);
     const double at_y = y + ahead * std::sin(angle) + aside * std::cos(angle);
@@ -58,7 +58,7 @@ class Body {
       const double off_x = at_x - line.x1 - t * dx, off_y = at_y - line.y1 - t * dy;
       nearest = std::min(nearest, off_x * off_x + off_y * off_y);
     }
-    const double dark = (14 - std::sqrt(nearest)) / 8;  // from 6 to 14 mm beside the centre
+    const double dark = (14 - std::sqrt(nearest)) / 8;  // falls from 6 to 14 mm off the centre line
     return static_cast<int>(1000 * (dark < 0 ? 0 : dark > 1 ? 1 : dark));
   }
 
@@ -66,7 +66,7 @@ class Body {
   static constexpr std::uint32_t kPieceUs = 1000;
   static constexpr double kPieceS = 1e-6 * kPieceUs;
 
-  /// Moves the body by its motors for the next kPieceUs, by go().
+  /// Moves the body for the next kPieceUs, by calling go().
   virtual void drive() = 0;
   void go(double left, double right) {
     const double ds = (left + right) / 2 * kPieceS;
@@ -97,7 +97,7 @@ class Robot : public Body {
   explicit Robot(std::vector<Line> lines) : Body(std::move(lines), kBumper) {}
 
   double left_wheel = 1, right_wheel = 1;  ///< as a share of the commanded speed
-  std::uint32_t reading_us = 0;            ///< how long a look at the sensors takes
+  std::uint32_t reading_us = 0;            ///< time for reading the sensors
 
  private:
   void drive() override {

@@ -1,4 +1,4 @@
-// Tests surfaces by the legend of a map: their cells, their text, and rejected legends.
+// Tests surfaces in a map's legend: their cells, their text, and rejected legends.
 #include "sim/grid/legend.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Returns grip and rolling of each cell, or 0 and 0 for the floor as usual.
+// Returns grip and rolling resistance of each cell, or 0 and 0 for the normal floor.
 std::vector<std::pair<double, double>> surfaces_of(const Map& map) {
   std::vector<std::pair<double, double>> all;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -56,7 +56,7 @@ TEST(ALegend, DrawsItsSpreadsByTheSeed) {
   EXPECT_NEAR(drawn, 0.5, 0.1);
 }
 
-// Start and goal are on surfaces, too, which S and G could not describe.
+// Start and goal are on surfaces, which S and G cannot describe.
 TEST(ALegend, IsReadBackAsItWasWritten) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const NoiseStream noise(seed, 0, "map", "legend");

@@ -25,7 +25,7 @@ std::string complaint(std::string_view text) {
   return "accepted";
 }
 
-// v1 wrote digits; a drawing of its own shows floor, line, wall as space, '.' and '#'.
+// v1 wrote digits. Its display drew floor, line and wall as space, '.' and '#'.
 constexpr const char* kClassic =
     "22222\n"
     "20002\n"

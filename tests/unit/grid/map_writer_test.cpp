@@ -7,7 +7,7 @@
 namespace robosim::grid {
 namespace {
 
-// Compares all that matters to a driving robot.
+// Compares everything that affects a driving robot.
 void expect_same(const Map& a, const Map& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.width, b.width);
@@ -34,7 +34,7 @@ TEST(WriteMap, WritesPlainMapsPlainly) {
   EXPECT_EQ(write_map(map), "#_#\n...\n");
 }
 
-// Whatever map there is, reading what was written gives it back.
+// Writing any map and reading it again gives an equal map.
 TEST(WriteMap, IsReadBackAsTheSameMap) {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     const NoiseStream noise(seed, 0, "map", "test");

@@ -5,7 +5,7 @@
 namespace robosim::grid {
 namespace {
 
-// 1 ─ J ─ 2, with 3 below; four cells from node to node.
+// Returns 1 ─ J ─ 2 with 3 below; nodes are four cells apart.
 const Map& tee() {
   static const Map map = parse_map(
       "___________\n"

@@ -50,7 +50,7 @@ TEST(SampleMaps, AllOfThemReadAndOnlyTheIslandIsOutOfReach) {
   }
 }
 
-// Stock robots fit a circle of 120 mm radius about the axle's centre.
+// Stock robots fit into a circle of 120 mm radius around the axle's centre.
 TEST(SampleMaps, ARobotOnTheLineTouchesNoWall) {
   constexpr double kRobot = 0.120;
   for (const std::string& name : sample_names()) {
@@ -102,14 +102,14 @@ TEST(SampleMaps, DashedHasGapsOf25To50Millimetres) {
   EXPECT_GE(gaps, 10);
 }
 
-// Facts of these maps; docs/reference/maps.md lists some of them.
+// Properties of these maps. docs/reference/maps.md lists some of them.
 struct Facts {
   const char* name;
   std::size_t line_cells;
-  std::size_t stations;  ///< the number of stations that can be reached
+  std::size_t stations;  ///< number of reachable stations
   std::size_t junctions;
-  std::size_t crossings;  ///< junctions of four ways
-  std::size_t cycles;     ///< independent ones, of the whole line
+  std::size_t crossings;  ///< four-way junctions
+  std::size_t cycles;     ///< independent cycles of the whole line
 };
 
 void PrintTo(const Facts& facts, std::ostream* out) { *out << facts.name; }
@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(All, Sample,
                          [](const auto& test) { return std::string(test.param.name); });
 
 // The paper's scan times, by v1's formula T = 2(L-1) + S + 2W + W0 for trees of three-way forks. W and W0
-// count the stations that face a wall: here none.
+// count the stations that face a wall; these maps have none.
 TEST(SampleMaps, CToFTakeTheScanTimesOfThePaper) {
   const std::pair<const char*, std::size_t> times[] = {{"c", 94}, {"d", 141}, {"e", 129}, {"f", 247}};
   for (const auto& [name, time] : times) {
@@ -178,13 +178,13 @@ TEST(SampleMaps, CToFTakeTheScanTimesOfThePaper) {
   }
 }
 
-// The direct way from the first station to the second is 24 cells long, and the obstacle stands on it.
+// The direct route from the first station to the second is 24 cells long, and the obstacle is on it.
 TEST(SampleMaps, BlockedHasADetour) {
   Map map = sample("blocked");
   const auto obstacle = std::find(map.cells.begin(), map.cells.end(), Cell::obstacle);
   ASSERT_NE(obstacle, map.cells.end());
   *obstacle = Cell::floor;
-  EXPECT_EQ(network_of(map).stations.size(), 5u);  // the two ends next to it, and all three stations
+  EXPECT_EQ(network_of(map).stations.size(), 5u);  // the obstacle's two ends, and all three stations
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ TEST(Stripes, ACornerIsAQuarterCircleTangentToItsLegs) {
   EXPECT_DOUBLE_EQ(arc->radius, 0.2);
   EXPECT_NEAR(length(arc->centre - (bend + Vec2{0.2, -0.2})), 0.0, 1e-12);
   EXPECT_NEAR(total_length(stripes), 0.1 + 0.1 + 0.1 * 3.14159265358979, 1e-12);
-  // The corner's cell is cut: its centre is off the line, and the arc's middle stands for it.
+  // The corner's cell is cut off: its centre is off the line, and the arc's middle represents the cell.
   EXPECT_NEAR(nearest(stripes, bend), 0.2 * (std::sqrt(2.0) - 1.0), 1e-12);
   EXPECT_NEAR(nearest(stripes, stripes.point_of({1, 1})), 0.0, 1e-12);
 }
@@ -148,7 +148,7 @@ TEST(Stripes, AGapIsFollowedButNotSeenAndIsAsLongAsItsCells) {
   const Vec2 west_edge = (map.centre({2, 1}) + map.centre({3, 1})) * 0.5;
   const Vec2 east_edge = (map.centre({4, 1}) + map.centre({5, 1})) * 0.5;
   EXPECT_NEAR(nearest(stripes, map.centre({3, 1})), 0.0, 1e-12);
-  // Paint reaches line/2 beyond the stripes' ends: just to the edges of the gap's cells.
+  // Paint reaches line/2 beyond the stripes' ends, exactly to the edges of the gap's cells.
   EXPECT_NEAR(nearest(stripes, west_edge, true), map.line_m / 2, 1e-12);
   EXPECT_NEAR(nearest(stripes, east_edge, true), map.line_m / 2, 1e-12);
   EXPECT_NEAR(total_length(stripes), 0.6, 1e-12);
@@ -179,7 +179,7 @@ TEST(Stripes, AGapWithinAnArcLeavesTheRestOfItPainted) {
     EXPECT_NEAR(nearest(stripes, stripes.point_of(cell), true), 0.0, 1e-12);
 }
 
-// Random lines with random corners: the centre line is unbroken, and within its reach a query by cell finds
+// Random lines have random corners. The centre line is unbroken, and within its reach a query by cell finds
 // the same as a search of all stripes.
 TEST(Stripes, AQueryByCellFindsEveryStripeWithinReach) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {

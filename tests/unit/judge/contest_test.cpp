@@ -1,4 +1,4 @@
-// Tests drag races and Rescue Line, with a robot of 60 mm radius that is pushed along paths and moved.
+// Tests drag races and Rescue Line, with a robot of 60 mm radius that is moved along paths.
 #include "sim/judge/contest.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 struct Pushed : HandMoved {
   using HandMoved::HandMoved;
-  // Moves along the first path.
+  // Moves the robot along the first path.
   void follow(double from, double to) {
     for (double along = from; along <= to; along += 0.001) put(map.course.paths[0].at(along, false).position);
   }
@@ -45,7 +45,7 @@ TEST(DragRace, IsTimedFromTheSignalToTheFinishLineAndEndsWhereTheRobotStops) {
   race.wait(1500 * kMillisecond);
   EXPECT_EQ(race.summary(), "the finish line was not passed");
   race.push({3.5, 0.3});
-  // 3.3 m - 0.06 m from 0.2 m, at 1 m/s, half a second after the signal.
+  // From 0.2 m the robot moves 3.3 m - 0.06 m at 1 m/s, starting half a second after the signal.
   EXPECT_NEAR(race.score().run_s, 3.54, 0.01);
   EXPECT_FALSE(race.progress.reached());
   race.wait(500 * kMillisecond);
@@ -76,7 +76,8 @@ TEST(DragRace, WhoLeavesBeforeTheSignalIsOut) {
   EXPECT_EQ(race.summary(), "the robot left before the starting signal and is disqualified");
 }
 
-// Tiles: start, gap, checkpoint, intersection, obstacle, end. Cells of 100 mm, three to a tile.
+// Returns a map with the tiles start, gap, checkpoint, intersection, obstacle and end. A cell has 100 mm, a
+// tile three cells.
 std::string rescue(const char* league = "line") {
   const std::string empty(18, '_');
   std::string text = std::string("+++\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") + league + R"("
@@ -102,7 +103,7 @@ TEST(RescueLine, GivesThePointsOfItsRules) {
   EXPECT_EQ(run.score().score, 5.0 + 10.0 + 2 * 5.0);  // gap, and two tiles at the checkpoint
   run.follow(0.5, 1.1);
   EXPECT_EQ(run.score().score, 35.0);  // intersection
-  run.push({1.2, 0.7});                // round the obstacle, which stands at 1.35 m
+  run.push({1.2, 0.7});                // around the obstacle at 1.35 m
   run.push({1.5, 0.7});
   EXPECT_EQ(run.lacks(), 0);
   run.push({1.55, 0.45});
@@ -127,8 +128,8 @@ TEST(RescueLine, EntryCountsItsOwnHazardsOnlyAndLessForAnObstacle) {
   EXPECT_TRUE(run.progress.contest().over(360 * kSecond));
 }
 
-// Describes the tiles from the second one on: a bump, a ramp of two tiles, its top, a seesaw, a tile that is
-// 3 mm too high. Then a tile with two bumps and two gaps.
+// Returns a map. Its tiles after the first one are: a bump, a ramp of two tiles, its top, a seesaw, a tile
+// that is 3 mm too high, and a tile with two bumps and two gaps.
 std::string hills(const char* league) {
   std::string text =
       std::string("+++\nsize = [\"3 m\", \"300 mm\"]\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") +
@@ -190,13 +191,13 @@ TEST(RescueLine, ALackOfProgressBringsItBackAndCostsPoints) {
   EXPECT_FALSE(run.progress.contest().take_hand());
   run.put(hand->position);
   EXPECT_EQ(run.lacks(), 1);
-  EXPECT_TRUE(run.progress.contest().give_up(run.events));  // as lost as can be
+  EXPECT_TRUE(run.progress.contest().give_up(run.events));  // completely lost
   run.put(run.progress.contest().take_hand()->position);
   run.follow(0.6, 1.1);
   run.push({1.2, 0.7});
   run.push({1.5, 0.7});
   run.push({1.55, 0.45});
-  EXPECT_EQ(run.score().score, 35.0 + 20.0 + 3 * 1.0);  // 5 - 2 x 2 a tile
+  EXPECT_EQ(run.score().score, 35.0 + 20.0 + 3 * 1.0);  // 5 - 2 x 2 points for each tile
   run.wait(5100 * kMillisecond);
   EXPECT_EQ(run.score().score, 58.0 + 50.0);
 }

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// A sketch that performs the test's actions, at the test's lines.
+/// An executor whose source line the test sets.
 class Told final : public exec::Executor {
  public:
   RobotPort& board() override { return board_; }
@@ -38,7 +38,7 @@ class Told final : public exec::Executor {
 
 class EepromTest : public testing::Test {
  protected:
-  /// Writes a byte as EEPROM.write() does: each byte waits until the one before is written.
+  /// Writes a byte as EEPROM.write() does: each byte waits until the previous one is written.
   void write(std::uint16_t address, std::uint8_t value) {
     std::uint8_t& cell = cells_.try_emplace(address, 0xFF).first->second;
     now = std::max(now, ready_);
@@ -95,7 +95,7 @@ TEST_F(EepromTest, WritesOfWhatWasThereAlreadyAreFoundSoonerAndMendedByUpdate) {
 
 TEST_F(EepromTest, SavingOnceSeldomOrByTurnsWearsNothing) {
   for (std::uint16_t i = 0; i < 64; ++i) write(i, 1);                                        // once
-  for (int i = 0; i < 30; ++i, now += 2 * kSecond) update(0, static_cast<std::uint8_t>(i));  // seldom
+  for (int i = 0; i < 30; ++i, now += 2 * kSecond) update(0, static_cast<std::uint8_t>(i));  // rarely
   for (std::uint16_t i = 0; i < 300; ++i, now += kSecond / 10) write(100 + i % 100, 1);      // alternately
   for (int i = 0; i < 30; ++i) write(500, static_cast<std::uint8_t>(i));                     // a burst
   EXPECT_THAT(wear.found(), IsEmpty());
@@ -112,7 +112,7 @@ TEST_F(EepromTest, ARecordWhoseBytesAllGoToOneAddressIsLost) {
 }
 
 TEST_F(EepromTest, ARecordIsStoredWhereItsAddressIsCountedOnOrTheSameByteIsKeptUpToDate) {
-  for (std::uint16_t i = 0; i < 64; ++i) write(i, static_cast<std::uint8_t>(i));              // counted on
+  for (std::uint16_t i = 0; i < 64; ++i) write(i, static_cast<std::uint8_t>(i));              // ascending
   for (int i = 0; i < 30; ++i) write(i % 2, static_cast<std::uint8_t>(i));                    // alternately
   for (int i = 0; i < 30; ++i, now += kSecond / 100) write(7, static_cast<std::uint8_t>(i));  // a log
   for (int i = 0; i < 2000; ++i) write(9, static_cast<std::uint8_t>(i));                      // wear

@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// A run on a fork of three stations, with a button at pin 4 and a motor at the pins 5 and 7.
+/// A run on a fork of three stations, with a button on pin 4 and a motor on pins 5 and 7.
 class Explain : public ::testing::Test {
  protected:
   Explain() {
@@ -34,7 +34,7 @@ class Explain : public ::testing::Test {
     e.verdict = verdict;
     return next_step(e).text;
   }
-  /// The judge finds the robot in the middle of a cell.
+  /// Reports to the judge that the robot is in the middle of a cell.
   void robot_is_at(SimTime t, grid::CellAt cell, bool sees_line, bool driven) {
     Pose pose{map_.centre(cell), {1.0, 0.0}};
     Situation now;
@@ -45,7 +45,7 @@ class Explain : public ::testing::Test {
     judge_.look(now);
     e.moved = true;
   }
-  /// The robot sees the line until it is in the middle of cell 3,1 at 2 s.
+  /// The robot last sees the line in the middle of cell 3,1 at 2 s.
   void lose_the_line() { robot_is_at(2 * kSecond, {3, 1}, true, true); }
 
   Evidence e;
@@ -130,7 +130,7 @@ TEST_F(Explain, APinThatNothingIsWiredToIsCalledSo) {
   e.activity.polled = 11;
   EXPECT_THAT(why(Verdict::timeout), HasSubstr("pin 11 (nothing is wired to it)"));
   robot_is_at(11 * kSecond, {4, 1}, true, true);
-  robot_is_at(12 * kSecond, {5, 1}, true, true);  // a robot that drives does not wait for what it read last
+  robot_is_at(12 * kSecond, {5, 1}, true, true);  // a driving robot does not wait for an input
   e.activity.call = "delay(1)";
   EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in delay(1)."));
 }
@@ -352,7 +352,7 @@ TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
 TEST_F(Explain, MotorPinsThatWereNeverMadeOutputsAreNamedThoughPullUpsMoveThem) {
   lose_the_line();
   e.was_pulled_up.assign(20, false);
-  e.was_pulled_up[5] = e.was_pulled_up[4] = true;  // 4 is the pin of the button
+  e.was_pulled_up[5] = e.was_pulled_up[4] = true;  // pin 4 is the button's
   EXPECT_EQ(next(Verdict::lost), "motor pin 5 was written HIGH, but never set to OUTPUT: pinMode(5, OUTPUT)");
   e.was_output[5] = true;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));

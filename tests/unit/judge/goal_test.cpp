@@ -13,7 +13,7 @@ namespace {
 
 struct Course : HandMoved {
   explicit Course(const char* text, const char* goal) : HandMoved(text, goal ? goal : "") {}
-  // Each returns whether the goal is reached.
+  // Visits a cell. Returns whether the goal is reached, as wait() does.
   bool visit(int x, int y) {
     put(map.centre({x, y}));
     for (int i = 0; i < 9; ++i) look();
@@ -82,7 +82,7 @@ TEST(Goal, LapsCountEitherWayRoundButOnlyInOrder) {
   EXPECT_EQ(clockwise.progress.laps_s().size(), 2u);
 }
 
-// A square of 1.2 m with round corners: the goal line is 0.5 m behind the start line.
+// A square of 1.2 m with round corners. The goal line is 0.5 m before the start line.
 constexpr const char* kRace = R"(+++
 size = ["2 m", "2 m"]
 goal = "robotrace"
@@ -101,7 +101,7 @@ goal = "3.9566 m"
 +++
 )";
 
-// Drives it by hand along the path, 5 mm a millisecond.
+// Moves the robot manually along the path, 5 mm per millisecond.
 struct RaceCourse : Course {
   explicit RaceCourse(const char* goal = nullptr) : Course(kRace, goal) {}
   const grid::Path& path() const { return map.course.paths.front(); }
@@ -124,7 +124,7 @@ TEST(Goal, RobotraceIsTimedFromTheStartLineToTheGoalLineAndEndsAtRestBetweenThem
   EXPECT_TRUE(c.progress.laps_s().empty());
   c.drive(length + 3.0, 2 * length - 0.25);
   ASSERT_EQ(c.progress.laps_s().size(), 1u);
-  // 3.9566 m at 5 m/s, to the look that is made each 4 mm.
+  // 3.9566 m at 5 m/s, to the accuracy of a check every 4 mm.
   EXPECT_NEAR(c.progress.laps_s()[0], 0.7913, 0.002);
   EXPECT_FALSE(c.wait(1900 * kMillisecond));
   EXPECT_THAT(c.progress.summary(), testing::HasSubstr("but the robot was not at rest for 2 s"));
@@ -167,7 +167,7 @@ TEST(Goal, TheFirstLapBeginsWhenTheRobotLeavesItsStart) {
   Course c(kRing, "laps:1");
   c.wait(5 * kSecond);
   const Vec2 start = c.body.pose().position;
-  for (const double turned : {0.5, -0.5}) {  // it calibrates, turning left and right
+  for (const double turned : {0.5, -0.5}) {  // it turns left and right to calibrate
     c.body.place({start + Vec2{0.008, 0.0}, {std::cos(turned), std::sin(turned)}});
     c.wait(kSecond);
   }

@@ -1,4 +1,4 @@
-// Moves a robot of 60 mm radius over a map by manual moves, and evaluates its goal.
+// Moves a robot of 60 mm radius over a map manually, and evaluates its goal.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace robosim::judge {
 
 struct HandMoved {
-  /// Puts the robot on the map's default start. `goal`: "" = the map's.
+  /// Puts the robot on the map's default start. If `goal` is "", uses the map's goal.
   explicit HandMoved(const std::string& text, const std::string& goal = "")
       : map(grid::parse_map(text, "test.map")),
         start(grid::default_start(map)),
@@ -32,7 +32,7 @@ struct HandMoved {
     body.place({at, {1.0, 0.0}});
     look();
   }
-  /// Moves the robot straight, `step_m` in each tick of 1 ms.
+  /// Moves the robot straight to `to`, by `step_m` in each tick of 1 ms.
   void push(Vec2 to, double step_m = 0.001) {
     const Vec2 from = body.pose().position;
     const double way = length(to - from);

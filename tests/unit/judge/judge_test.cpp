@@ -5,14 +5,14 @@
 namespace robosim::judge {
 namespace {
 
-// A robot that a test moves by hand.
+// A robot that a test moves manually.
 struct Driver {
   explicit Driver(bool senses = true) : judge(senses) {
     now.pose = &pose;
     now.sees_line = true;
   }
-  // Runs for `duration`; `each` changes the situation before every tick. Returns the verdict and leaves the
-  // time.
+  // Runs for `duration`, or to a verdict, and returns the verdict. Calls `each` before every tick to change
+  // the situation.
   template <typename Each>
   std::optional<Verdict> run(SimTime duration, Each each) {
     const SimTime end = now.t + duration;

@@ -24,14 +24,14 @@ _____________
 struct Maze : HandMoved {
   explicit Maze(const std::string& text = kMaze) : HandMoved(text) {}
   void put(double x) { HandMoved::put({x, 0.15}); }
-  // 0.5 m/s along the line.
+  // Moves the robot along the line at 0.5 m/s.
   void push(double to) { HandMoved::push({to, 0.15}, 5e-4); }
 };
 
 TEST(LineMaze, TheBetterOfTwoTriesCountsAndStoppingOnTheDiscTakesTenSecondsOff) {
   Maze maze;
   maze.wait(3 * kSecond);
-  maze.push(1.1);  // over the disc, which ends at 1.1 m
+  maze.push(1.1);  // over the disc, whose end is at 1.1 m
   EXPECT_TRUE(std::isnan(maze.score().score));
   EXPECT_EQ(maze.score().score_unit, "s");
   maze.push(1.25);
@@ -65,7 +65,7 @@ TEST(LineMaze, ATryThatAHandEndsIsLost) {
   maze.push(1.0);
   maze.wait(2 * kSecond);
   EXPECT_TRUE(maze.progress.reached());
-  maze.put(0.15);  // there is no third
+  maze.put(0.15);  // there is no third try
   maze.push(1.0);
   maze.wait(2 * kSecond);
   EXPECT_EQ(maze.score().score_parts.size(), 2u);

@@ -50,7 +50,7 @@ class UsageTest : public testing::Test {
 
 TEST_F(UsageTest, WhatASketchNeverTouchesIsUnusedByElementAndByPart) {
   EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
-  board.read_along(7, 0);  // with its port, say: a motor is driven
+  board.read_along(7, 0);  // for example with its port, because a motor is driven
   EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
   set(8, PinMode::output);
   board.read_volts(15, 0);
@@ -62,7 +62,7 @@ TEST_F(UsageTest, PinsThatAreUsedWithNothingWiredToThemAreNamed) {
   EXPECT_THAT(usage().unwired, IsEmpty());
   set(6, PinMode::output);
   set(13, PinMode::output);  // the board's own LED
-  set(7, PinMode::output);   // wired
+  set(7, PinMode::output);   // connected
   set(2, PinMode::input_pullup);
   board.read_level(2, kMillisecond);
   board.read_volts(16, kMillisecond);
@@ -88,7 +88,7 @@ TEST_F(UsageTest, AnInputThatGaveTheSameThroughoutIsSteadyAndOneThatChangedIsNot
   board.connect(15, s2);
   board.read_level(4, 0);
   for (int i = 0; i < 5; ++i) {
-    s1.now = 4.3 + 0.01 * i;  // noise
+    s1.now = 4.3 + 0.01 * i;  // simulates noise
     s2.now = 0.5 * i;
     board.read_volts(14, i * kMillisecond);
     board.read_volts(15, i * kMillisecond);

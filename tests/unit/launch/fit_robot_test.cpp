@@ -7,7 +7,7 @@
 namespace robosim::launch {
 namespace {
 
-/// A robot whose file has the board uno.
+/// Describes a robot whose file has the board uno.
 wire::RobotInfo describe(const std::string& robot) {
   const std::string board = parse_robot_name(robot).board;
   wire::RobotInfo info;

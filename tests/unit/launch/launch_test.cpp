@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Finished images of both chips, so that nothing is compiled.
+/// Provides finished images for both chips, so that nothing is compiled.
 class LaunchTest : public ::testing::Test {
  protected:
   LaunchTest() {
@@ -35,7 +35,7 @@ class LaunchTest : public ::testing::Test {
     Launcher launcher({[this](const std::string& sentence) { told_.push_back(sentence); }, {}, {}, {}});
     return launcher.prepare(launch, choose(launch), describe, {});
   }
-  /// All but the Blue Pills are Unos.
+  /// Describes any robot as an Uno, except for Blue Pills.
   static wire::RobotInfo describe(const std::string& robot) {
     const std::string board = parse_robot_name(robot).board;
     wire::RobotInfo info;

@@ -31,7 +31,7 @@ TEST(Edits, AreMadeFromTheLastToTheFirst) {
   EXPECT_EQ(changed("int a = a + b;", {{"", 4, 5, "other"}, {"", 8, 9, "other"}}), "int other = other + b;");
 }
 
-// clang omits values that equal the previous place's. The place's own file identifies included code.
+// clang omits values that equal the previous place's. The file of each place identifies included code.
 TEST(SyntaxTree, NamesTheFileOfEachPlaceAndLeavesOutDeclarationsOfOthers) {
   const auto tree = read_tree(
       R"({"kind": "TranslationUnitDecl", "loc": {}, "inner": [
@@ -45,7 +45,7 @@ TEST(SyntaxTree, NamesTheFileOfEachPlaceAndLeavesOutDeclarationsOfOthers) {
   EXPECT_EQ(tree["inner"][0]["inner"][0]["range"]["end"]["in"], 0);
 }
 
-/// A sketch in a folder of its own, parsed by clang.
+/// A sketch in a separate folder, parsed by clang.
 class Sketch : public testing::Test {
  protected:
   void SetUp() override {
@@ -64,7 +64,7 @@ class Sketch : public testing::Test {
   void file(const std::string& name, const std::string& text) { write_file(folder_ / "S" / name, text); }
   Tree tree() { return parse(build::parse_context_of({folder_ / "S", *find_board("uno")})); }
 
-  /// Returns the changes of the file, as "relational < -> <=".
+  /// Returns the changes of the file, in the form "relational < -> <=".
   std::multiset<std::string> changes(const std::string& name) {
     std::multiset<std::string> all;
     for (const Mutation& one : mutations(tree()))

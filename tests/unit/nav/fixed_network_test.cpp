@@ -21,7 +21,7 @@ struct Sink {
   void put(uint8_t byte) { bytes.push_back(byte); }
 };
 
-/// An EEPROM: beyond the record it is empty.
+/// An EEPROM that is empty after the record.
 struct Source {
   const Bytes& bytes;
   size_t at = 0;
@@ -72,7 +72,7 @@ void expectSame(const Network& a, const Network& b) {
   }
 }
 
-/// `junctions` in a ring; the arms left over end in stations.
+/// Returns a ring of junctions, whose other arms end in stations.
 Floor ring(int junctions) {
   Floor floor;
   for (int i = 0; i < junctions; ++i) floor.addNode();
@@ -81,7 +81,7 @@ Floor ring(int junctions) {
   return floor;
 }
 
-/// Returns a row of junctions, each with a station next to it, and a station at both ends: 2 · junctions + 2
+/// Returns a row of junctions, each with its own station, and a station at both ends: 2 · junctions + 2
 /// nodes.
 Floor comb(int junctions) {
   Floor floor;
@@ -135,7 +135,7 @@ TEST(FixedNetwork, Holds64JunctionsInACycleAndRefusesOneMore) {
 }
 
 TEST(FixedNetwork, Holds64JunctionsWithFourArmsAllJoined) {
-  // A torus of 8 by 8: 63 lines of the tree, 65 side lines.
+  // A torus of 8 by 8 junctions: 63 lines of the tree and 65 side lines.
   Floor floor;
   for (int i = 0; i < 64; ++i) floor.addNode({1000 * (i % 8), 1000 * (i / 8)});
   for (int i = 0; i < 64; ++i) {
@@ -176,13 +176,14 @@ TEST(FixedTree, KeepsSixteenBlockedArms) {
   Floor floor = comb(40);
   Tree tree;
   for (int blocked : {16, 17}) {
-    for (int i = 0; i < blocked; ++i) floor.lines[45 + i].blocked = true;  // stations next to the row
+    for (int i = 0; i < blocked; ++i) floor.lines[45 + i].blocked = true;  // stations along the row
     EXPECT_EQ((explore<BlindWalker>(floor, {{0, 1}}, tree)),
               blocked == 16 ? nav::ScanState::complete : nav::ScanState::full);
   }
 }
 
-// The check value of CRC-16/CCITT-FALSE in the catalogues of checksums: maps stay readable.
+// The check value of CRC-16/CCITT-FALSE in catalogues of checksums. It ensures that stored maps stay
+// readable.
 TEST(Record, HasTheChecksumThatItSays) {
   std::uint16_t crc = 0xFFFF;
   for (const char c : std::string("123456789")) crc = nav::crc16(crc, static_cast<std::uint8_t>(c));
@@ -227,7 +228,7 @@ TEST(Record, OfFullStorageFitsAnEeprom) {
   ASSERT_EQ((explore<SeeingWalker>(floor, {{0, 1}}, map)), nav::ScanState::complete);
   int blocked = 0;
   while (map.addStation(0, 0, 1, 2, 0) != Map::kNone) ADD_FAILURE() << "not full";
-  for (uint8_t node = 0; node < 200; ++node)  // as if it had met them while it scanned
+  for (uint8_t node = 0; node < 200; ++node)  // as if the scan had met them
     if (!map.isStation(node) && map.block(node, 3)) ++blocked;
   EXPECT_EQ(blocked, 31);
   EXPECT_LE(saved(map).size(), 1024u);
@@ -253,7 +254,7 @@ TEST(Record, WithAnyByteDamagedIsRefusedAndLeavesNothing) {
   EXPECT_TRUE(load(loaded, whole));
 }
 
-/// Whatever was loaded: every id is one of the network's, and every question is answered.
+/// Expects that any loaded network is harmless: every id is valid, and every function returns.
 template <class Network>
 void expectHarmless(const Network& network) {
   nav::FixedPath<200> path;

@@ -22,14 +22,14 @@ namespace fake {
 
 struct Pin {
   std::uint8_t mode = INPUT;
-  std::uint8_t level = LOW;       ///< what the firmware has written
-  int duty = -1;                  ///< what it has given to analogWrite; -1 = nothing, or written since
-  int reads = LOW;                ///< what digitalRead gives
-  int analog = 0;                 ///< what analogRead gives
-  std::uint32_t drains_us = 0;    ///< time for which it stays HIGH as an input after it was an output
-  std::uint32_t released_us = 0;  ///< when it became an input
-  int rises = 0;                  ///< how often the firmware has made it HIGH that was LOW
-  void (*handler)() = nullptr;    ///< what it has given to attachInterrupt
+  std::uint8_t level = LOW;       ///< the level that the firmware wrote
+  int duty = -1;                  ///< the last analogWrite(); -1 = none since the last digitalWrite()
+  int reads = LOW;                ///< result of digitalRead()
+  int analog = 0;                 ///< result of analogRead()
+  std::uint32_t drains_us = 0;    ///< time for which an input stays HIGH after it was an output
+  std::uint32_t released_us = 0;  ///< when the pin became an input
+  int rises = 0;                  ///< how often the firmware changed it from LOW to HIGH
+  void (*handler)() = nullptr;    ///< the function passed to attachInterrupt()
   int handler_mode = 0;
 };
 
@@ -37,11 +37,11 @@ struct Board {
   Pin pins[32];
   std::vector<std::uint8_t> shifted;  ///< bytes of shiftOut
   std::uint32_t now_us = 0;
-  std::function<void()> on_wait;      ///< called when the firmware has waited, for what moves meanwhile
-  std::uint32_t millis_at_start = 0;  ///< what millis() gives at now_us = 0; it wraps round at 2^32
+  std::function<void()> on_wait;      ///< called when the firmware waits, to move the world
+  std::uint32_t millis_at_start = 0;  ///< millis() at now_us = 0; it wraps at 2^32
 };
 
-/// The board that the functions below work on; new for each test.
+/// The board that the functions below use. Each test creates a new one.
 extern Board board;
 
 }  // namespace fake
