@@ -1,5 +1,5 @@
-// A network of lines as an abstract floor, and a robot on it that keeps nav's Walker contract. Any arm may be
-// joined with any other: the line between them bends as it needs to.
+// A network of lines as an abstract floor, and a robot on it that meets nav's Walker contract. Any two arms
+// may be joined: the line between them bends as needed.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@ namespace nav_test {
 using nav::rotated;
 using nav::rotatedArms;
 
-/// One arm of one node.
+/// An arm of a node.
 struct Arm {
   int node;
   nav::Heading heading;
   friend bool operator==(const Arm&, const Arm&) = default;
 };
 
-/// Headings and places are the floor's own.
+/// A floor. Its headings and places are in the floor's own frame.
 class Floor {
  public:
   struct Node {
@@ -50,7 +50,7 @@ class Floor {
   std::vector<Line> lines;
 };
 
-/// The start of a robot: on a node with some heading, or on the line after an arm by which it came out.
+/// The start of a robot: on a node with some heading, or on a line after leaving through an arm.
 struct Stand {
   Arm arm;
   bool on_line = false;
@@ -67,20 +67,21 @@ class FloorWalker {
 
   /// Returns the rotation of the walker's frame against the floor's.
   int frame() const { return frame_; }
-  /// Return whether it stands on a node, which one, and its heading in the floor's frame.
+  /// Returns whether the robot is on a node. at() has the node, and the heading in the floor's frame.
   bool onNode() const { return line_ < 0; }
   Arm at() const { return at_; }
 
-  /// The number of starts along each line from each of its ends.
+  /// Number of starts along each line from each of its ends.
   std::vector<std::array<int, 2>> runs;
   int follows = 0;
-  /// Times it was told to go where there is no line, to turn where it cannot, or that it was somewhere else.
+  /// Number of invalid commands: to follow a missing line, to turn where turning is impossible, or to
+  /// relocate to a wrong place.
   int errors = 0;
-  /// Odometry's error at each landmark, in the place's unit. It does not add up.
+  /// Odometry's error at each landmark, in the unit of places. It does not accumulate.
   int32_t drift = 0;
-  /// It was started elsewhere than where places count from: the first relocate() may tell it anything.
+  /// The robot started at another place than the origin, so the first relocate() may set any place.
   bool strange = false;
-  /// Before that follow(), an obstacle comes to stand on that line.
+  /// Number of a follow() before which an obstacle appears, and the obstacle's line.
   int block_before = -1, block_line = -1;
 
  private:
@@ -88,15 +89,15 @@ class FloorWalker {
   nav::Landmark arriveBy(Arm in, uint32_t cost);
 
   Floor& floor_;
-  Arm at_;               ///< on a node: how it faces. On a line: the arm on its side of the obstacle
-  int line_ = -1;        ///< the line on which it stands
-  bool inward_ = false;  ///< on a line: faces that arm
+  Arm at_;               ///< on a node: the robot's heading; on a line: the arm on its side of the obstacle
+  int line_ = -1;        ///< the line on which the robot is
+  bool inward_ = false;  ///< on a line: the robot faces that arm
   bool must_turn_ = false;
   int frame_ = 0;
   nav::Place origin_{0, 0}, offset_{0, 0};
 };
 
-/// Without odometry: headings follow from the turns it was told to make, and bends go unnoticed.
+/// A walker without odometry: headings follow from the commanded turns, and bends are not noticed.
 class BlindWalker {
  public:
   static const bool kKnowsPlaces = false;

@@ -9,7 +9,7 @@
 namespace nav_test {
 namespace {
 
-// On a network a heap in disorder makes a wrong way one time in a thousand only.
+// Checks the heap directly: on a network, a disordered heap gives a wrong path only one time in a thousand.
 TEST(NodeHeap, GivesTheNearestFirstAlsoWhenOthersHaveComeNearer) {
   constexpr uint8_t kNodes = 40;
   for (uint32_t seed = 0; seed < 500; ++seed) {

@@ -73,7 +73,7 @@ std::vector<int> distances(const Network& network, int from, bool by_cost) {
   return far;
 }
 
-/// Returns the lines, or costs, of a path; -1 if it is not a path.
+/// Returns the number of lines in a path, or their cost; -1 if it is not a path.
 template <class Network>
 int length(const Network& network, const Way& way, bool by_cost) {
   int sum = 0;
@@ -100,7 +100,7 @@ Planned plan(Planner planner, const Network& network, int from, int to) {
 
 #define PLANNER(name) [](auto& n, auto f, auto t, auto& p, auto& w) { return nav::name(n, f, t, p, w); }
 
-/// Expects a path of the given length from one node to another, or none if the length is negative.
+/// Expects a path of the given length from one node to another, or no path if the length is negative.
 template <class Network>
 void expectWay(const char* name, const Network& network, const Planned& planned, int from, int to, int least,
                bool by_cost) {
@@ -117,7 +117,7 @@ void expectWay(const char* name, const Network& network, const Planned& planned,
   EXPECT_EQ(std::set<int>(planned.way.begin(), planned.way.end()).size(), planned.way.size());
 }
 
-/// Continues by next(here) until it has arrived; -1 if there is no path.
+/// Follows next(here) until it arrives. Returns the length, or -1 if there is no path.
 template <class Network>
 int drive(const Network& network, int from, int to, const std::function<int(int)>& next) {
   Way way{from};
@@ -130,7 +130,7 @@ int drive(const Network& network, int from, int to, const std::function<int(int)
   return length(network, way, true);
 }
 
-/// All planners for any network, from one node to another.
+/// Checks all planners for any network, from one node to another.
 template <class Network>
 void expectSearches(const Network& network, int from, int to, const std::vector<int>& lines,
                     const std::vector<int>& costs) {
@@ -149,7 +149,7 @@ void expectTreePlanners(const Network& network, int from, int to, int lines) {
   expectWay("interval", network, plan(PLANNER(interval), network, from, to), from, to, lines, false);
 }
 
-/// The same links, without places, costs and headings.
+/// Returns the same links, without places, costs and headings.
 template <class Network>
 Links linksOf(const Network& network) {
   Links links;
@@ -247,7 +247,7 @@ TEST(Planners, AgreeOnThousandsOfNetsWithCycles) {
   }
 }
 
-/// Returns the same tree with its ids exchanged; the root stays, and parents stay in slot 0.
+/// Returns the same tree with other ids. The root keeps its id, and parents stay in slot 0.
 Links renumbered(const Links& links, const std::vector<int>& id) {
   Links other;
   other.clear(links.size());
@@ -267,7 +267,7 @@ TEST(Planners, ThatNeedPreorderRefuseAnyOtherNumbering) {
     explore(dice, floor, map);
     std::vector<int> id(map.size());
     std::iota(id.begin(), id.end(), 0);
-    // Two ids exchanged or all of them.
+    // Exchanges two ids, or shuffles all of them.
     if (dice.oneIn(2)) {
       for (int i = map.size() - 1; i > 1; --i) std::swap(id[i], id[1 + dice.below(i)]);
     } else {
@@ -286,7 +286,7 @@ TEST(Planners, ThatNeedPreorderRefuseAnyOtherNumbering) {
         EXPECT_EQ(planned.way, right.way);
       }
     }
-    const Planned climbed = plan(PLANNER(climb), links, from, to);  // needs less: is right, or refuses
+    const Planned climbed = plan(PLANNER(climb), links, from, to);  // gives a right path, or refuses
     EXPECT_TRUE(climbed.plan == Plan::not_preorder || climbed.way == right.way);
     if (HasFailure()) return;
   }
@@ -400,12 +400,12 @@ TEST(DijkstraNext, TakesTheShorterOfTwoWaysOfManyMinutes) {
 }
 
 TEST(DijkstraNext, HalvesCostsThatAreTooLongForSixteenBits) {
-  // A ring of 64 junctions, each line ten minutes long, one of them much shorter than its opposite way round.
+  // A row of 64 junctions, connected by lines of ten minutes each.
   Map map;
   map.clear();
   map.addJunction(Map::kNone, 0, 0b0101, 0, {0, 0}, 0);
   for (int i = 1; i < 64; ++i) map.addJunction(i - 1, 1, 0b0101, 0, {100 * i, 0}, 31744);
-  // The root's slot 0 is behind it, and closes the ring.
+  // The root's slot 0 points backward, and closes the ring with one line.
   Map ring;
   ring.clear();
   ring.addJunction(Map::kNone, 0, 0b0101, 0, {0, 0}, 0);

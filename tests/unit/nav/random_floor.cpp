@@ -5,7 +5,7 @@
 namespace nav_test {
 namespace {
 
-// `arms` free arms, in random directions.
+// Adds `arms` free arms in random directions.
 void addArms(Dice& dice, int node, int arms, std::vector<Arm>& free) {
   const int spare = dice.below(4);
   for (int h = 0; h < 4; ++h)
@@ -20,7 +20,7 @@ Arm take(std::vector<Arm>& free, int i) {
 }
 
 int addSomewhere(Dice& dice, Floor& floor) {
-  // Apart by more than any tolerance: no two on the same row of a lattice.
+  // Nodes are farther apart than any tolerance: each has its own row of a lattice.
   const int n = static_cast<int>(floor.nodes.size());
   return floor.addNode({200 * dice.below(100) - 10000, 100 * n - 5000});
 }
@@ -35,7 +35,7 @@ void addStation(Dice& dice, Floor& floor, Arm arm) {
 Floor randomTree(Dice& dice, int nodes, bool four_way) {
   Floor floor;
   std::vector<Arm> free{{addSomewhere(dice, floor), static_cast<nav::Heading>(dice.below(4))}};
-  // Each free arm needs a station in the end.
+  // Each free arm needs a station at the end.
   while (static_cast<int>(floor.nodes.size() + free.size()) + (four_way ? 3 : 2) <= nodes) {
     const Arm from = take(free, dice.below(static_cast<int>(free.size())));
     const int node = addSomewhere(dice, floor);

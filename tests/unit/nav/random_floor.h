@@ -1,4 +1,4 @@
-// Random networks for the tests of navigation. The same seed gives the same floor, everywhere.
+// Random networks for the tests of navigation. The same seed gives the same floor on every machine.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,8 @@
 
 namespace nav_test {
 
-/// Random numbers below `n`; the standard's distributions differ between libraries.
+/// Random numbers below `n`. The standard library's distributions are not used, because they differ between
+/// libraries.
 class Dice {
  public:
   explicit Dice(uint32_t seed) : engine_(seed) {}
@@ -19,18 +20,18 @@ class Dice {
   std::mt19937 engine_;
 };
 
-/// Returns a tree of junctions with three arms (or, each with a chance, four) and stations; at most `nodes`
-/// nodes, and hardly less.
+/// Returns a tree of stations and junctions with three arms (with `four_way`, some with four). It has `nodes`
+/// nodes, or slightly fewer.
 Floor randomTree(Dice& dice, int nodes, bool four_way);
 
-/// Junctions whose arms are joined at random: cycles, parallel lines, lines from a junction to itself, and
-/// stations on the arms left over. All of it hangs together.
+/// Returns junctions whose arms are joined at random: cycles, parallel lines, lines from a junction to
+/// itself, and stations at the remaining arms. The network is connected.
 Floor randomNet(Dice& dice, int junctions, int percent_stations);
 
 /// Puts obstacles on some lines.
 void blockSome(Dice& dice, Floor& floor, int one_in);
 
-/// Returns a place anywhere on the floor, facing anywhere.
+/// Returns a random place on the floor with a random heading.
 Stand randomStand(Dice& dice, const Floor& floor);
 
 }  // namespace nav_test

@@ -1,4 +1,4 @@
-// Compares a network that a robot knows with the floor it knows it from.
+// Compares a robot's network with the floor that the robot scanned.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,14 +11,14 @@
 
 namespace nav_test {
 
-/// A node of the network on the floor: which node there, and what the robot's headings are turned by there.
+/// A network node's place on the floor: the floor's node, and the rotation of the robot's headings there.
 struct Found {
   int node = -1;
   int frame = 0;
 };
 
-/// Where each node of the network is on the floor. Fails the test at the first difference: a node, arm, line,
-/// cost or obstacle that is not there, is missing or leads elsewhere.
+/// Returns where each node of the network is on the floor. Fails the test at the first difference: a node,
+/// arm, line, cost or obstacle that does not exist, is missing, or leads elsewhere.
 template <class Network>
 std::vector<Found> expectTruth(const Network& network, const Floor& floor, Found root, bool one_frame) {
   std::vector<Found> where(network.size());
@@ -69,7 +69,7 @@ std::vector<Found> expectTruth(const Network& network, const Floor& floor, Found
   return where;
 }
 
-/// Returns the number of nodes that can be reached from one without passing an obstacle.
+/// Returns the number of nodes that can be reached from a node without passing an obstacle.
 inline int reachable(const Floor& floor, int from) {
   std::vector<int> queue{from};
   std::vector<char> seen(floor.nodes.size());

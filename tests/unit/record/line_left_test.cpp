@@ -1,4 +1,4 @@
-// Tests the time when the line was left, and the sensor that saw it last.
+// Tests the time at which the line was left, and the sensor that last saw it.
 #include "sim/record/line_left.h"
 
 #include <gmock/gmock.h>

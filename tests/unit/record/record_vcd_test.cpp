@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Returns how the file abbreviates a signal.
+// Returns the file's identifier of a signal.
 std::string id_of(const std::string& vcd, const std::string& signal) {
   const std::size_t end = vcd.find(" " + signal + " $end");
   if (end == std::string::npos) return "undeclared";
@@ -89,7 +89,7 @@ TEST(VcdOfSeveral, HasAScopeForEachRobotAndKeepsTheirPinsApart) {
   record.add(up);
   up.agent = 2;
   up.t_ns = 2000;
-  record.add(up);  // a robot that was not requested
+  record.add(up);  // this robot was not requested
   const std::string vcd = text_of(record);
   const std::size_t second = vcd.find("$scope module B $end\n");
   ASSERT_NE(second, std::string::npos);
@@ -129,7 +129,7 @@ TEST_F(Vcd, SortsWhatComesOutOfOrder) {
   EXPECT_LT(vcd.find("#200\n"), vcd.find("#300\n"));
 }
 
-// Long enough to be written while it comes.
+// The run is long enough for the file to be written during the run.
 TEST_F(Vcd, IsInTheOrderOfTimeAndHoldsEachChangeOnceHoweverLongItIs) {
   constexpr int kChanges = 30'000;
   constexpr std::int64_t kEvery_ns = 1'000'000;

@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-// Returns the message for a recording that cannot be read.
+// Returns the message for an unreadable recording.
 std::string refusal(const std::string& bytes) {
   try {
     Recording::decode(bytes, "x.rec");
@@ -60,11 +60,11 @@ class ARecording : public ::testing::Test {
   wire::RunColumns columns{{"D2", "D5", "A0"}};
 };
 
-constexpr std::size_t kD2 = 0, kD5 = 1, kA0 = 2;  // in `columns`
+constexpr std::size_t kD2 = 0, kD5 = 1, kA0 = 2;  // indices in `columns`
 
 class TwoRobots : public ARecording {
  protected:
-  TwoRobots() : both(nullptr, 300) {  // bytes of changes, for both together
+  TwoRobots() : both(nullptr, 300) {  // limit for the changes of both together, in bytes
     run.robots = {{"A", "Mine", "uno5", "host", run.robot_info},
                   {"B", "Yours", "mega5", "avr", run.robot_info}};
     run.request.agents.emplace_back().script = "at 1s power off\n";
@@ -154,7 +154,7 @@ TEST_F(ARecording, GivesBackEverySampleAsFineAsItIsDrawn) {
 
 TEST_F(ARecording, KeepsTimesOfPinsToTheNanosecond) {
   columns.add_pin(kD5, 3'599'999'999'937, wire::PinLevel::pulsing, 0.25, 0);
-  gatherer.add(columns.take());  // what follows goes on from there
+  gatherer.add(columns.take());  // the later changes continue from there
   columns.add_pin(kD5, 3'600'000'000'000, wire::PinLevel::high, 1.0, 0);
   const auto pin = written().stream("pin D5");
   ASSERT_THAT(pin, SizeIs(4));
@@ -226,7 +226,7 @@ TEST_F(ARecording, KeepsTheLastOfEachSpanWhereAllWouldBeTooMuch) {
   EXPECT_DOUBLE_EQ(volts[1][0], 0.001 * (199 * 7919 % 5000));
 }
 
-/// Counts what it is given.
+/// Counts the bytes that it packs and unpacks.
 class CountingPacker final : public Packer {
  public:
   explicit CountingPacker(std::size_t& bytes, std::size_t* unpacked_bytes = nullptr)
@@ -250,7 +250,7 @@ TEST_F(ARecording, IsThinnedALittleAtATimeAndHoldsWhatItWouldHoldOtherwise) {
   constexpr std::size_t kMost_bytes = 400'000;
   std::size_t packed_bytes = 0, unpacked_bytes = 0, most_at_a_time = 0;
   Gatherer slowly(std::make_unique<CountingPacker>(packed_bytes, &unpacked_bytes), kMost_bytes);
-  Gatherer at_once(nullptr, kMost_bytes);  // nothing is packed there, so all waits for the limit
+  Gatherer at_once(nullptr, kMost_bytes);  // packs nothing until the limit is reached
   for (Gatherer* both : {&slowly, &at_once}) both->begin(run);
   for (std::int64_t i = 0; i < 200'000; ++i) {
     columns.add_volts(kA0, i * 1'000'000, 0.001 * static_cast<double>(i * 7919 % 5000));

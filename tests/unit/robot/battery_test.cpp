@@ -1,4 +1,4 @@
-// Tests [battery] against closed forms.
+// Tests [battery] against closed-form solutions.
 #include "sim/robot/battery.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ void stall(BenchRobot& bench, double drive) {
   }
 }
 
-// Returns the voltage under two stalled motors of 3.75 ohm (6 V, 1.6 A) behind 0.5 ohm.
+// Returns the voltage with two stalled motors of 3.75 ohm (6 V, 1.6 A), after 0.5 ohm.
 double loaded(double rest, double ohms, double drive) {
   const double motor = 6.0 / 1.6 + 0.5;
   return (rest - ohms * kBoard) / (1.0 + 2.0 * drive * ohms / motor);
@@ -49,7 +49,7 @@ TEST(Battery, RunsEmptyAsItsCurrentSays) {
   BenchRobot bench(
       "[battery]\nkind = \"nimh\"\ncells = 5\ncapacity_mAh = 1\nboard = \"100 mA\"\nresistance = \"0 "
       "ohm\"\n");
-  bench.ticks(18000);  // half of 1 mAh by 0.1 A
+  bench.ticks(18000);  // half of 1 mAh at 0.1 A
   EXPECT_NEAR(*bench.robot.fed_volts(), 5 * 1.25, 1e-3);
   bench.ticks(18000);
   EXPECT_NEAR(*bench.robot.fed_volts(), 5 * 1.00, 1e-2);

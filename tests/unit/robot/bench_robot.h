@@ -1,4 +1,4 @@
-// A robot on a straight line, with a board that tests play: a bench for testing parts.
+// A robot on a straight line, with a board that tests control: a bench for testing parts.
 #pragma once
 
 #include <string>
@@ -31,8 +31,8 @@ supply = "6 V"
 chip = "tb6612"
 )";
 
-/// The line is 20 mm wide unless the map's front matter sets another width. It runs east through the
-/// origin of `line()`.
+/// A robot on a map with one line, which runs east through `line()`. The line is 20 mm wide unless the map's
+/// front matter sets another width.
 class BenchRobot {
  public:
   explicit BenchRobot(const std::string& parts, Profile profile = Profile::ideal, std::uint64_t seed = 1)
@@ -52,7 +52,7 @@ class BenchRobot {
   /// Returns a point in the middle of the line.
   Vec2 line() const { return map.centre({4, 2}); }
   world::Body& body() { return world.body(number); }
-  /// Ends the running tick, and begins the next.
+  /// Ends the current tick, and begins the next one.
   void tick() {
     robot.end_tick(now + kTick);
     world.step();
@@ -74,14 +74,14 @@ class BenchRobot {
   SimTime now = 0;
 };
 
-/// Returns a reflectance sensor "eye" on A0, at the axle's centre; `keys` go into its table.
+/// Returns a reflectance sensor "eye" on A0, at the axle's centre, with additional `keys`.
 inline std::string reflectance_sensor(const std::string& keys) {
   return "[[part]]\nname = \"eye\"\ntype = \"reflectance\"\npin = \"A0\"\nat = [\"0 mm\", \"0 mm\"]\n"
          "footprint = \"6 mm\"\n" +
          keys;
 }
 
-/// Places the robot along the line, with its axle's centre at this distance from the line's middle.
+/// Places the axle's centre at this distance from the line's middle, parallel to the line.
 inline void place_beside_line(BenchRobot& bench, double metres) {
   bench.body().place({bench.line() + Vec2{0.0, metres}, {1.0, 0.0}});
 }

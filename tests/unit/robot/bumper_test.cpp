@@ -7,7 +7,7 @@ namespace {
 
 const std::string kBumper = "[[part]]\nname = \"bumper\"\ntype = \"bumper\"\npin = 4\nresistor = true\n";
 
-/// A disc 100 mm away from the robot's middle, whose radius is 60 mm; it is run into at 0.3 m/s.
+/// A disc 100 mm from the middle of a robot of 60 mm radius, which drives into it at 0.3 m/s.
 struct Crash {
   BenchRobot bench{kBumper};
 

@@ -383,7 +383,7 @@ TEST(StockRobots, FitACircleOf120MillimetresAboutTheAxle) {
 }
 
 TEST(StockRobots, UnosShareOnePinPlan) {
-  // The plan of docs/reference/robots.md: motors and buttons are where a sketch for any of them expects them.
+  // The pin plan of docs/reference/robots.md: motors and buttons have the same pins on all these robots.
   for (const char* name : {"uno2", "uno3", "uno5", "nano8rc", "bluepill2", "bluepill3", "bluepill5"}) {
     const Summary robot = describe(load_description(name));
     const auto pin = [&](const std::string& part_name, const std::string& role) -> int {

@@ -1,4 +1,4 @@
-// Tests displays of text and colours, and the sensor of the motors' current.
+// Tests displays of text and colours, and the sensor for the motors' current.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ class Lcd {
     us_ += us;
     for (; us_ >= 1000; us_ -= 1000) bench.tick();
   }
-  // Initialises as in figure 24 of the data sheet and in LiquidCrystal.
+  // Initialises the display as figure 24 of the data sheet and LiquidCrystal do.
   void begin() {
     for (int i = 0; i < 3; ++i) {
       nibble(3);
@@ -109,7 +109,7 @@ TEST(LcdPart, LosesWhatComesWhileItIsBusy) {
 
 constexpr const char* kStrip = "[[part]]\nname = \"strip\"\ntype = \"ws2812\"\npin = 6\nleds = 3\n";
 
-// GRB, the highest bit first; gives the time of its end.
+// Sends GRB, the highest bit first. Returns the end time.
 SimTime shift(BenchRobot& bench, SimTime t, std::uint32_t grb) {
   for (int bit = 23; bit >= 0; --bit) {
     bench.board.output(6, true, t);

@@ -29,14 +29,14 @@ struct Range {
   }
 };
 
-/// Returns the range of a value over all seeds, as robots differ.
+/// Returns the range of a value over all seeds, which vary the robot.
 Range over_seeds(const std::function<double(std::uint64_t)>& figure) {
   Range range{figure(1), figure(1)};
   for (std::uint64_t seed = 2; seed <= kSeeds; ++seed) range.take(figure(seed));
   return range;
 }
 
-/// One sensor that is moved over a line of 15 mm.
+/// A sensor that is moved over a line of 15 mm.
 class Sweep {
  public:
   Sweep(double height_mm, Profile profile, std::uint64_t seed)
@@ -48,20 +48,21 @@ class Sweep {
                               "bench.toml"),
             profile, seed, "+++\nline = \"15 mm\"\n+++\n") {}
 
-  /// Returns its reading `beside` m next to the line's middle, without noise: 1 = dark, 0 = the light from
-  /// white at the best height.
+  /// Returns the sensor's reading at `beside` m from the line's middle, without noise. 1 is dark; 0 is the
+  /// light from white at the best height.
   double blackness(double beside) {
     bench_.body().place({bench_.line() + Vec2{0.0, beside}, {1.0, 0.0}});
     return bench_.robot.readings().front().value;
   }
-  /// Returns the place where it reads this share of the way from the line's middle to white, m.
+  /// Returns the distance from the line's middle, in m, at which the reading has come this share of the way
+  /// to white.
   double reads(double share) {
     const double dark = blackness(0.0), white = blackness(0.06);
     double beside = 0.0;
     while (blackness(beside) > dark + share * (white - dark)) beside += 1e-5;
     return beside;
   }
-  /// Returns the standard deviation of 1000 readings, as a share of white to black.
+  /// Returns the standard deviation of 1000 readings, as a share of the range from white to black.
   double noise(double beside) {
     bench_.body().place({bench_.line() + Vec2{0.0, beside}, {1.0, 0.0}});
     double sum = 0.0, squares = 0.0;
@@ -103,7 +104,7 @@ double floor_variation(Profile profile, std::uint64_t seed) {
   return std::sqrt(std::max(squares / kPoints - sum * sum / kPoints / kPoints, 0.0));
 }
 
-/// uno5 with both motors at this duty from rest on.
+/// An uno5 with both motors at this duty, starting from rest.
 class Drive {
  public:
   Drive(Profile profile, std::uint64_t seed, double duty)
@@ -121,7 +122,7 @@ class Drive {
   BenchRobot bench_;
 };
 
-// Returns the time from 0 to 63 % of the speed that half the supply gives, in s.
+// Returns the time from 0 to 63 % of the speed at half the supply, in s.
 double time_constant(Profile profile, std::uint64_t seed) {
   std::vector<double> speeds;
   Drive drive(profile, seed, 0.5);
@@ -131,7 +132,7 @@ double time_constant(Profile profile, std::uint64_t seed) {
   return static_cast<double>(risen - speeds.begin() + 1) * 1e-3;
 }
 
-// Volts that friction takes: what is left of the motor's voltage when it stands still just so.
+// Returns the voltage that overcomes friction: the motor's voltage below which the wheel does not turn.
 double bias(Profile profile, std::uint64_t seed) {
   const world::WheelParams wheel = body_params(load_description("uno5"), seed, profile).wheel[0];
   return wheel.no_load_current * wheel.nominal_volts / wheel.stall_current;
@@ -143,8 +144,8 @@ double wheel_mismatch(Profile profile, std::uint64_t seed) {
   return std::abs(p.wheel[0].radius_m / p.wheel[1].radius_m - 1.0);
 }
 
-/// A micromouse held up, its motors by its maker's figures and with uno5's spreads, a DRV8833 that gets
-/// pulses on one input: between them it coasts.
+/// A lifted micromouse. Its motors have the maker's parameters with uno5's spreads. Its DRV8833 gets pulses
+/// on one input, and coasts between them.
 class Lifted {
  public:
   Lifted(Profile profile, std::uint64_t seed)
@@ -188,8 +189,8 @@ double lifted_rate(Profile profile, std::uint64_t seed, double duty) {
   return Lifted(profile, seed).rate_at(duty);
 }
 
-// Returns the duty cycle, in steps of 1 / 255, below which it does not turn: from rest, or while the duty
-// cycle falls.
+// Returns the duty cycle, in steps of 1 / 255, below which the wheel does not turn: from rest, or while the
+// duty cycle falls.
 double least_duty(Profile profile, std::uint64_t seed, bool from_rest) {
   Lifted mouse(profile, seed);
   if (from_rest) {
@@ -200,12 +201,12 @@ double least_duty(Profile profile, std::uint64_t seed, bool from_rest) {
     if (mouse.rate_at(step / 255.0) < 1.0) return step / 255.0;
 }
 
-// Returns how far aside wheels that turn alike lead it within 1 m: along a circle.
+// Returns the sideways deviation within 1 m if both wheels turn equally: along a circle.
 double aside(Profile profile, std::uint64_t seed) {
   return 0.5 * wheel_mismatch(profile, seed) / body_params(load_description("uno5"), seed, profile).track_m;
 }
 
-// Returns the ratio of the distance that its wheels measure to the true distance, with this duty.
+// Returns the ratio of the distance that the wheels measure to the true distance, at this duty.
 double way_by_wheels(Profile profile, std::uint64_t seed, double duty) {
   Drive drive(profile, seed, duty);
   double travel = 0.0, distance = 0.0;
@@ -219,13 +220,13 @@ double way_by_wheels(Profile profile, std::uint64_t seed, double duty) {
   return (drive.body().wheel_travel() - travel) / (drive.body().distance() - distance);
 }
 
-// Returns the relative difference between the distances that its wheels measure with these duty cycles.
+// Returns the relative difference between the distances that the wheels measure at these duty cycles.
 double creep(Profile profile, std::uint64_t seed, double slow, double fast) {
   const double more = std::abs(way_by_wheels(profile, seed, fast) / way_by_wheels(profile, seed, slow) - 1.0);
-  return more < 1e-9 ? 0.0 : more;  // rounding
+  return more < 1e-9 ? 0.0 : more;  // rounding error
 }
 
-// Returns the distance that it rolls from 0.5 m/s on, with its motors open or shorted.
+// Returns the distance that the robot rolls from 0.5 m/s with its motors open or shorted.
 double stops_within(Profile profile, std::uint64_t seed, bool brakes) {
   Drive drive(profile, seed, 0.6);
   while (drive.body().speed() < 0.5) drive.step();
@@ -236,7 +237,8 @@ double stops_within(Profile profile, std::uint64_t seed, bool brakes) {
   return drive.body().distance() - distance;
 }
 
-// Returns the effective track width on the spot, of two wheels a side, as a multiple of the real width.
+// Returns the effective track width of a robot that turns on the spot, as a multiple of the real width. The
+// robot has two wheels per side.
 double effective_track(Profile profile, std::uint64_t seed, double track_mm, double wheelbase_mm) {
   BenchRobot bench(
       parse_description(fmt::format("base = \"rover5\"\n[chassis]\ntrack = \"{} mm\"\nwheelbase = "
@@ -251,7 +253,7 @@ double effective_track(Profile profile, std::uint64_t seed, double track_mm, dou
          bench.body().turn_rate() / (1e-3 * track_mm);
 }
 
-// Returns the drop at one ampere over the driver and its switches.
+// Returns the voltage drop of the driver and its switches at one ampere.
 double l298n_volts(Profile profile, std::uint64_t seed) {
   std::string robot = kBareRobot;
   robot.replace(robot.find("tb6612"), 6, "l298n");
@@ -259,7 +261,7 @@ double l298n_volts(Profile profile, std::uint64_t seed) {
   return p.driver_drop_volts + p.driver_ohms;
 }
 
-// Returns the time from 0 to 63 % of the speed of a wheel that is held up.
+// Returns the time from 0 to 63 % of the speed of a lifted wheel.
 double lifted_time_constant(Profile profile, std::uint64_t seed) {
   Drive drive(profile, seed, 0.5);
   drive.body().lift(true);
@@ -270,7 +272,7 @@ double lifted_time_constant(Profile profile, std::uint64_t seed) {
   return static_cast<double>(risen - rates.begin() + 1) * 1e-3;
 }
 
-// Returns the relative error of its MPU-6050 during a turn.
+// Returns the relative error of an MPU-6050 during a turn.
 double gyro_error(Profile profile, std::uint64_t seed) {
   BenchRobot bench("[[part]]\nname = \"imu\"\ntype = \"mpu-6050\"\nbias = \"0 deg/s\"\n", profile, seed);
   bench.body().command(world::left, {-0.5, 0.0});
@@ -286,7 +288,8 @@ double alkaline_ohms(Profile profile, std::uint64_t) {
   return robot.battery.resistance.in(profile).value / robot.battery.cells;
 }
 
-// Returns the last of 0, 0.05, 0.10 ... A, each for 20 s, under which a fresh cell of 2 Ah keeps 1 V.
+// Returns the highest of the currents 0, 0.05, 0.10 ... A, for 20 s each, at which a fresh cell of 2 Ah keeps
+// 1 V.
 double alkaline_amps(Profile profile, std::uint64_t seed) {
   const double ohms = alkaline_ohms(profile, seed), capacity = 2000.0 * 3.6;
   const Description robot = parse_description(
@@ -300,8 +303,8 @@ double alkaline_amps(Profile profile, std::uint64_t seed) {
   return amps;
 }
 
-// Returns the share of its voltage that is still on the converter's capacitor. The capacitor was charged for
-// 12 to 20 us.
+// Returns the share of the previous channel's voltage that is still on the converter's capacitor, which was
+// charged for 12 to 20 us.
 double channel_before(double source_ohms, std::uint64_t seed) {
   return adc_charged(1.0, 0.0, source_ohms, seed % 2 ? 12e-6 : 20e-6);
 }
@@ -313,7 +316,7 @@ struct Figure {
   Range measured;
   const char* source;  ///< "" if no published value was found
   std::function<double(Profile, std::uint64_t)> ours;
-  const char* why_not;  ///< why ours is not within the measured range; "" if it is
+  const char* why_not;  ///< why the simulated value is outside of the measured range; "" if it is inside
 };
 
 const std::vector<Figure>& figures() {

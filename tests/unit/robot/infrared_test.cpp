@@ -11,7 +11,8 @@ using testing::HasSubstr;
 
 constexpr const char* kRemote = "[[part]]\nname = \"ir\"\ntype = \"ir-receiver\"\npin = 2\naddress = 0x04\n";
 
-// Lengths of low and high, in turn, in microseconds, until nothing has changed for 60 ms.
+// Returns the alternating lengths of low and high in microseconds, until the level has been constant for 60
+// ms.
 std::vector<SimTime> heard(BenchRobot& bench) {
   std::vector<SimTime> lengths;
   bool level = true;

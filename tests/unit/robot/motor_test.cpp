@@ -69,7 +69,8 @@ TEST(MotorDriver, TellsHowMuchOfAPeriodIsDrivenAgainstTheRest) {
   EXPECT_EQ(command.period_s, 1e-3);
 }
 
-// 30 % of fast PWM from 2 ms on: the remaining speed after 100 ms, and the energy that the battery gets.
+// Runs 30 % of fast PWM. Returns the remaining share of the speed after 100 ms, and the energy returned to
+// the battery.
 TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
   const auto slowed = [](const char* driver, double en, double in1, double in2) {
     std::string robot = kBareRobot;
@@ -96,18 +97,19 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
     bench.ticks(100);
     return std::pair(bench.body().speed() / speed, bench.body().energy_back());
   };
-  // Slow decay, between pulses on EN or with one input high: 30 % takes speed off, into the battery.
+  // Slow decay, between pulses on EN or with one input high: 30 % slows the robot, and returns energy to the
+  // battery.
   for (const auto& [left, back] :
        {slowed("tb6612", 0.3, 1, 0), slowed("drv8833", 1, 1, 0.7), slowed("drv8835", 0.3, 1, 0)}) {
     EXPECT_LT(left, 0.6);
     EXPECT_GT(back, 0.005);
   }
-  // Fast decay: it rolls on, and drives only where a pulse makes more current than the diodes stop.
+  // Fast decay: the robot rolls on. A pulse drives it only if its current is larger than the diodes can stop.
   for (const auto& [left, back] : {slowed("l298n", 0.3, 1, 0), slowed("drv8833", 1, 0.3, 0)}) {
     EXPECT_GT(left, 0.8);
     EXPECT_LT(back, 1e-4);
   }
-  // Both inputs alike: shorted, or open.
+  // If both inputs are equal, the motor is shorted or open.
   for (const auto& [left, back] : {slowed("l298n", 1, 1, 1), slowed("l298n", 1, 0, 0),
                                    slowed("tb6612", 1, 1, 1), slowed("drv8833", 1, 1, 1)}) {
     EXPECT_LT(left, 0.5);
@@ -120,10 +122,10 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
   }
 }
 
-// The robot drives ahead at full speed v, without friction. If a motor is reversed, the supply and its own
-// voltage drive the current. Until the robot is as fast backwards, the battery gives V for each ampere second
-// that takes m 2 v. If shorted, it slows down to the speed at which the driver's drop stops the current; if
-// open, it rolls on.
+// The robot drives ahead at full speed v, without friction. If a motor is reversed, the current is driven by
+// the supply and the motor's own voltage. Until the robot is equally fast backward, the battery supplies the
+// charge for the momentum change m 2 v, at V volts. If shorted, the robot slows down to the speed at which
+// the driver's drop stops the current. If open, the robot rolls on.
 TEST(MotorDriver, ReversedTakesTwiceTheStallCurrentAndBrakedOrOpenNone) {
   constexpr double kWithin = 0.02, kVolts = 6.0, kBrakes_s = 0.1;
   for (const char* const name : {"l298n", "l293d", "tb6612", "drv8833", "drv8835"}) {
@@ -162,7 +164,7 @@ TEST(MotorDriver, ReversedTakesTwiceTheStallCurrentAndBrakedOrOpenNone) {
       EXPECT_NEAR(body.draw(kVolts).amps, most, kWithin * most);
       bench->ticks(3000);
       EXPECT_NEAR(body.speed(), -full, kWithin * full);
-      const double brakes = wound ? std::max(ke, kt) : kt;  // N for each A that a turning motor is slowed by
+      const double brakes = wound ? std::max(ke, kt) : kt;  // braking force in N per A of a turning motor
       const double reversal = kVolts * mass * full * (1.0 / brakes + 1.0 / kt);
       EXPECT_NEAR(body.energy() - taken, reversal, kWithin * reversal);
       EXPECT_EQ(body.energy_back(), 0.0);

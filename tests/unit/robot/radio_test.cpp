@@ -21,7 +21,7 @@ bit = "1 ms"
 pins = { clock = 2, enable = 3, data = 5 }
 )";
 
-// Returns the bits of each message that a sketch would receive by interrupts while `bench.now` advances by
+// Returns the bits of each message that a sketch receives by interrupts while `bench.now` advances by
 // `ticks`.
 std::vector<std::vector<bool>> received(BenchRobot& bench, int ticks) {
   bench.board.edges.clear();

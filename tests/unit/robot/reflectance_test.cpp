@@ -67,7 +67,8 @@ TEST(AnalogReflectance, AHigherSensorSeesLessContrastAndABiggerSpot) {
   EXPECT_NEAR(far.volts(kA0), 4.5 - (4.5 - near.volts(kA0)) / 4.0, 1e-9);
 }
 
-// Returns the sensor's volts over white, far from the line, with 0.5 V on white and 4.5 V on black.
+// Returns the sensor's voltage over white, far from the line. The sensor has 0.5 V on white and 4.5 V on
+// black.
 double white_volts(const std::string& keys, Profile profile, std::uint64_t seed = 1) {
   BenchRobot bench(reflectance_sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\nnoise = 0\n" + keys),
                    profile, seed);
@@ -93,7 +94,7 @@ TEST(AnalogReflectance, SeesASmallerSpotFromTypical2OnOneForAllElements) {
   const std::string keys =
       "[[part]]\nname = \"eyes\"\ntype = \"reflectance-array\"\npins = [\"A0\", \"A1\"]\nnoise = 0\n"
       "at = [\"70 mm\", \"0 mm\"]\npitch = \"2 mm\"\nheight = \"8 mm\"\n";
-  const auto edge = [&](BenchRobot& bench, Pin pin) {  // m from white to black
+  const auto edge = [&](BenchRobot& bench, Pin pin) {  // distance in m between white and black
     int between = 0;
     double low = 9.0, high = 0.0;
     std::vector<double> seen;

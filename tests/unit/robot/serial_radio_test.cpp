@@ -10,7 +10,7 @@ std::string radio(const std::string& keys, const std::string& pins = "txd = 2, r
   return "[[part]]\nname = \"air\"\ntype = \"serial-radio\"\npins = { " + pins + " }\n" + keys;
 }
 
-/// Two robots in one world, each with a radio; the second one's keys may be others.
+/// Two robots in one world, each with a radio. The second radio's keys may differ.
 class Pair {
  public:
   explicit Pair(const std::string& keys, const std::string& other_keys, std::uint64_t seed = 1)
@@ -28,14 +28,14 @@ class Pair {
   std::size_t add(const Description& d, grid::CellAt cell) {
     return world.add_body(body_params(d, 1, Profile::ideal), {map.centre({cell.x, cell.y}), {1.0, 0.0}});
   }
-  /// The first sketch sends 0xFF: of its frame only the start bit is low.
+  /// Sends 0xFF from the first robot. Only the start bit of this frame is low.
   void send() {
     ticks(1);
     board_a.output(3, false, now);
     board_a.output(3, true, now + kSecond / 9600);
     ticks(2);
   }
-  /// Returns the number of bytes on the second board's line: two edges each.
+  /// Returns the number of bytes on the second board's line. Each has two edges.
   std::size_t heard() const { return board_b.edges.size() / 2; }
   void ticks(int count) {
     for (; count > 0; --count) {

@@ -9,7 +9,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Sends a pulse that begins with this tick, and then a low level for the rest of `ms`.
+// Sends a pulse from the start of this tick, and then a low level for the rest of `ms`.
 void pulse(BenchRobot& bench, Pin pin, SimTime us, int ms = 20) {
   bench.board.output(pin, true, bench.now);
   SimTime left = us * kMicrosecond;
@@ -107,7 +107,7 @@ dead_band = "0 us"
 full = "200 us"
 )";
 
-// Sends both pulses, one after the other, in each 20 ms.
+// Sends both pulses one after another, every 20 ms.
 void both(BenchRobot& bench, SimTime left_us, SimTime right_us, int times = 1) {
   for (int i = 0; i < times; ++i) {
     pulse(bench, 9, left_us, 10);

@@ -1,4 +1,4 @@
-// Tests robots whose front wheels are steered by a servo.
+// Tests robots whose front wheels a servo steers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ std::string steering(const std::string& more = "") {
   return "load_share = 0.5\nsteering = { servo = \"front\", base = \"100 mm\"" + more + " }";
 }
 
-// Sends the pulse that the Servo library makes of an angle, repeatedly.
+// Repeatedly sends the Servo library's pulse for an angle.
 void hold(BenchRobot& bench, double degrees) {
   PinDrive drive;
   drive.mode = PinMode::output;

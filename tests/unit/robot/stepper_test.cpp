@@ -1,4 +1,4 @@
-// A 28BYJ-48: 4075.77 half steps for a turn, so 0.08833 degrees each.
+// Tests a 28BYJ-48: 4075.77 half steps per turn, so 0.08833 degrees each.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ class Stepper : public testing::Test {
             "}\n" +
             keys) {}
 
-  /// Switches these coils on, then waits `ms`. As in a sketch, the pins change one after the other.
+  /// Switches these coils on, then waits `ms`. As in a sketch, the pins change one after another.
   void coils(unsigned in1_to_in4, int ms = 2) {
     for (int i = 0; i < 4; ++i)
       bench.board.output(static_cast<Pin>(8 + i), in1_to_in4 >> (3 - i) & 1,

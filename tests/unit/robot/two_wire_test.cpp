@@ -1,4 +1,4 @@
-// Tests parts on the two-wire bus by firmware's transfers.
+// Tests parts on the two-wire bus with the firmware's transfers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ class TwoWireBench : public BenchRobot {
   std::uint8_t get(std::uint8_t address, int reg) {
     return static_cast<std::uint8_t>(get16(address, reg) >> 8);
   }
-  /// Reads a register and the next one; the first is the high byte.
+  /// Reads a register and the next one. The first one is the high byte.
   int get16(std::uint8_t address, int reg) {
     send(address, {reg});
     board.two_wire_address(static_cast<std::uint8_t>(address << 1 | 1), now);
@@ -103,7 +103,7 @@ TEST(LcdBehindAnExpander, ShowsWhatIsWrittenInHalvesWhereEFalls) {
 TEST(Ssd1306, TellsWhichPixelsAreLit) {
   TwoWireBench bench("ssd1306", "height = 32\n");
   bench.send(0x3C, {0x00, 0x20, 0x00, 0x21, 10, 12, 0x22, 1, 2, 0xAF});
-  bench.send(0x3C, {0x40, 0x01, 0x01, 0x01, 0x80, 0x00, 0x00});  // three on top, one at the bottom
+  bench.send(0x3C, {0x40, 0x01, 0x01, 0x01, 0x80, 0x00, 0x00});  // three pixels at the top, one at the bottom
   EXPECT_THAT(bench.told(60), ElementsAre("4 lit in 10,8 to 12,23"));
   bench.send(0x3C, {0x80, 0xAE});
   EXPECT_THAT(bench.told(60), ElementsAre(" "));
@@ -111,7 +111,7 @@ TEST(Ssd1306, TellsWhichPixelsAreLit) {
   EXPECT_THAT(bench.told(60), ElementsAre("4092 lit in 0,0 to 127,31"));
 }
 
-// Columns of "Lap 2" and, below, "-1.5" twice as large; the lowest bit on top.
+// Draws columns of "Lap 2" and, below, "-1.5" at twice the size. The lowest bit is at the top.
 TEST(Ssd1306, TellsTheTextThatItsPixelsSpell) {
   TwoWireBench bench("ssd1306");
   bench.send(0x3C, {0x00, 0x20, 0x00, 0x21, 0, 127, 0x22, 0, 7, 0xAF});
@@ -161,7 +161,7 @@ TEST(Mpu6050, SleepsUntilItIsWokenAndThenMeasuresTheRobotsMotion) {
   EXPECT_EQ(bench.get16(0x68, 0x3F), 16384);
   EXPECT_EQ(bench.get(0x68, 0x3A), 1);
   EXPECT_EQ(bench.get16(0x68, 0x41), static_cast<std::uint16_t>(static_cast<int>((25 - 36.53) * 340)));
-  // Turns on the spot, to the left.
+  // Turns left on the spot.
   for (const Pin pin : {8, 9}) bench.board.output(pin, true, bench.now);
   for (const Pin pin : {7, 10}) bench.board.output(pin, false, bench.now);
   for (const Pin pin : {5, 6}) bench.board.output(pin, true, bench.now);
@@ -170,7 +170,7 @@ TEST(Mpu6050, SleepsUntilItIsWokenAndThenMeasuresTheRobotsMotion) {
   bench.ticks(5);
   const double degrees = bench.body().turn_rate() * 180.0 / std::numbers::pi;
   EXPECT_NEAR(static_cast<std::int16_t>(bench.get16(0x68, 0x47)) / 16.4, degrees,
-              5.0);  // it still gains speed
+              5.0);  // the turn is still accelerating
   EXPECT_GT(std::abs(degrees), 100.0);
   bench.send(0x68, {0x6B, 0x80});
   EXPECT_EQ(bench.get(0x68, 0x6B), 0x40);
@@ -181,7 +181,7 @@ TEST(Mpu6050, FeelsHowAHandTiltsTheRobot) {
   bench.send(0x68, {0x6B, 0x00});
   const auto at = [&](int number) { return static_cast<std::int16_t>(bench.get16(0x68, number)); };
   const double degree = std::numbers::pi / 180.0;
-  // The nose goes down, by 30 degrees so far, at 100 degrees a second.
+  // The front tilts down, currently by 30 degrees, at 100 degrees per second.
   bench.body().tilt({{0.5, 0.0}, 0.866025, {100 * degree, 0.0}});
   bench.ticks(5);
   EXPECT_NEAR(at(0x3B), 0, 1);
@@ -189,7 +189,7 @@ TEST(Mpu6050, FeelsHowAHandTiltsTheRobot) {
   EXPECT_NEAR(at(0x3F), 14189, 1);
   EXPECT_NEAR(at(0x43), 13100, 1) << "a turn about the axis to the left, by the right hand";
   EXPECT_NEAR(at(0x45), 0, 1);
-  bench.body().tilt({{0.0, 1.0}, 0.0, {0.0, 0.0}});  // on its left side, and still
+  bench.body().tilt({{0.0, 1.0}, 0.0, {0.0, 0.0}});  // on its left side, at rest
   bench.ticks(5);
   EXPECT_NEAR(at(0x3B), -16384, 1);
   EXPECT_NEAR(at(0x3F), 0, 1);

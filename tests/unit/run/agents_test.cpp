@@ -1,5 +1,5 @@
-// Tests several robots in one simulation. Each has its own firmware, script, goal and verdict; they share
-// clock and floor.
+// Tests several robots in one simulation. Each has its own firmware, script, goal and verdict. They share the
+// clock and the floor.
 
 #include <gmock/gmock.h>
 
@@ -24,7 +24,7 @@ struct Witness final : Listener {
   std::vector<wire::RunEvent> events;
 };
 
-/// Firmware that only waits: its robot stands where it was put.
+/// Firmware that only waits, so its robot stays in place.
 class Parked final : public exec::Executor {
  public:
   RobotPort& board() override { return board_; }
@@ -97,7 +97,7 @@ TEST_F(AgentsTest, ThatNeverMeetLeaveEachOthersRunAsItIsAlone) {
   const judge::Outcome alone = run({agent(other_, "laps:1")}).front();
   ASSERT_EQ(alone.verdict, judge::Verdict::reached) << alone.why;
 
-  // The second is in somebody's hand.
+  // The second robot is lifted.
   const std::vector<judge::Outcome> both =
       run({agent(driver_, "laps:1"), agent(parked_, "none", "20,2,E", "at 0s lift\n")});
 
@@ -153,7 +153,7 @@ TEST_F(AgentsTest, GiveTheSameRunTwice) {
   for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].trace_hash, again[i].trace_hash);
 }
 
-/// Stops both robots' run when the second has collided.
+/// Stops the run when the second robot has collided.
 struct Referee final : StepController {
   Leg next(Standstill& standstill) override {
     agents = standstill.agent_count();

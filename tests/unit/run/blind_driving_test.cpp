@@ -1,4 +1,4 @@
-// Tests blind time (sim/judge/blind_driving.h), on robots that the test drives.
+// Tests blind time (sim/judge/blind_driving.h), with robots that the test drives.
 
 #include <gmock/gmock.h>
 
@@ -13,7 +13,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Reads a sensor occasionally, and drives straight on; or, half-way between two reads, more slowly.
+/// Reads a sensor occasionally and drives straight on. If `plans`, drives at half power in the second half of
+/// each interval.
 class Distracted : public exec::Executor {
  public:
   Distracted(SimTime looks_every, bool plans) : looks_every_(looks_every), plans_(plans) {}
@@ -52,8 +53,8 @@ class Distracted : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Stands and looks at a sensor, and drives without a further look from two seconds on, `later` than the
-/// last one.
+/// Stands and reads a sensor. Starts to drive after two seconds, `later` after the last reading, and does not
+/// read again.
 class Starts final : public Distracted {
  public:
   explicit Starts(SimTime later) : Distracted(kSecond, false), later_(later) {}

@@ -1,5 +1,5 @@
-// Tests that runs of the built-in driver are bit-identical in all builds: by gcc and clang, with and without
-// optimisation, on x86-64 and arm64. CI runs these tests in all of those builds.
+// Tests that runs of the built-in driver are bit-identical in all builds: with gcc and clang, with and
+// without optimisation, on x86-64 and arm64. CI runs these tests in all these builds.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace robosim::run {
 namespace {
 
-// An eight of arcs and slanted straights that cross.
+// A figure eight of arcs and slanted straights that cross.
 constexpr const char* kCourse = R"(+++
 line = "19 mm"
 size = ["2.8 m", "1.4 m"]

@@ -1,5 +1,5 @@
 // Tests that simulating distant robots independently does not change a run: their motion, readings, output
-// and events, and the order of events.
+// and events, and the events' order.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ class Roaming final : public exec::Executor {
 
  private:
   void act(SimTime t) {
-    seen += board_.read_level(12, t) ? '1' : '0';  // the bumper, or the eye
+    seen += board_.read_level(12, t) ? '1' : '0';  // the bumper or the eye
     const auto drive = [&](Pin enable, Pin one, Pin other, bool back) {
       board_.set_drive(enable, {PinMode::output, true, true, 0.25 * static_cast<double>(random_() % 5), 0},
                        t);
@@ -71,7 +71,7 @@ class Roaming final : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Records one robot's events; all robots write to one text.
+/// Records one robot's events. All robots append to one text.
 struct NotingTurns final : Listener {
   explicit NotingTurns(std::string& text) : all(text) {}
   void sampled(const Sample& s) override {
@@ -84,7 +84,7 @@ struct NotingTurns final : Listener {
   std::string& all;
 };
 
-// Returns a robot as uno5, with an eye that looks ahead in the bumper's place.
+// Returns an uno5 with an eye that looks ahead instead of a bumper.
 robot::Description seeing_robot() {
   const test::TemporaryFolder folder;
   const std::string file = folder.path() / "seeing.toml";
@@ -96,7 +96,7 @@ robot::Description seeing_robot() {
 
 class Turns : public testing::TestWithParam<unsigned> {};
 
-// Runs two robots in each of three streets, which they leave as they like.
+// Runs two robots in each of three streets. They may leave their street.
 std::string turning_run_of(unsigned seed, bool takes_turns) {
   std::mt19937 random(seed);
   const grid::Map map = grid::read_map(grid::find_map("city"));
@@ -145,7 +145,7 @@ TEST_P(Turns, LeaveNoTrace) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Turns, testing::Range(0u, 4u));
 
-/// Counts how often another robot's firmware ran since its own last ran.
+/// Counts how often its own firmware ran directly after another robot's.
 class Counting final : public exec::Executor {
  public:
   explicit Counting(const void*& last) : last_(last) {}

@@ -90,7 +90,7 @@ class Dozing final : public OnBoard {
   const bool tells_sleep_;
 };
 
-/// Drives from a moment on.
+/// Starts to drive at a given time.
 class Late final : public OnBoard {
  public:
   explicit Late(SimTime begin) : OnBoard(*find_board("uno")), begin_(begin) {}

@@ -1,4 +1,4 @@
-// Tests stop conditions of runs that are driven step by step.
+// Tests stop conditions of runs that are controlled step by step.
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The built-in driver, which also sends these bytes, one each millisecond from the start.
+/// The built-in driver, which also sends these bytes, one per millisecond from the start.
 class Talker final : public exec::Executor {
  public:
   explicit Talker(std::string text) : text_(std::move(text)) {}
@@ -33,7 +33,7 @@ class Talker final : public exec::Executor {
   test::BuiltInDriver driver_;
 };
 
-/// Sends the run on until one of its stops or `until`, once.
+/// Continues the run once, until one of its stops or `until`.
 struct OneLeg final : StepController {
   Leg next(Standstill& standstill) override {
     if (went_on) {

@@ -46,7 +46,7 @@ TEST_P(WaitingLoopsOfRuns, AreLeftOutWithoutATrace) {
   });
   const NotedRun running(what, runs, [&] { return runs.chip() ? sum_of(*runs.chip()) : 0; });
   expect_same(skipping, running);
-  // Pony paces itself by delayMicroseconds() alone.
+  // Pony paces itself only by delayMicroseconds().
   const bool only_counts_down = std::string_view("PonyNavigator") == what.sketch;
   EXPECT_TRUE(only_counts_down || skipped > cycles / 4);
 }

@@ -13,7 +13,7 @@ namespace {
 using exec::stm32::Machine;
 
 struct PillRun : StockRun {
-  bool waits;  ///< in loops, not asleep as in delay()
+  bool waits;  ///< waits in loops, not asleep as in delay()
 };
 
 class WaitingLoopsOfPills : public testing::TestWithParam<PillRun> {

@@ -1,4 +1,4 @@
-// Tests results of a simulation in the protocol's units and names.
+// Tests the results of a simulation in the protocol's units and names.
 #include "sim/runner/answers.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Tests that each branch of a forked run equals a separate run, with firmware that needs no compiler.
+// Tests that each branch of a forked run equals a separate run. The firmware needs no compiler.
 #include "sim/runner/fork_runs.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// Says "hello" at 1.5 s, and counts its ticks as if they were lines.
+/// Prints "hello" at 1.5 s, and counts its ticks as if they were lines.
 class Talker final : public exec::Executor {
  public:
   RobotPort& board() override { return driver_.board(); }
@@ -71,7 +71,7 @@ class WaysTest : public ::testing::Test {
       return error.what();
     }
   }
-  /// Returns the answer of a run with all of one way in its script, from power-on.
+  /// Returns the result of a run from power-on whose script includes all of one branch.
   std::string whole(const std::string& way) const {
     wire::RunRequest request = request_;
     request.ways.reset();

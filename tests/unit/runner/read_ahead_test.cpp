@@ -41,7 +41,7 @@ class ReadingAhead : public testing::Test {
     read();
     return ahead_.map.get();
   }
-  /// Sets the clock, so that all files appear to have been written long ago.
+  /// Advances the clock, so that all files appear to have been written long ago.
   void let_files_settle() { now_ += 3'600'000'000'000; }
 };
 
@@ -63,7 +63,7 @@ TEST_F(ReadingAhead, NorIsARobotForItsDescriptionUnlessItHasChanged) {
   EXPECT_THROW(known_robot(request_.robot, {{request_.robot, robot}}), InputError);
 }
 
-// A recently written file is only known to be unchanged by its bytes.
+// For a recently written file, only its bytes show that it is unchanged.
 TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
   for (const char* content : {"one", "two", "tw", "", "three"}) {
     write_file(image_, content);
@@ -76,7 +76,7 @@ TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
   EXPECT_THROW(read(), InputError);
 }
 
-// Else it may be written a second time, and its times stay the same.
+// Before that, the file may be written a second time without a change of its times.
 TEST(FileIdentity, IsTrustedOnceTheClockOfItsFileSystemHasGoneOn) {
   constexpr long long kSecond = 1'000'000'000;
   const FileIdentity fine = {1, 2, 3, 500, 123'456'789, 500, 223'456'789};
@@ -150,7 +150,7 @@ TEST_F(ReadingAhead, AMapThatIsWrittenAnewIsSeenAtOnce) {
   EXPECT_FALSE(read_the_map()) << "the same";
 }
 
-// Each seed has its own.
+// Each seed has its own map.
 TEST_F(ReadingAhead, AMapWithASpreadIsReadForItsSeed) {
   write_file(map_, std::string("+++\n[[light]]\nlevel = { value = 0.5, spread = 0.1 }\n+++\n") + kMap);
   request_.profile = "typical";

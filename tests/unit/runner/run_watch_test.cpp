@@ -1,4 +1,4 @@
-// Tests when a runner ends a run, by the system's and the process's reports about the process.
+// Tests when a runner ends a run, according to the system's and the process's own reports about the process.
 #include "sim/runner/run_watch.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@ class Watching : public testing::Test {
  protected:
   Watching() { watch_.follow(-1, {.until = 100 * kSecond}); }
 
-  /// Checks every 100 ms of wall time, like a runner, for `seconds`; the process uses `share` of a processor.
+  /// Checks every 100 ms of wall time for `seconds`, as a runner does. The process uses `share` of a
+  /// processor.
   Found look_for(double seconds, double share, bool is_excused = false) {
     for (int i = 0; i < 10 * seconds; ++i) {
       wall_us_ += 100'000;
@@ -100,7 +101,7 @@ TEST_F(Watching, BelievesNoRunThatSaysAgainThatItHasNotBegun) {
 
 TEST_F(Watching, LimitsARunWhoseFirmwareNeverLetsItSayThatItHasBegun) {
   EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "a large map";
-  // Acts as a run's process, whose firmware can write everywhere else afterwards.
+  // Acts as a run's process, whose firmware can write anywhere else afterwards.
   Child([&] {
     watch_.close();
     return 0;

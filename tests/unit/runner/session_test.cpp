@@ -1,5 +1,5 @@
-// Tests a runner's session with its client, with firmware that needs no compiler. A fork of this test serves
-// the session, which uses a process's standard input and output.
+// Tests a runner's session with its client. The firmware needs no compiler. A fork of this test serves the
+// session, because the session uses a process's standard input and output.
 #include "sim/runner/session.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ using ::testing::StartsWith;
 class Session {
  public:
   explicit Session(const ExecutorFactory& factory) : Session([] {}, factory) {}
-  /// `first` is what its process does first, besides 0, 1 and 2 with no descriptor that it needs.
+  /// The runner's process calls `first` first. Besides 0, 1 and 2 it then has no descriptors that it needs.
   Session(const std::function<void()>& first, const ExecutorFactory& factory)
       : runner_([&] {
           ::dup2(input_.read.get(), STDIN_FILENO);
@@ -83,7 +83,7 @@ class Session {
     return text;
   }
 
-  /// Returns its answer to a line, without events.
+  /// Returns the runner's answer to a line, without events.
   wire::Line ask(const std::string& text) {
     send(text.ends_with('\n') ? text : text + "\n");
     return answer();
@@ -114,11 +114,10 @@ class Session {
   }
 
   void interrupt() const { runner_.send(SIGINT); }
-  /// Waits until the run, which has a process of its own, waits too, and so does its runner; false if it ends
-  /// before.
+  /// Waits until the run's process and its runner are both waiting. Returns false if one ends first.
   bool comes_to_wait() const {
     const std::string runner = "/proc/" + std::to_string(runner_.pid());
-    // Either may, for a moment, wait for the other.
+    // For a moment, both may wait for each other.
     constexpr int kOften = 2000;
     for (int times = 0; times < kOften; ++times, ::sched_yield()) {
       pid_t run = 0;
@@ -131,16 +130,16 @@ class Session {
     }
     return true;
   }
-  /// Closes its input, and waits until it has ended.
+  /// Closes the runner's input, and waits until the runner has ended.
   Ending end() {
     input_.write.close();
     return runner_.wait();
   }
 
-  std::vector<wire::Event> events;  ///< before the last answer
+  std::vector<wire::Event> events;  ///< events before the last answer
 
  private:
-  /// Returns the state of a process as in /proc: 'R' runs, 'S' waits, 'Z' has ended.
+  /// Returns the state of a process from /proc: 'R' is running, 'S' waiting, 'Z' ended.
   static char state_of(const std::string& process) {
     std::ifstream file(process + "/stat");
     const std::string text(std::istreambuf_iterator<char>(file), {});
@@ -153,7 +152,7 @@ class Session {
   std::string unread_;
 };
 
-/// The built-in driver, which does something more at 100 ms.
+/// The built-in driver, which also calls a function at 100 ms.
 class Driver final : public exec::Executor {
  public:
   explicit Driver(void (*at_100_ms)()) : at_100_ms_(at_100_ms) {}
@@ -180,8 +179,8 @@ ExecutorFactory drivers(void (*at_100_ms)() = nullptr) {
           }};
 }
 
-/// Returns a factory whose drivers count as code of this machine: their run is confined and reports to its
-/// runner, not to its client.
+/// Returns a factory whose drivers count as code of this machine. Their run is confined, and reports to its
+/// runner instead of its client.
 ExecutorFactory confined_drivers() {
   ExecutorFactory factory = drivers();
   factory.prepare_for_confinement = [](auto&&...) {};
@@ -496,7 +495,7 @@ TEST_F(SessionTest, BlamesTheMachineForTooFewDescriptorsAndNoSketch) {
           ::getrlimit(RLIMIT_NOFILE, &limit);
           limit.rlim_cur = descriptors;
           ::setrlimit(RLIMIT_NOFILE, &limit);
-          for (int fd = 3; fd < 64; ++fd) ::close(fd);  // this test's own
+          for (int fd = 3; fd < 64; ++fd) ::close(fd);  // descriptors of this test
         },
         confined_drivers());
     session.line();

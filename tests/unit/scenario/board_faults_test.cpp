@@ -23,7 +23,7 @@ using testing::SizeIs;
 
 constexpr SimTime ms = kMillisecond;
 
-/// Notes what is done to it.
+/// Records the calls that it receives.
 class Probe final : public exec::Executor {
  public:
   RobotPort& board() override { return state; }
@@ -55,7 +55,7 @@ class Probe final : public exec::Executor {
   }
 
   exec::BoardState state{*find_board("uno")};
-  std::vector<SimTime> power;  // ms; negative: off
+  std::vector<SimTime> power;  // ms; negative = off
   int recovered = 0;
   bool reaches_eeprom = true;
   int drift = 0;

@@ -1,4 +1,4 @@
-// Tests the effects of a script on a run, seen from outside, while a built-in driver follows the oval.
+// Tests the effects of a script on a run, from outside, while a built-in driver follows the oval.
 #include "sim/scenario/scenario_player.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ struct Witness final : run::Listener {
   }
 
   std::vector<std::string> readings;
-  std::vector<run::Sample> samples;  // one each millisecond
+  std::vector<run::Sample> samples;  // one per millisecond
   std::vector<std::string> happenings;
 };
 
@@ -58,7 +58,7 @@ class Scripts : public testing::Test {
     }
     return "no error";
   }
-  /// Returns the reading of sensor S1, next to the line, at that time.
+  /// Returns the reading of sensor S1, next to the line, at this time.
   double s1(double seconds) { return seen.at(seconds).readings[0]; }
 
   Witness seen;
@@ -218,7 +218,7 @@ TEST_F(Scripts, CutThePowerAndSayWhenItIsBack) {
 }
 
 TEST_F(Scripts, WaitAfterAStation) {
-  // The oval has no stations: what waits is checked on the name first.
+  // The oval has no stations, and the name is checked first.
   EXPECT_THAT(error_of("after station 1 wait 1s lift"),
               HasSubstr("s.txt:1: unknown station “1”: the map has no stations"));
 }

@@ -62,9 +62,9 @@ class ChangingWorld : public testing::Test, public run::Listener {
   grid::Map map = grid::read_map(grid::find_map("oval"));
   Profile profile = Profile::ideal;
   std::uint64_t seed = 1;
-  std::vector<run::Sample> samples;  // one each millisecond
+  std::vector<run::Sample> samples;  // one per millisecond
   std::vector<std::string> happenings, values;
-  std::map<Pin, std::vector<double>> volts;  // as the firmware read them, every 5 ms
+  std::map<Pin, std::vector<double>> volts;  // read by the firmware every 5 ms
 };
 
 TEST_F(ChangingWorld, ASensorThatStandsStillSeesTheLineGoAndCome) {
@@ -129,7 +129,7 @@ TEST_F(ChangingWorld, ALineThatIsErasedCountsAsNone) {
 }
 
 TEST_F(ChangingWorld, ALineThatIsPaintedIsSeenBesideTheMapsOwn) {
-  // Over the floor north of the line, where the outermost left sensor passes.
+  // Paints over the floor north of the line, where the leftmost sensor passes.
   play("at 10ms lift\nat 20ms paint 4,8 20,8\nat 30ms place 10,14,E\nat 40ms place 650mm,850mm,E\n", 0.1);
   const grid::Map& m = map;
   EXPECT_NEAR(m.centre({10, 8}).y, 0.1 * (m.height - 8.5), 1e-9);

@@ -40,7 +40,7 @@ void write(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
 }
 
-/// A served folder, and in the place of `robosim` a shell script.
+/// A served folder, and a shell script instead of `robosim`.
 class Serving : public testing::Test {
  protected:
   void SetUp() override {
@@ -109,7 +109,7 @@ TEST_F(Serving, RunsAFileOfRobotsWithAScriptForEach) {
       run(R"({"sketch": "./two.toml", "scripts": {"A": "at 1s press start\n", "B": "at 2s press start\n"}})");
   ASSERT_TRUE(answer);
   EXPECT_THAT(answer->body, HasSubstr("run ./two.toml --target host"));
-  // The lines come in one message or in several, as the pipe gives them.
+  // The lines arrive in one or several messages, depending on the pipe.
   EXPECT_THAT(answer->body, HasSubstr("at 1s press start\\n"));
   EXPECT_THAT(answer->body, HasSubstr("at 2s press start\\n"));
 }
@@ -202,7 +202,7 @@ std::string read_all(const Descriptor& socket) {
   return all;
 }
 
-// Or a page of another site could send any request in the body of one that is refused.
+// Otherwise a page of another site could send any request in the body of a refused one.
 TEST_F(Serving, TakesNoRequestFromTheBodyOfARefusedOne) {
   serve("echo ran\n");
   std::string body;
@@ -310,7 +310,7 @@ TEST_F(Serving, WritesThroughNoLinkWhicheverFolderItReplaces) {
   EXPECT_TRUE(fs::is_empty(outside_.path() / "target.map"));
 }
 
-/// Sends `text`, and then single bytes with pauses, until there is an answer.
+/// Sends `text`, and then single bytes with pauses, until an answer arrives.
 struct Drips {
   Drips(int port, std::string text) {
     const Descriptor socket = connected(port);
@@ -363,7 +363,7 @@ TEST_F(Serving, WaitsForARunThatTakesLongerThanARequestMay) {
     said = answer ? answer->body : "nothing";
   });
   {
-    std::ofstream goes_on(pipe);  // waits for its reader
+    std::ofstream goes_on(pipe);  // blocks until the pipe has a reader
     const Drips slow(port(), "GET /");
     EXPECT_THAT(slow.answer, HasSubstr("408"));
     goes_on << "ran\n";
@@ -372,7 +372,7 @@ TEST_F(Serving, WaitsForARunThatTakesLongerThanARequestMay) {
   EXPECT_THAT(said, HasSubstr("ran"));
 }
 
-// A smallest map, whatever is above it.
+// Returns the JSON of a file, by default of a smallest map.
 std::string file_json(const std::string& name, bool replace = false, const std::string& text = "S..\n") {
   return Json{{"name", name}, {"text", text}, {"replace", replace}}.dump();
 }
@@ -489,7 +489,7 @@ TEST_F(Serving, WritesNothingElseAndNowhereElse) {
   EXPECT_EQ(before(), all);
 }
 
-// A stand-in for robosim answers each line that it receives, and ends with its input.
+// A replacement for robosim answers each line that it receives, and ends when its input ends.
 TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
   serve("echo warned >&2; echo '{\"event\": 1}'; while read -r line; do echo \"$line\"; exit 4; done\n");
   EXPECT_EQ(http_->Post("/api/live/1", R"({"do": "play"})", "application/json")->status, 409)
@@ -521,7 +521,7 @@ TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
   EXPECT_EQ(http_->Get("/api/live/1234567890")->status, 404);
 }
 
-// The program holds a pipe open for as long as it lives.
+// The program keeps a pipe open as long as it lives.
 TEST_F(Serving, EndsARunWhosePageHasGone) {
   const fs::path pipe = outside_.path() / "alive";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

@@ -1,4 +1,5 @@
-// Boards and chips are data: code that knows one by its name would have to be found again for the next.
+// Tests that boards and chips are only data. Code that uses one by its name would need a change for every new
+// board.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -11,14 +12,14 @@
 namespace robosim::structure {
 namespace {
 
-/// Files about one chip, which name it at their top.
+/// Returns whether a file is about one chip, which its first lines name.
 bool is_about_a_chip(const std::string& file) {
   for (const char* place : {"hal/board/", "hal/host/chip.h", "hal/stm32/", "sim/exec/stm32/"})
     if (file.starts_with(place)) return true;
   return false;
 }
 
-/// Names that only data may have.
+/// Returns the names that only data may contain.
 std::vector<std::string> names() {
   std::vector<std::string> found{"kAtmega168", "kAtmega2560",  "kAtmega328p",  "kAtmega32u4",
                                  "kAttiny85",  "kStm32f103c8", "\"iom328p.h\""};

@@ -10,10 +10,10 @@
 namespace robosim::structure {
 namespace {
 
-constexpr char kDrawn = '\1';  // replaces an arrow or a piece of a frame
+constexpr char kDrawn = '\1';  // replaces an arrow or a part of a frame
 constexpr std::size_t kLeastIndent = 2;
 
-/// Returns the text with one char for each character.
+/// Returns the text with one char per character.
 std::string in_columns(std::string_view text) {
   std::string columns;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -48,11 +48,11 @@ std::size_t comment_at(std::string_view line) {
 
 /// A line of a comment, without its marker.
 struct Line {
-  std::string marker;  ///< what stands before the text: indentation, "//" or "///"; "" if it is code or empty
-  std::string text;    ///< in columns, its indentation included
-  std::size_t width = 0;                                  ///< of the whole line
-  std::size_t indent = 0;                                 ///< of the text
-  std::vector<std::pair<std::size_t, std::size_t>> gaps;  ///< between its cells: from and to, exclusive
+  std::string marker;      ///< indentation, and "//" or "///"; "" for code or an empty line
+  std::string text;        ///< in columns, including its indentation
+  std::size_t width = 0;   ///< of the whole line
+  std::size_t indent = 0;  ///< of the text
+  std::vector<std::pair<std::size_t, std::size_t>> gaps;  ///< between its cells: from and to (exclusive)
 
   bool has_cell_at(std::size_t column) const {
     return std::any_of(gaps.begin(), gaps.end(), [&](const auto& gap) { return gap.second == column; });
@@ -97,10 +97,10 @@ bool ends_with_operator(const std::string& text) {
   return text.back() == ',' || word.find_first_not_of("+-*/=<>|&") == word.npos;
 }
 
-/// Returns whether `line`, which starts at the label of a full row before it, continues that row.
+/// Returns whether `line` continues the full row before it, although it starts at that row's label.
 bool is_cut_off(const Line& row, const Line& line, const Line* after) {
   if (row.gaps.empty()) {
-    // Prose in an indented paragraph may leave a bracket open; code and drawings do not.
+    // In an indented paragraph prose may leave a bracket open; code and drawings do not.
     const bool is_code = line.text.back() == ';' || line.text.back() == '{';
     return line.gaps.empty() && has_open_bracket(row.text) &&
            (is_code || row.text.find(kDrawn) != row.text.npos);
@@ -115,7 +115,7 @@ bool is_cut_off(const Line& row, const Line& line, const Line* after) {
     return ends_table && !is_statement &&
            std::islower(static_cast<unsigned char>(line.text[line.indent])) != 0;
   }
-  // Joined with the next row: without some of its first words, its cell would be in place.
+  // The line is joined with the next row: without some of its first words, the cell would be in place.
   const auto [gap_from, gap_to] = line.gaps.front();
   if (row.has_cell_at(gap_to)) return false;
   for (std::size_t word = line.indent; (word = end_of_word(line, word)) < gap_from;) {
@@ -125,7 +125,7 @@ bool is_cut_off(const Line& row, const Line& line, const Line* after) {
   return false;
 }
 
-/// Returns whether `line` starts before the last cell of the row before it, and goes on below that.
+/// Returns whether `line` starts before the last cell of the previous row, and continues below that cell.
 bool starts_in_last_gap(const Line& row, const Line& line) {
   if (row.gaps.empty() || !line.gaps.empty()) return false;
   const auto [from, to] = row.gaps.back();

@@ -18,13 +18,13 @@ std::vector<std::string> long_comments(const Files& files, std::size_t limit);
 ///   label   a row that fills its line up to the limit, continued
 ///           at the column of its last cell
 ///
-/// Tools that wrap a row as if it were prose put its rest at the label's column, or before the next label. So
-/// do people, once a row has grown. A line is reported if it follows a row without space for its first word,
-/// starts at the row's label, and
+/// Tools that wrap a row as if it were prose put the rest at the label's column, or before the next label.
+/// People do so, too, when a row has grown. A line is reported if it follows a row without space for the
+/// line's first word, starts at the row's label, and
 ///
 ///   - the row has an open bracket, or ends with an operator or a comma;
-///   - or it is a short piece of text, at the table's end or before a line at the column of the last cell;
-///   - or its last cell would be at the row's column without its first words.
+///   - or the line is a short text, at the table's end or before a line at the column of the last cell;
+///   - or the line's last cell would be at the row's column without the line's first words.
 ///
 /// A line is also reported if it starts before the last cell of the previous row and continues below that
 /// cell. Rows without a second cell, labels wider than their column, nested lists and pictures are not

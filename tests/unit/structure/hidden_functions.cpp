@@ -11,7 +11,7 @@ namespace {
 
 using Names = std::set<std::string>;
 
-/// Returns the function whose declaration or definition a line begins, or "". Members are indented.
+/// Returns the function whose declaration or definition begins on this line, or "". Members are indented.
 std::string function_of(const std::string& line) {
   static const std::regex begin(R"([\w\[][^=(]*[\s*&](\w+)\()");
   std::smatch match;
@@ -19,7 +19,7 @@ std::string function_of(const std::string& line) {
   return found ? match[1].str() : "";
 }
 
-/// Returns all free functions of a header; of a source, those in its anonymous namespaces.
+/// Returns all free functions of a header, or the functions in a source's anonymous namespaces.
 Names functions_of(const std::string& content, bool header) {
   Names names;
   std::istringstream lines(content);
@@ -44,7 +44,7 @@ bool calls(const std::string& content, const std::string& function) {
   return false;
 }
 
-/// Adds to `reached` what a file includes, and what that includes.
+/// Adds the headers that a file includes, directly or indirectly, to `reached`.
 void follow(const std::string& file, const Files& files, Names& reached) {
   static const std::regex include(R"re(^#include "([^"]+)")re");
   std::istringstream lines(files.at(file));

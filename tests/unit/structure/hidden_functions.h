@@ -1,5 +1,6 @@
-// Functions that hide others where several sources are compiled as one file, as all presets but dev do: an
-// anonymous one of one source, and one that a header declares and the next source means.
+// Finds functions that hide others if several sources are compiled as one file, as in all presets except dev.
+// One source has a function in an anonymous namespace. The next source uses a function with the same name
+// from a header.
 #pragma once
 
 #include <string>
@@ -10,8 +11,8 @@
 namespace robosim::structure {
 
 /// Returns a message for each function in an anonymous namespace of a .cpp file that may hide another. A
-/// header declares a function of its name, and another .cpp file of the library calls that: the compiler may
-/// choose either without a warning. A library is a folder of the first two levels, `sim/grid`.
+/// header declares a function with the same name, and another .cpp file of the library calls it. The compiler
+/// may choose either function without a warning. A library is a folder of two levels, such as `sim/grid`.
 std::vector<std::string> hidden_functions(const Files& files);
 
 }  // namespace robosim::structure

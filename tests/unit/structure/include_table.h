@@ -8,13 +8,14 @@
 
 namespace robosim::structure {
 
-/// The content of each file by its path from the checkout's root.
+/// The content of each file, by its path from the checkout's root.
 using Files = std::map<std::string, std::string>;
 
 struct IncludeTable {
-  std::vector<std::string> search;                        ///< folders, in this order
-  std::map<std::string, std::vector<std::string>> rows;   ///< folder -> folders it may include
-  std::map<std::string, std::vector<std::string>> alone;  ///< start of another's header -> folders that may
+  std::vector<std::string> search;                        ///< in order
+  std::map<std::string, std::vector<std::string>> rows;   ///< by folder: the folders that it may include
+  std::map<std::string, std::vector<std::string>> alone;  ///< by start of a header: folders that may include
+                                                          ///< it
 };
 
 /// Reads the table. Throws InputError at a line that is not a row.

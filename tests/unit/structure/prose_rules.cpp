@@ -11,14 +11,16 @@
 namespace robosim::structure {
 namespace {
 
-/// A phrase, and what to write. Its elements are words or punctuation marks: `a|b` is one of these; `!a|b` is
-/// any other or none; `^` is the beginning of the sentence; `$` is its end or a punctuation mark.
+/// A phrase, and its replacement. A phrase's elements are words or punctuation marks: `a|b` matches one of
+/// these; `!a|b` matches any other or none; `^` is the beginning of the sentence; `$` is its end or a
+/// punctuation mark.
 struct Phrase {
   const char* phrase;
   const char* instead;
 };
 
-// Only forms that are never good English here. A phrase that hits good English is narrowed or removed.
+// Only phrases that are never good English here. A phrase that also matches good English is narrowed or
+// removed.
 constexpr Phrase kWords[] = {
     {"anew", "again"},
     {"nobody|somebody|whoever", "the caller, the user, no listener: name the actor"},
@@ -97,7 +99,7 @@ struct Element {
   bool is_anchor() const { return !negated && words.front() != "^" && words.front() != "$"; }
 };
 
-/// Phrases by the words of their first element that is one.
+/// Finds phrases, indexed by the words of their first element that is a word.
 class PhraseList {
  public:
   template <std::size_t kCount>
@@ -117,7 +119,7 @@ class PhraseList {
   std::vector<std::string> hits(const Passage& passage) const {
     std::vector<std::string> found;
     for (const std::vector<Token>& sentence : sentences(passage.text)) {
-      std::ptrdiff_t reported = 0;  // up to this token
+      std::ptrdiff_t reported = 0;  // findings end before this token
       for (std::size_t i = 0; i < sentence.size(); ++i) {
         const auto list = by_word_.find(sentence[i].text);
         if (list == by_word_.end()) continue;
@@ -179,7 +181,7 @@ std::vector<std::string> long_sentences(const Passage& passage) {
   std::vector<std::string> found;
   if (passage.kind == Passage::Kind::row || passage.kind == Passage::Kind::cell) return found;
   for (const std::vector<Token>& sentence : sentences(passage.text)) {
-    std::size_t words = 0, first = 0, depth = 0;  // of parentheses
+    std::size_t words = 0, first = 0, depth = 0;  // depth of parentheses
     const auto end_part = [&](std::size_t next) {
       if (words > kLongestSentence)
         found.push_back(fmt::format("{}: a sentence has {} words: expected at most {}",

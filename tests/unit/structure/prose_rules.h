@@ -20,16 +20,14 @@ constexpr std::size_t kLongestSubject = 72;
 /// Returns a message for each phrase that has a plainer form: `anew` for `again`.
 std::vector<std::string> odd_words(const Passage& passage);
 
-/// Returns a message for each sentence of more than kLongestSentence words. A colon or semicolon ends a
-/// sentence, too. Numbers and text in parentheses are not counted. Rows and cells of tables are not
-/// sentences.
+/// Returns a message for each sentence of more than kLongestSentence words. A colon or semicolon also ends a
+/// sentence. Numbers and text in parentheses are not counted. Rows and cells of tables are not sentences.
 std::vector<std::string> long_sentences(const Passage& passage);
 
-/// Returns a message if a comment opens with a fragment such as `Whether …` or `The same.`, and not with a
-/// verb.
+/// Returns a message if a comment opens with a fragment such as `Whether …` or `The same.` instead of a verb.
 std::vector<std::string> bare_openings(const Passage& passage);
 
-/// Returns a message for each phrase of a string literal that error messages say in another form.
+/// Returns a message for each phrase of a string literal for which error messages have another form.
 std::vector<std::string> odd_messages(const Passage& passage);
 
 /// Returns a message for each line of Markdown that is too long. Tables, code and lines without a space to

@@ -23,7 +23,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 const std::string kRoot = ROBOSIM_SOURCE_DIR;
-/// The last commit before the rules.
+/// The last commit before the rules applied.
 const std::string kFirstRevision = "883c866f";
 
 /// Returns build files, scripts and TOML files.
@@ -47,7 +47,7 @@ Files read_scripts() {
 
 struct History {
   std::vector<std::string> subjects;
-  std::string missing;  ///< why there are no subjects
+  std::string missing;  ///< why subjects are missing
 };
 
 /// Reads the subjects of commits since kFirstRevision.

@@ -10,7 +10,7 @@
 namespace robosim::structure {
 namespace {
 
-constexpr std::size_t kRowIndent = 2;  // of lines of a comment that are not prose
+constexpr std::size_t kRowIndent = 2;  // of comment lines that are not prose
 constexpr std::size_t kLeastWords = 3;
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
@@ -81,7 +81,7 @@ std::size_t count_words(std::string_view text) {
   return words;
 }
 
-/// Collects lines of one paragraph after the other.
+/// Collects lines into paragraphs.
 class Collector {
  public:
   explicit Collector(std::string file) : file_(std::move(file)) {}
@@ -95,14 +95,14 @@ class Collector {
     end();
     current_ = {file_, line, kind, opens_, std::string(text)};
   }
-  /// Ends the paragraph.
+  /// Ends the current paragraph.
   void end() {
     if (current_.text.empty()) return;
     current_.text = without_code(current_.text);
     found.push_back(std::exchange(current_, {}));
     opens_ = false;
   }
-  /// Ends the paragraph, and marks the next one as a comment's first.
+  /// Ends the current paragraph, and marks the next one as the first of a comment.
   void end_comment() {
     end();
     opens_ = true;
@@ -120,7 +120,7 @@ class Collector {
   bool opens_ = true;
 };
 
-/// Adds a comment's line without its marker.
+/// Adds a line of a comment, without its marker.
 void add_comment_line(Collector& collector, int line, std::string_view text) {
   const std::size_t indent = text.find_first_not_of(' ');
   if (indent == text.npos || text.find_first_of("*=~", indent) == indent) return collector.end();
@@ -177,7 +177,7 @@ class SourceReader {
   void line_comment() {
     const std::size_t end = std::min(source_.find('\n', at_), source_.size());
     std::string_view text = source_.substr(at_, end - at_);
-    // "///< …", or below a comment that follows code.
+    // The comment is "///< …", or continues a comment after code on the previous line.
     const std::size_t column = at_ - (source_.rfind('\n', at_) + 1);
     const bool continues = (text.find('<') != text.npos && text.find('<') == text.find_first_not_of('/')) ||
                            (column == remark_column_ && line_ == remark_line_ + 1);
@@ -245,16 +245,16 @@ class SourceReader {
   bool with_messages_;
   std::size_t at_ = 0;
   int line_ = 1;
-  bool only_space_ = true;   // on this line so far
-  bool in_comment_ = false;  // this line is one
-  int remark_line_ = -1;     // of the last comment after code
+  bool only_space_ = true;   // so far on this line
+  bool in_comment_ = false;  // the current line is a comment
+  int remark_line_ = -1;     // line of the last comment after code
   std::size_t remark_column_ = 0;
   std::string literal_;
   int literal_line_ = 0;
 };
 
-/// Replaces quotes, arrows and other symbols beyond ASCII by spaces, and a middle dot, which separates items,
-/// by a semicolon. Letters with accents stay.
+/// Replaces quotes, arrows and other symbols beyond ASCII by spaces. Replaces a middle dot, which separates
+/// items, by a semicolon. Letters with accents are unchanged.
 std::string without_symbols(std::string_view utf8) {
   std::string text(utf8);
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -267,8 +267,8 @@ std::string without_symbols(std::string_view utf8) {
   return text;
 }
 
-/// Returns whether the full stop at `at` belongs to an abbreviation, the word `last` before it. A single
-/// letter is one if a lower-case letter follows.
+/// Returns whether the full stop at `at` belongs to an abbreviation, which is the word `last` before it. A
+/// single letter is an abbreviation if a lower-case letter follows.
 bool is_abbreviation(std::string_view text, const Token* last, std::size_t at) {
   static constexpr std::array<std::string_view, 11> kAll = {"e.g", "i.e", "etc", "vs",  "cf",    "no",
                                                             "rev", "sec", "al",  "fig", "approx"};

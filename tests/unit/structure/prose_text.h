@@ -8,7 +8,7 @@
 
 namespace robosim::structure {
 
-/// A paragraph of a document or comment, or a string literal. Inline code is replaced by the word `kCode`.
+/// A paragraph of a document or comment, or a string literal. Inline code is replaced by kCode.
 struct Passage {
   enum class Kind {
     document,  ///< a paragraph of a Markdown file
@@ -20,10 +20,10 @@ struct Passage {
   };
 
   std::string file;
-  int line = 0;  ///< of its first character
+  int line = 0;  ///< line of its first character
   Kind kind = Kind::document;
-  bool opens = false;  ///< it begins a comment
-  std::string text;    ///< with the line breaks of the file
+  bool opens = false;  ///< it is the first paragraph of a comment
+  std::string text;    ///< including the file's line breaks
 
   /// Returns "file:line" of a position in the text.
   std::string place(std::size_t at) const;
@@ -33,7 +33,7 @@ constexpr std::string_view kCode = "_";
 
 std::vector<Passage> passages_of_document(const std::string& file, std::string_view markdown);
 
-/// Returns comments of C++, and, if `with_messages`, string literals. Joins adjacent literals. Skips raw
+/// Returns comments of C++ and, if `with_messages`, string literals. Joins adjacent literals. Skips raw
 /// literals and disabled lints.
 std::vector<Passage> passages_of_source(const std::string& file, std::string_view source, bool with_messages);
 
@@ -43,12 +43,12 @@ std::vector<Passage> passages_of_script(const std::string& file, std::string_vie
 /// A word in lower case, or a punctuation mark.
 struct Token {
   std::string text;
-  std::size_t at = 0;  ///< in the passage's text
+  std::size_t at = 0;  ///< position in the passage's text
   bool is_word = false;
 };
 
-/// Returns the tokens of each sentence. A sentence ends at `.`, `!` or `?` before a space or the end, except
-/// after abbreviations.
+/// Returns the tokens of each sentence. A sentence ends at `.`, `!` or `?` before a space or the end of the
+/// text, except after abbreviations.
 std::vector<std::vector<Token>> sentences(std::string_view text);
 
 }  // namespace robosim::structure

@@ -1,5 +1,5 @@
-// Tests that snapshots contain everything that changes during a run. Each class has it in one State, which is
-// copied as a whole; snapshot_members.txt lists the other members.
+// Tests that snapshots contain everything that changes during a run. Each class stores it in one State, which
+// is copied as a whole. snapshot_members.txt lists the other members.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -20,11 +20,11 @@ using testing::IsEmpty;
 
 struct MembersTable {
   std::vector<std::string> rooms;
-  std::set<std::string> files;    ///< all members of which stand in the table
+  std::set<std::string> files;    ///< files whose members are all in the table
   std::set<std::string> members;  ///< "FILE MEMBER"
 };
 
-/// Lines `KIND: FILE MEMBERS` or `KIND: FILES`.
+/// Reads lines `KIND: FILE MEMBERS` or `KIND: FILES`.
 MembersTable read_members_table(const std::string& text) {
   MembersTable table;
   std::istringstream lines(text);
@@ -45,13 +45,13 @@ MembersTable read_members_table(const std::string& text) {
   return table;
 }
 
-/// Const, a reference, or the number of an event of a chip, which it gets once.
+/// Returns whether a member is const, a reference, or the number of a chip's event, which is assigned once.
 bool never_changes(const std::string& type) {
   return (type.starts_with("const ") && !type.ends_with("*")) || type.ends_with("&") ||
          type.ends_with("* const") || type.ends_with("Events::Id");
 }
 
-/// Returns the members that a line declares, unless those never change.
+/// Returns the members that a line declares, except those that never change.
 std::vector<std::string> members_of(const std::string& line) {
   static const std::regex kDeclaration(
       R"(\s+(?:mutable |alignas\(\S+\) )?([\w:][\w:<>,*& ()]*[>*&\w])\s+([a-z]\w*_(?:[^()]|\(\))*);\s*)");
@@ -81,7 +81,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-/// Returns a sentence for each member that a snapshot may forget.
+/// Returns a message for each member that a snapshot may miss.
 std::vector<std::string> forgotten(const MembersTable& table, const Files& files) {
   std::vector<std::string> sentences;
   for (const auto& [file, text] : files) {

@@ -1,5 +1,5 @@
-// CI does not build the bench in a tab (docs/howto/tab.md). This test finds code that would not compile
-// there.
+// CI does not build the bench in a tab (docs/howto/tab.md). This test finds code that would not compile in a
+// tab.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = ROBOSIM_SOURCE_DIR;
 
-/// Returns the words that stand in `text` between `begin` and the next parenthesis.
+/// Returns the words between `begin` and the next parenthesis in `text`.
 std::vector<std::string> words_behind(const std::string& text, const std::string& begin) {
   const std::size_t at = text.find(begin) + begin.size();
   std::istringstream words(text.substr(at, text.find(')', at) - at));
@@ -32,8 +32,8 @@ std::vector<fs::path> sources_in(const fs::path& folder) {
   return found;
 }
 
-// Headers that come with emscripten, are nothing but headers, or are included for another processor alone;
-// and what emscripten's libc++ 13 has not.
+// Allows headers that come with emscripten, are header-only, or are included only for another processor.
+// Rejects features that emscripten's libc++ 13 does not have.
 TEST(Tab, IsGivenNothingThatItsCompilerLacks) {
   const std::set<std::string> headers = {"fmt/format.h",     "nlohmann/json.hpp", "toml++/toml.h", "xxhash.h",
                                          "sha2.h",           "cxxabi.h",          "elf.h",         "fcntl.h",

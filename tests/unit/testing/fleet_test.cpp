@@ -1,4 +1,5 @@
-// Tests with several robots: what is refused, and whether the command they name gives the same run.
+// Tests with several robots: which ones are refused, and whether the command that they print gives the same
+// run.
 #include <gmock/gmock.h>
 #include <robosim/testing.h>
 

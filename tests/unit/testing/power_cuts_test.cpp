@@ -33,7 +33,7 @@ TEST(AtEveryPowerCut, RunsTheTrialAsItIsAndThenWithThreeCutsOfEachByte) {
 }
 
 TEST(AtEveryPowerCut, LeavesTheByteOldErasedOrNew) {
-  // A fresh EEPROM holds 255: the sketch writes 0, twice.
+  // A new EEPROM contains 255. The sketch writes 0 to two bytes.
   std::vector<std::string> second_starts;
   AtEveryPowerCut(diary(), [&](Simulation& robot) {
     robot.run_for(100_ms);

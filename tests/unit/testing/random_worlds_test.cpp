@@ -1,9 +1,9 @@
-// Tests random worlds: each drawn world is valid, each shrunk world is valid and smaller, and a search ends
+// Tests random worlds. Each drawn world is valid, each shrunk world is valid and smaller, and a search ends
 // with the smallest world that fails.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/Random.h>
-#include <rapidcheck/seq/Transform.h>  // the next header needs it and does not include it
+#include <rapidcheck/seq/Transform.h>  // the next header needs it, but does not include it
 #include <rapidcheck/shrinkable/Operations.h>
 #include <robosim/random_worlds.h>
 
@@ -28,7 +28,8 @@ rc::Shrinkable<T> draw(const rc::Gen<T>& any, std::uint64_t seed, int size = rc:
   return any(rc::Random(seed), size);
 }
 
-/// Checks drawn values. Each is then shrunk step by step, as far as it goes, and checked after each step.
+/// Checks random values. Each value is then shrunk step by step as far as possible, and checked after each
+/// step.
 template <typename T>
 void for_all(const rc::Gen<T>& any, std::uint64_t count, const std::function<void(const T&)>& check) {
   for (std::uint64_t seed = 1; seed <= test::rounds(count); ++seed) {

@@ -13,7 +13,7 @@ std::string drawn(const FloorPicture& floor, const std::vector<Mark>& marks, Loo
   return to_text(frame, look);
 }
 
-// A line from the left to the right under a wall, one cell = 4 x 2 characters.
+// A line from left to right below a wall. One cell is 4 x 2 characters.
 class FloorPictureTest : public ::testing::Test {
  protected:
   FloorPictureTest() : map_(grid::parse_map("222\n111\n", "t.map")), floor_(map_) {
@@ -37,7 +37,7 @@ TEST_F(FloorPictureTest, WallAndLineLookDifferent) {
 }
 
 TEST_F(FloorPictureTest, TheTrailLiesOnTheLineAndIsForgottenWithTheWindow) {
-  // World: y north. The line's centre is at y = 50 mm.
+  // In the world, y points north. The line's centre is at y = 50 mm.
   floor_.add_trail({0.05, 0.055}, {0.15, 0.055});
   EXPECT_EQ(drawn(floor_, {}, kPlain),
             "░░░░░░░░░░░░\n"

@@ -118,11 +118,11 @@ TEST(EndScreen, DrawsTrailStationsAndRobotOnTheMap) {
   r.trail.add(at(250, 50));
   const std::string screen = end_screen(r, &map, 78, kPlain);
   const std::string second = screen.substr(screen.find('\n', screen.find('\n') + 1) + 1);
-  // One cell is 8 x 4 characters; the stations' centres are in the third row.
+  // One cell is 8 x 4 characters. The stations' centres are in the third row.
   EXPECT_THAT(second, StartsWith("    1⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉→·······d\n")) << screen;
 }
 
-// The start is on a path: not in the middle of the cell that it begins in.
+// The start is on a path, and not in the middle of its cell.
 TEST(EndScreen, MarksTheStartWhereTheRobotBegins) {
   const auto map = grid::parse_map(
       "+++\nsize = [\"400 mm\", \"300 mm\"]\n[[path]]\nfrom = [\"20 mm\", \"210 mm\"]\nsegments = [{ length "
@@ -150,7 +150,7 @@ TEST(EndScreen, LeavesOutTheEmptyFloorAround) {
   Report r = report();
   r.started.stations = {};
   r.started.x = r.started.y = 1;
-  // Two cells of 8 x 4 characters, the line between the second row and the third.
+  // Two cells of 8 x 4 characters, with the line between the second and the third row.
   EXPECT_THAT(end_screen(r, &map, 78, kPlain), StartsWith("\n\n    S·······\n\n\nPidFollower"));
 }
 

@@ -1,4 +1,4 @@
-// Looks of a terminal, for tests: plain, with colours, and in ASCII.
+// Terminal looks for tests: plain, with colours, and in ASCII.
 #pragma once
 
 #include "sim/tui/frame.h"

@@ -34,7 +34,7 @@ TEST(Keys, OtherSequencesAreSkippedWhole) {
   EXPECT_EQ(take_key(bytes), Key::quit);
 }
 
-/// A terminal of our own: what the screen writes to it can be read at `master`.
+/// A separate terminal. The test reads the screen's output at `master`.
 class ScreenTest : public ::testing::Test {
  protected:
   ScreenTest() {
@@ -105,7 +105,7 @@ TEST_F(ScreenTest, KnowsItsSizeKeysAndChanges) {
   EXPECT_EQ(written(), "\033[1;2Hb");
 }
 
-// Ctrl-C may discard, between the look and the read, what was typed before it.
+// Ctrl-C may discard typed characters between poll() and read().
 TEST_F(ScreenTest, AReadThatBringsNothingIsNoHangUp) {
   {
     Screen screen(terminal_, terminal_, {true, false});

@@ -17,7 +17,7 @@ using ::testing::SizeIs;
 
 std::string line_of(const Event& event) { return to_line(Id(std::int64_t{1}), Answer(event)); }
 
-/// Returns the bytes that a client gets. The line contains their number.
+/// Returns the bytes that a client receives. The line contains their number.
 std::string bytes_in(const std::string& said) {
   const std::size_t end = said.find('\n') + 1;
   const Line line = parse_line(said.substr(0, end));
@@ -41,7 +41,7 @@ std::vector<std::string> told(BatchReader& reader, const std::string& bytes) {
 
 constexpr double kThird = 0.1 + 0.2, kSmallest = std::numeric_limits<double>::denorm_min();
 
-/// Adds all events that a batch can hold, with extreme values. Returns the expected lines.
+/// Adds all events that a batch supports, with extreme values. Returns the expected lines.
 std::vector<std::string> add_all(BatchWriter& writer) {
   const std::vector<Event> events = {
       Sample{kLatest_ns / 1000, kThird, -0.0, -1e308, kSmallest, 5, 6, 7, {kThird, 0, 1023}, "", {8, 9}, 255},
@@ -182,7 +182,7 @@ TEST(Batches, AreReadFromMemoryThatOutlivesWhoWroteThem) {
   const std::vector<std::string> meant = add_all(*std::make_unique<BatchWriter>(&memory));
   BatchReader reader(of_all());
   EXPECT_EQ(told(reader, BatchWriter(&memory).take().bytes), meant);
-  memory.used = 4'000'000'000;  // firmware has written there
+  memory.used = 4'000'000'000;  // firmware may have written there
   EXPECT_THAT(BatchWriter(&memory).take().bytes, SizeIs(BatchMemory::kRoom_bytes));
 }
 

@@ -1,5 +1,5 @@
 // Tests that tables of keys in docs/, between `<!-- keys of NAME -->` and `<!-- end of keys -->`, equal the
-// messages' descriptions. ROBOSIM_WRITE_DOCS=1 wire_test --gtest_filter='Docs.*' regenerates them.
+// messages' descriptions. ROBOSIM_WRITE_DOCS=1 wire_test --gtest_filter='Docs.*' regenerates the tables.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Visits a message for a table in Markdown.
+/// Writes a message's keys as a Markdown table.
 class TableWriter {
  public:
   static constexpr bool kReads = false;
   static constexpr bool kDescribes = true;
 
-  /// A request's has a column more: what an absent key means.
+  /// A request's table has an additional column: the meaning of a missing key.
   explicit TableWriter(bool request) : request_(request) {
     text = request ? "| key | value | meaning | default |\n|---|---|---|---|\n"
                    : "| key | value | meaning |\n|---|---|---|\n";
@@ -176,7 +176,7 @@ std::vector<Table> tables() {
 constexpr const char* kBegin = "<!-- keys of ";
 constexpr const char* kEnd = "<!-- end of keys -->";
 
-/// The page with its tables as they are described; the names of those go into `found`.
+/// Returns the page with up-to-date tables. Adds the tables' names to `found`.
 std::string brought_up_to_date(const std::string& page, const std::vector<Table>& all,
                                std::multiset<std::string>& found) {
   std::string text;

@@ -1,5 +1,5 @@
-// Tests malformed lines of the protocol: truncated, reversed, nested without end, or with values of another
-// kind. Each gives one message that names the fault, and has no other effect.
+// Tests malformed lines of the protocol: truncated, reversed, infinitely nested, or with values of another
+// kind. Each line gives one message that names the fault, and has no other effect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 std::string request_fault(const std::string& line) { return parse_request(line).fault; }
 std::string driven_fault(const std::string& line) { return parse_driven_request(line).fault; }
 
-/// "" if it is read.
+/// Returns the fault of an answer, or "".
 std::string answer_fault(const std::string& line) {
   try {
     parse_line(line);

@@ -117,7 +117,7 @@ TEST(ParsedJson, IsWhatNlohmannMakesOfIt) {
       parsed_json(std::string(kDeepestJson + 1, '[') + std::string(kDeepestJson + 1, ']')).is_discarded());
 }
 
-// Lines as runners write them, with a byte changed, added or removed.
+// Tests lines of runners with one byte changed, added or removed.
 TEST(ParsedJson, NorDoesDamageMakeADifference) {
   const std::string line =
       R"({"id":7,"result":{"verdict":"reached","why":"It is done.","status":0,"time_s":0.001,"metrics":)"

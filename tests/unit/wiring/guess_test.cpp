@@ -14,7 +14,7 @@ using testing::Not;
 
 const BoardSpec& uno() { return *find_board("uno"); }
 
-// A run, written as what happens to pins.
+// A run, as a list of events on pins.
 struct Seen {
   PinHistory history{uno()};
 

@@ -16,7 +16,7 @@ namespace {
 // A body in the middle of an empty floor of 40 m x 40 m.
 class BodyTest : public testing::Test {
  protected:
-  // Makes a body in a world of its own.
+  // Makes a body in a new world.
   Body& make(const BodyParams& params = default_body_params()) {
     world_ = std::make_unique<World>(map_);
     return world_->body(world_->add_body(params, {{20.0, 20.0}, {1.0, 0.0}}));
@@ -37,7 +37,7 @@ class BodyTest : public testing::Test {
   std::unique_ptr<World> world_;
 };
 
-// Returns parameters with which the terminals get nominal_volts exactly, and only the motor has friction.
+// Returns parameters that give the terminals exactly nominal_volts, and friction only to the motor.
 BodyParams at_nominal_volts() {
   BodyParams p = default_body_params();
   p.driver_drop_volts = p.driver_ohms = 0.0;
@@ -64,7 +64,7 @@ TEST_F(BodyTest, StartsWithItsStallTorque) {
   const WheelParams& w = p.wheel[left];
   const double inertia = w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio;
   const double mass = p.mass_kg + 2.0 * inertia / (w.radius_m * w.radius_m);
-  // At rest, static friction is the larger one: it takes its excess from the first tick.
+  // At rest, static friction is larger, and reduces the force in the first tick.
   const double friction = w.stall_torque / (w.stall_current - w.no_load_current) * w.no_load_current;
   const double force = 2.0 * (w.stall_torque - (w.static_friction - 1.0) * friction) / w.radius_m;
   EXPECT_NEAR(body.speed(), force / mass * 0.001, 0.02 * force / mass * 0.001);
@@ -209,7 +209,7 @@ TEST_F(BodyTest, TooFastInABendItSkidsOutward) {
     world_->step();
     most = std::max(most, -body.side_speed());
   }
-  EXPECT_GT(most, 0.01);  // it turns left and slides to the right
+  EXPECT_GT(most, 0.01);  // the body turns left and slides to the right
 }
 
 TEST_F(BodyTest, AcceleratingAndTurningShareOneGrip) {
@@ -224,7 +224,7 @@ TEST_F(BodyTest, AcceleratingAndTurningShareOneGrip) {
     if (i % 400 == 0) drive(body, i % 800 ? 1.0 : 0.5, i % 1200 ? 0.6 : 1.0);
     const double before = body.speed(), across = body.speed() * body.turn_rate();
     world_->step();
-    if (body.side_speed() != 0.0) continue;  // while it skids, its axes turn under its velocity
+    if (body.side_speed() != 0.0) continue;  // while the body skids, its axes rotate relative to its velocity
     most = std::max(most, std::hypot((body.speed() - before) / 0.001, across));
   }
   EXPECT_LT(most, limit * 1.01);
@@ -353,7 +353,7 @@ TEST_F(BodyTest, WithLessSupplyItIsSlowerInProportion) {
   drive(body, 1.0, 1.0);
   body.supply(0.5 * p.supply_volts);
   run(5.0);
-  // The line of speed over torque moves down by the same share; friction takes the same as before.
+  // The line of speed over torque moves down in proportion to the supply. Friction is unchanged.
   const double lost = p.wheel[left].stall_torque / p.wheel[left].no_load_rate;
   const double slower = 0.5 * p.wheel[left].no_load_rate;
   EXPECT_LT(body.wheel_rate(left), slower);
@@ -387,7 +387,7 @@ TEST_F(BodyTest, ZeroIsNotSilentlyABody) {
   EXPECT_THROW(make(p), std::invalid_argument);
 }
 
-// Each parameter at absurd sizes, alone and with others.
+// Each parameter has extreme values, alone and combined with others.
 TEST_F(BodyTest, StaysFiniteForAnyPositiveParameters) {
   unsigned random = 7;
   const auto absurd = [&random](double& value) {

@@ -23,7 +23,7 @@ Vec2 direction(double degrees) {
   return {std::cos(a), std::sin(a)};
 }
 
-// Motors geared for a speed of several m/s.
+// Returns parameters with motors geared for several m/s.
 BodyParams fast(double rate_factor) {
   BodyParams p = default_body_params();
   for (WheelParams& w : p.wheel) {
@@ -99,7 +99,7 @@ TEST_P(OfEveryShape, NeverPassesAOneCellWallAtAnySpeedFromAnyAngle) {
   }
 }
 
-// Motors that reach 100 m/s, the most a body can have, at once: ten cells a tick.
+// The motors reach 100 m/s, a body's maximum, immediately: ten cells per tick.
 TEST_P(OfEveryShape, NeverPassesAThinWallAtTheHighestSpeed) {
   std::vector<std::string> rows(300, std::string(300, ' '));
   for (int i = 50; i < 250; ++i) rows[50][i] = rows[249][i] = rows[i][50] = rows[i][249] = '#';
@@ -279,7 +279,7 @@ TEST(Contact, PutIntoAWallItStaysUntilItIsLiftedOut) {
   EXPECT_FALSE(body.in_contact());
 }
 
-// The bound that lets most ticks skip the search.
+// Tests the bound that lets most ticks skip the search.
 TEST(Walls, ClearanceNeverPromisesTooMuch) {
   unsigned random = 5;
   for (int round = 0; round < 30; ++round) {

@@ -11,7 +11,7 @@
 namespace robosim::world {
 namespace {
 
-// FNV-1a over the bits of doubles.
+// Computes FNV-1a over the bits of doubles.
 struct Bits {
   std::uint64_t hash = 14695981039346656037u;
   void add(double value) {
@@ -22,8 +22,8 @@ struct Bits {
 };
 
 // Two bodies drive into walls, each other and an obstacle, slip, brake and read the floor. If this hash
-// changes, old runs can no longer be reproduced: say so where it is changed. It holds for gcc and clang at
-// any optimisation.
+// changes, old runs can no longer be reproduced, so the change must be announced. The hash is the same for
+// gcc and clang at any optimisation.
 TEST(Determinism, TheBitsOfAMixedRunArePinned) {
   grid::Map map =
       map_of({"##############", "#            #", "# .......... #", "# .   #    . #", "# .  oo..  x #",
@@ -63,7 +63,7 @@ TEST(Determinism, TheBitsOfAMixedRunArePinned) {
   EXPECT_EQ(bits.hash, 12569182467989404639u);
 }
 
-// Bodies are made in memory that others have used: what lies there must not matter.
+// The previous content of a body's memory must have no effect.
 TEST(Determinism, ABodyOwesNothingToTheMemoryItIsMadeIn) {
   BodyParams box = default_body_params();
   box.outline = {{-0.05, -0.05}, {0.08, -0.05}, {0.08, 0.05}, {-0.05, 0.05}};

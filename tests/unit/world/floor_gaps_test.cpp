@@ -1,4 +1,5 @@
-// Tests gaps between boards against the closed forms in floor_gaps.h: the depth of a wheel, and its loss.
+// Tests gaps between boards against the closed forms in floor_gaps.h: the depth of a wheel, and the loss of
+// energy.
 #include "sim/world/floor_gaps.h"
 
 #include <gtest/gtest.h>
@@ -41,8 +42,8 @@ class JointsTest : public testing::Test {
   void run(int ticks) {
     for (int i = 0; i < ticks; ++i) world_->step();
   }
-  /// Returns the share of its energy that a robot loses over `gaps` gaps, 100 mm apart. It coasts at that
-  /// speed.
+  /// Returns the share of its energy that a robot loses over `gaps` gaps, 100 mm apart. The robot coasts,
+  /// initially at `speed`.
   double lost(double gap, double speed, int gaps) {
     const double share = speed / top_speed();
     for (int i = 0; i < gaps; ++i) map_.course.joints.push_back(joint(12.0 + 0.1 * i, gap));
@@ -62,7 +63,8 @@ class JointsTest : public testing::Test {
     run(3000);
     return body.speed();
   }
-  /// Returns the speed by the closed form. Rotating masses keep their speed, and pass some of it on.
+  /// Returns the loss by the closed form. Rotating masses keep their speed, and return some of it to the
+  /// robot.
   double expected(double gap, double speed, int gaps) const {
     const WheelParams& w = params_.wheel[left];
     const double turns = 2.0 * (w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio) /
@@ -72,7 +74,7 @@ class JointsTest : public testing::Test {
     for (int i = 0; i < gaps; ++i)
       for (const auto& [share, r] : {std::pair{params_.load_share, w.radius_m},
                                      std::pair{1.0 - params_.load_share, params_.caster_radius_m}}) {
-        // It falls in, meets the edge, and climbs out.
+        // The wheel falls in, hits the edge, and climbs out.
         const double limit = std::sqrt(kFall * r), sine = 0.5 * gap / r, fast = std::max(v / limit, 1.0);
         const double fallen = 2.0 * kFall * r * (1.0 - std::sqrt(1.0 - sine * sine)) * 4.0 /
                               ((1.0 + fast) * (1.0 + fast)) * share * m / (m + turns);
@@ -101,7 +103,7 @@ TEST_F(JointsTest, SinkAWheelByTheClosedForm) {
                   1e-12);
       EXPECT_EQ(joints.sunk({10.0 + 0.501 * gap, 10.0}, wheel).depth, 0.0);
       EXPECT_EQ(joints.sunk({10.0, 12.1}, wheel).depth, 0.0) << "beside its end";
-      // Down towards the middle, as the circle about the edge is.
+      // The wheel sinks towards the middle, along a circle around the edge.
       const double away = 0.3 * gap, slope = away / std::sqrt(r * r - away * away);
       EXPECT_NEAR(joints.sunk({10.0 - 0.2 * gap, 10.0}, wheel).rise.x, -slope, 1e-12);
       EXPECT_NEAR(joints.sunk({10.0 + 0.2 * gap, 10.0}, wheel).rise.x, slope, 1e-12);
@@ -139,7 +141,7 @@ TEST_F(JointsTest, CostWhatTheImpactOnTheFarEdgeDoes) {
 
 TEST_F(JointsTest, HoldAWheelThatHasNotThePowerToClimbOut) {
   map_.course.joints = {joint(10.0, 0.005)};
-  // Both wheels of 16 mm in the middle, motors of so much force.
+  // Both wheels, of 16 mm, are in the middle of the gap. The motors have the force `share`.
   const auto leaves = [&](double share) {
     Body& body = make({{10.0, 10.0}, {1.0, 0.0}});
     const WheelParams& w = params_.wheel[left];

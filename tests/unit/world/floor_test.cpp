@@ -33,7 +33,7 @@ grid::Map random_map(Random& random, bool raster, double corner) {
   return map;
 }
 
-// Returns a map of a few long lines with bends, as real floors have.
+// Returns a map of a few long lines with bends, like real floors.
 grid::Map bends(double corner) {
   grid::Map map = map_of({"                ", " .............. ", " .            . ", " .  .....     . ",
                           " .  .   .  oo... ", " .  .   .  .    ", " .  .   ....    ", " .  .           ",
@@ -42,7 +42,7 @@ grid::Map bends(double corner) {
   return map;
 }
 
-// Arcs and slanted straights that cross.
+// Returns a figure eight of arcs and slanted straights that cross.
 grid::Map eight_of_arcs() {
   return grid::parse_map(R"(+++
 line = "19 mm"
@@ -83,7 +83,7 @@ void expect_exact(const grid::Map& map, Random& random) {
       const double footprint = std::max(f, 1e-9);
       const double d = brute_distance(stripes, p, true);
       const double share = (map.line_m / 2 + footprint / 2 - d) / footprint;
-      // With no width the stripe's border is a jump.
+      // Without a width, coverage jumps at the stripe's border.
       if (f == 0.0 && std::fabs(d - map.line_m / 2) < 1e-8) continue;
       const double most = std::min(map.line_m / footprint, 1.0);
       ASSERT_NEAR(floor.coverage(p, f), std::max(std::min(share, most), 0.0), 1e-9)
@@ -106,7 +106,7 @@ TEST(Floor, DistanceAndCoverageAreExactOverRoundedBends) {
   }
 }
 
-// Compares to the bit, on walks with strides of all lengths, over the map's edge, too.
+// Compares to the bit, on walks with strides of all lengths, including beyond the map's edge.
 TEST(Floor, WhoRemembersTheNearestStripeFindsTheSame) {
   Random random;
   for (int i = 0; i < 24; ++i) {
@@ -227,7 +227,7 @@ TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
   }
 }
 
-// The oracle lays a fine grid of points over the footprint.
+// The reference covers the footprint with a fine grid of points.
 TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
   const grid::Map map = grid::parse_map(
       "+++\nsize = [\"1 m\", \"1 m\"]\nline = \"1 mm\"\n[[path]]\nfrom = [\"100 mm\", \"500 mm\"]\n"
@@ -258,7 +258,7 @@ TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
   EXPECT_GT(counted, 100);
 }
 
-// Queries every mark, while the floor queries only those that its index finds nearby.
+// Checks every mark, while the floor checks only those that its index finds nearby.
 TEST(Marks, AreSeenFromEverywhereBesideLinesOfOneKindOrOfSeveral) {
   const auto course = [](const std::string& of_one_bend) {
     std::string text =

@@ -1,5 +1,5 @@
-// Tests hills and surfaces against closed forms within 2 %, from the formulas in ground.h and
-// body_ground.cpp, and from physics books.
+// Tests hills and surfaces against closed forms within 2 %. The formulas are from ground.h, body_ground.cpp
+// and physics textbooks.
 #include "sim/world/ground.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ grid::Hill seesaw(Vec2 middle, double length, double pivot, double plank_kg) {
   return plank;
 }
 
-// Returns parameters of a body without friction; some tests add it.
+// Returns parameters of a body without friction, which some tests add.
 BodyParams free_body() {
   BodyParams p = default_body_params();
   for (WheelParams& wheel : p.wheel) wheel.no_load_current = 0.0;
@@ -50,7 +50,7 @@ class GroundTest : public testing::Test {
     world_ = std::make_unique<World>(map_);
     return world_->body(world_->add_body(params, pose));
   }
-  /// Makes a body in the middle of an even slope of that sine, facing up.
+  /// Puts a body in the middle of an even slope of this sine. By default it faces uphill.
   Body& on_slope(double sine, const BodyParams& params, Vec2 heading = {1.0, 0.0}) {
     map_.course.hills = {hill({10.0, 10.0}, 10.0, 10.0, {0.0, 10.0 * sine})};
     return make(params, {{10.0, 10.0}, heading});
@@ -62,7 +62,7 @@ class GroundTest : public testing::Test {
     body.command(left, {share, 0.0});
     body.command(right, {share, 0.0});
   }
-  /// Returns the least sine of 0 to 0.9 for which it `happens`.
+  /// Returns the smallest sine from 0 to 0.9 for which `happens` is true.
   static double least_sine(const std::function<bool(double)>& happens) {
     double low = 0.0, high = 0.9;
     while (high - low > 1e-4) {
@@ -108,7 +108,7 @@ TEST_F(GroundTest, StallsWhereItsMotorsTorqueEnds) {
     run(0.3);
     return body.pose().position.x < 10.0001;
   };
-  // Rolling resistance is part of what holds it: 0.02 m g cos.
+  // Rolling resistance also holds the body: 0.02 m g cos.
   const double force = 2.0 * torque / w.radius_m / (p.mass_kg * kG);
   const double sine = least_sine(stalls);
   const double cosine = std::sqrt(1.0 - sine * sine);
@@ -138,7 +138,7 @@ TEST_F(GroundTest, SlidesSidewaysThere) {
     run(0.5);
     return body.pose().position.x < 9.9999;
   };
-  // Both directions share one grip, of which a body that skids has 1 / sqrt(2) across (body.h).
+  // Both directions share the grip. A skidding body has 1 / sqrt(2) of it across (body.h).
   const double tangent = slope_of(least_sine(slides));
   EXPECT_NEAR(tangent, p.grip * std::numbers::sqrt2 / 2.0, kWithin * tangent);
 }
@@ -173,12 +173,12 @@ TEST_F(GroundTest, LoadsShiftToTheRearAsItSpeedsUp) {
   const double before = body.speed();
   run(0.1);
   EXPECT_TRUE(body.slips());
-  // N = load_share m g + m a h / c, and m a = grip N.
+  // The formulas are N = load_share m g + m a h / c, and m a = grip N.
   const double expected = p.grip * p.load_share * kG / (1.0 - p.grip * 0.03 / 0.06);
   EXPECT_NEAR((body.speed() - before) / 0.1, expected, kWithin * expected);
 }
 
-// However near to its axle its mass is.
+// The mass may be arbitrarily close to the axle.
 TEST_F(GroundTest, TripsOverAStepOnlyWhereItsMassIsAboveItsHubs) {
   BodyParams p = default_body_params();
   p.caster_m = -0.06;
@@ -239,7 +239,7 @@ TEST_F(GroundTest, StopsOnAGivenGripInTheWayOfTheBooks) {
   }
 }
 
-// Rows of a map count from the top, the world's y from below; where an area lies on a cell, the area counts.
+// A map's rows count from the top, the world's y from the bottom. If an area lies on a cell, the area counts.
 TEST_F(GroundTest, IsMadeOfWhatTheLegendSaysOfACell) {
   const grid::Map map = grid::parse_map(
       "+++\n[legend]\n4 = \"wet\"\n5 = { cell = \"line\", grip = 0.3, rolling = 0.02 }\n"
@@ -264,7 +264,7 @@ TEST_F(GroundTest, IsMadeOfWhatTheLegendSaysOfACell) {
   EXPECT_EQ(at(0.05, 0.31), P(1.0, 0.0));
 }
 
-// v^2 / 2 mu g: a legend's cells stop a robot as an area does.
+// The distance is v^2 / 2 mu g: a legend's cells stop a robot as an area does.
 TEST_F(GroundTest, StopsOnTheGripOfTheLegendInTheWayOfTheBooks) {
   BodyParams p = free_body();
   p.load_share = 1.0;
@@ -362,7 +362,7 @@ TEST_F(GroundTest, ABumpTakesWhatMeetingItsSlopesCosts) {
   }
   EXPECT_GT(body.pose().position.x, 12.2);
   const double cosine = 1.0 / std::sqrt(1.0 + 1.0 / 9.0), r = p.wheel[left].radius_m;
-  // The robot loses speed at the bump's foot, and where it lands after it; the wheels keep their own turning.
+  // The robot loses speed at the bump's foot, and where it lands after the bump. The wheels keep rotating.
   const double own = p.mass_kg / inertia_mass(p);
   const double on_it = speed * (1.0 - own * (1.0 - cosine));
   const double landed = std::sqrt(1.0 - 2.0 * kG * r * (1.0 - cosine) / (on_it * on_it));
@@ -374,7 +374,7 @@ TEST_F(GroundTest, ABumpTakesWhatMeetingItsSlopesCosts) {
 TEST_F(GroundTest, AcrossASlopeItsHeavyEndTurnsDownhill) {
   BodyParams p = free_body();
   p.load_share = 0.7;
-  Body& body = on_slope(0.2, p, {0.0, 1.0});  // uphill is to its right, and its caster behind
+  Body& body = on_slope(0.2, p, {0.0, 1.0});  // uphill is on its right, and its caster is at the rear
   run(0.5);
   EXPECT_LT(body.turn_rate(), 0.0);
 }
@@ -435,13 +435,14 @@ TEST_F(GroundTest, NeverGainsMoreEnergyThanItDrawsAndFalls) {
     }
     world_->step();
     if (body.toppled() != Toppled::no) break;
-    // Positions are those of the tick's end, the pull that of its beginning: 1e-4 J of the 1.5 J of the hill.
+    // Positions are from the tick's end, forces from its beginning: this differs by 1e-4 J of the hill's 1.5
+    // J.
     ASSERT_LE(energy(), least + 2e-3) << i;
     least = std::min(least, energy());
   }
 }
 
-// The hash of a run over all kinds of ground: report a change of it.
+// Pins the hash of a run over all kinds of ground. A change of it must be announced.
 TEST_F(GroundTest, TheBitsOfARunOverHillsArePinned) {
   map_.course.hills = {seesaw({10.8, 10.0}, 0.6, 0.05, 0.6), hill({11.4, 10.0}, 0.3, 1.0, {0.003, 0.003}),
                        hill({12.3, 10.0}, 1.0, 2.0, {0.0, 0.08, 0.08, 0.0}, {0.96, 0.28})};

@@ -1,4 +1,4 @@
-// Small maps for the tests of this folder, without the map reader.
+// Small maps for this folder's tests, without the map reader.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace robosim::world {
 
-/// Returns a map, with one character for a cell: ' ' floor, '.' line, '#' wall, 'o' gap, 'x' obstacle.
+/// Returns a map with one character per cell: ' ' floor, '.' line, '#' wall, 'o' gap, 'x' obstacle.
 inline grid::Map map_of(const std::vector<std::string>& rows) {
   grid::Map map;
   map.file = "test.map";
@@ -26,7 +26,7 @@ inline grid::Map map_of(const std::vector<std::string>& rows) {
   return map;
 }
 
-/// Returns a map of floor without anything on it.
+/// Returns a map of empty floor.
 inline grid::Map empty_map(int width, int height) {
   return map_of(std::vector<std::string>(static_cast<std::size_t>(height),
                                          std::string(static_cast<std::size_t>(width), ' ')));

@@ -1,4 +1,4 @@
-// Tests motors with inductance at a driver, against closed forms within 2 %, and against pulses that are
+// Tests a driver's motors with inductance, against closed forms within 2 %, and against pulses that are
 // simulated step by step.
 #include "sim/world/motor_winding.h"
 
@@ -55,8 +55,9 @@ TEST(Winding, DrawsLessTheFasterItsPulsesAre) {
   EXPECT_NEAR(slow, share * (kVolts - emf) / kOhms, kWithinFormula * slow);
   const double fast = mean({driven(share), shorted(1.0 - share)}, emf, 2e-5).drawn;
   EXPECT_NEAR(fast, share * (share * kVolts - emf) / kOhms, kWithinFormula * fast);
-  // In between, its ripple heats the winding by the power beyond V D times the mean. That is R times the
-  // ripple's mean square: a twelfth of the square of a triangle's V D (1 - D) T / L.
+  // At medium frequencies, the ripple heats the winding with the power beyond V D times the mean current.
+  // This power is R times the ripple's mean square: a twelfth of the squared triangle height V D (1 - D) T /
+  // L.
   const double period = 1e-4;
   const double ripple = kVolts * share * (1.0 - share) * period / kHenries;
   const double more = kVolts * mean({driven(share), shorted(1.0 - share)}, emf, period).drawn -
@@ -89,7 +90,7 @@ TEST(Winding, DrivenBothWaysByTurnsHeatsTheMotorAtRest) {
   EXPECT_NEAR(mean(halves, 0.0, 1e-5).drawn, 0.0, 1e-3);
 }
 
-// Its pulses, one after the other until they repeat, in steps.
+// Simulates the pulses in steps, one after another, until they repeat.
 MeanCurrent followed(const std::vector<Phase>& phases, double emf, double period) {
   constexpr int kSteps = 20000;
   double amps = 0.0, before = 1.0;
@@ -136,7 +137,7 @@ TEST(Winding, HasTheMeanOfPulsesThatAreFollowedStepByStep) {
   }
 }
 
-// A body on MOSFETs, without friction, whose motors have 1 mH.
+// A body on MOSFETs without friction. Its motors have 1 mH.
 class WoundBody : public testing::Test {
  protected:
   static BodyParams wound() {
@@ -161,7 +162,7 @@ class WoundBody : public testing::Test {
     body.command(left, command);
     body.command(right, command);
   }
-  /// kg that the motors feel.
+  /// Returns the mass that the motors accelerate, in kg.
   static double mass(const BodyParams& p) {
     const WheelParams& w = p.wheel[left];
     const double inertia = w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio;
@@ -172,8 +173,8 @@ class WoundBody : public testing::Test {
   std::unique_ptr<World> world_;
 };
 
-// Turned by its wheel a motor has k_e for each ampere. Its charge is what its torque takes off the speed; the
-// battery gets it for half of the time.
+// A motor that its wheel turns has k_e for each ampere. Its torque reduces the speed, and its current flows
+// into the battery for half of the time.
 TEST_F(WoundBody, GivesBackWhatASlowerDutyTakesOffItsSpeed) {
   const BodyParams p = wound();
   const WheelParams& w = p.wheel[left];
@@ -202,7 +203,7 @@ TEST_F(WoundBody, CoastsAsFarAsItsFrictionLetsItAndBrakesAsFarAsItsWindingDoes) 
   p.mass_kg = 2.5;
   for (WheelParams& wheel : p.wheel) wheel.no_load_current = 0.15;
   const WheelParams& w = p.wheel[left];
-  const double per_ampere = w.stall_torque / (w.stall_current - w.no_load_current) / w.radius_m;  // N
+  const double per_ampere = w.stall_torque / (w.stall_current - w.no_load_current) / w.radius_m;  // N per A
   const double ohms = w.nominal_volts / w.stall_current;
   const double per_speed = (w.nominal_volts - ohms * w.no_load_current) / w.no_load_rate / w.radius_m;
   const double slows = 2.0 * per_ampere * w.no_load_current / mass(p);

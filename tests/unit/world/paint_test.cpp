@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSeen = 0.002;
 
-// Returns a map with a line of 20 mm at 500 mm. It runs from left to right, in pieces of 600 mm.
+// Returns a map with a 20 mm line at 500 mm. The line runs from left to right, in pieces of 600 mm.
 grid::Map map_of_pieces(const std::string& pieces, const std::string& top = "") {
   return grid::parse_map("+++\nsize = [\"4 m\", \"1 m\"]\nline = \"20 mm\"\n" + top +
                              "\n[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [" + pieces +
@@ -34,12 +34,12 @@ TEST(Paints, OfSegmentsAreAsWideAndAsDarkAsTheySay) {
   EXPECT_NEAR(dark(1.7, 0.020), 0.3, 1e-9);
   EXPECT_NEAR(dark(2.3, 0.0), 0.25 - 0.10, 1e-12);
   EXPECT_NEAR(floor.darkness({2.3, 0.5}, kSeen, Band::green), 0.90 - 0.10, 1e-12);
-  // Where they meet there is no seam.
+  // There is no seam where pieces meet.
   for (double x = 0.79; x < 0.81; x += 0.001) EXPECT_NEAR(dark(x, 0.0), 1.0, 1e-12) << x;
-  // A footprint wider than the line, and one wider than what the index looks up.
+  // One footprint is wider than the line, and one is wider than the index searches.
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.016), 0.5, 1e-9);
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.032), 0.25, 1e-9);
-  // The line is as wide as the map's line width, or as the segment if that is wider.
+  // The line is as wide as the map's line width, or as the segment if the segment is wider.
   EXPECT_EQ(floor.on_line({1.1, 0.506}, kSeen), 1.0);
   EXPECT_EQ(floor.on_line({0.5, 0.012}, kSeen), 0.0);
   EXPECT_EQ(floor.on_line({1.7, 0.518}, kSeen), 1.0);
@@ -62,7 +62,7 @@ TEST(Paints, OfAWideSegmentAreTheLineThere) {
   EXPECT_EQ(floor.on_line({0.2, 0.165}, kSeen), 0.0) << "which is not wider for that";
 }
 
-// Means over points along the middle of the line.
+// Means over points along the line's middle.
 struct Seen {
   double mean = 0.0, whole = 0.0, bare = 0.0;
 };

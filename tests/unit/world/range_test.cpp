@@ -13,7 +13,8 @@ namespace {
 constexpr double kMost = 4.0;
 constexpr Vec2 kEast{1.0, 0.0}, kNorth{0.0, 1.0}, kWest{-1.0, 0.0};
 
-// Cells of 100 mm; a wall from column 10 on, a lone block at column 4, row 0 from the bottom.
+// Returns a room of 100 mm cells. It has a wall from column 10 on, and a single block at column 4, row 0 from
+// the bottom.
 grid::Map room() {
   grid::Map map = map_of({
       "          ##",
@@ -67,7 +68,7 @@ TEST(Range, OfABeamIsItsNearestPoint) {
   World world(map);
   const Vec2 half = direction_of(0.2);
   EXPECT_DOUBLE_EQ(world.range_in_beam(0, {0.45, 0.25}, kEast, half, kMost), 0.55);
-  // Out of the beam's middle, but in it; and reached by its edge only.
+  // One obstacle is off the beam's middle but inside the beam. Only the beam's edge reaches the other one.
   world.add_obstacle({0.85, 0.30}, 0.02);
   EXPECT_NEAR(world.range_in_beam(0, {0.45, 0.25}, kEast, half, kMost), std::hypot(0.4, 0.05) - 0.02, 1e-12);
   world.add_obstacle({0.85, 0.15}, 0.025);
@@ -77,7 +78,8 @@ TEST(Range, OfABeamIsItsNearestPoint) {
   EXPECT_DOUBLE_EQ(world.range_in_beam(0, {0.45, 0.25}, kNorth, half, 0.1), 0.1);
 }
 
-// Of many rays close to each other, none finds anything nearer, and one finds a distance nearly as short.
+// Compares with many rays close to each other: no ray finds a shorter distance, and one finds nearly the
+// same.
 TEST(Range, OfABeamIsThatOfTheBestOfManyRays) {
   grid::Map map = room();
   World world(map);

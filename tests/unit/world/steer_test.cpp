@@ -54,7 +54,7 @@ TEST_F(SteerTest, TurnsOnTheRadiusOfTheBicycleModel) {
         EXPECT_GT(std::fabs(body.speed()), 0.1);
         EXPECT_NEAR(body.turn_rate(), body.speed() / radius,
                     kSteeredWithin * std::fabs(body.speed() / radius));
-        // Measures from the middle of its circle, which is where it was from the start.
+        // The distance from the centre of the initial circle is unchanged.
         EXPECT_NEAR(length(body.pose().position - Vec2{20.0, 20.0 + radius}), std::fabs(radius),
                     kSteeredWithin * std::fabs(radius))
             << degrees << ' ' << share;
@@ -66,7 +66,7 @@ TEST_F(SteerTest, TurnsOnTheRadiusOfTheBicycleModel) {
 }
 
 TEST_F(SteerTest, ADifferentialsMotorHasTheSpeedOfTheMiddle) {
-  // Straight on and in a bend, without friction: both at the speed at which its voltage is used up.
+  // Drives straight and in a bend, without friction. In both cases the speed uses up the whole voltage.
   BodyParams p = car();
   p.rolling_resistance = 0.0;
   p.grip = 3.0;

@@ -70,11 +70,11 @@ class Wrapper : public testing::Test {
 
   fs::path checkout() const { return folder_ / "checkout"; }
 
-  // A script in place of a tool: it notes its arguments in `calls`, then does `body` there.
+  // Replaces a tool by a script, which appends its arguments to `calls` and then runs `body` in the folder.
   void tool(const std::string& name, const std::string& body) const {
     const fs::path file = folder_ / "bin" / name;
     const std::string note = "echo \"" + name + " $*\" >>'" + folder_.string() + "/calls'\n";
-    // Only cmake and ctest care where they are called; the others keep their state in the folder.
+    // Only for cmake and ctest the working folder matters. The other tools keep their state in the folder.
     const std::string place = name == "cmake" || name == "ctest" ? "" : "cd '" + folder_.string() + "'\n";
     write_file(file, "#!/bin/sh\n" + note + place + body + "\n");
     fs::permissions(file, fs::perms::owner_all);
@@ -89,7 +89,7 @@ class Wrapper : public testing::Test {
     return {WEXITSTATUS(status), read_file(folder_ / "out"), read_file(folder_ / "err")};
   }
 
-  // Returns the calls of the tools since the last time.
+  // Returns the calls of the tools since the previous query.
   std::string calls() const {
     const fs::path file = folder_ / "calls";
     if (!fs::exists(file)) return "";
@@ -260,8 +260,7 @@ TEST_F(Wrapper, BuildsAndRunsTheTests) {
   EXPECT_THAT(asked, testing::ContainsRegex("ctest --preset release -j [0-9]+ -N -R Golden\n"));
 }
 
-// The output is as ctest -V writes it: what two tests write is mixed, and a failed test's output comes a
-// second time.
+// Prints output as ctest -V does: that of two tests is mixed, and a failed test's output comes a second time.
 constexpr const char* kFourTests = R"(cat <<'END'
 Test project here
 test 1
