@@ -19,8 +19,8 @@
 #include "tests/support/require_target.h"
 #include "tests/system/command.h"
 
-/// Skips the test or SetUp if the browser is missing, or fails if ROBOSIM_REQUIRE names the browser. A
-/// browser that does not start is a failure in both cases.
+/// Skips the test or SetUp if the browser is missing. If ROBOSIM_REQUIRE names the browser, the test fails
+/// instead. A browser that does not start is a failure in both cases.
 #define ROBOSIM_NEEDS_BROWSER()                                                                           \
   do {                                                                                                    \
     if (std::filesystem::exists("/usr/bin/chromedriver") && std::filesystem::exists("/usr/bin/chromium")) \
@@ -81,7 +81,7 @@ class Driver {
   }
   ~Driver() { http_.Delete(session_); }
 
-  /// Opens a page afresh, even if the same page is already open.
+  /// Opens a page, and reloads it if it is already open.
   void open(const std::string& url, int width = 1300, int height = 850) {
     call(session_ + "/url", {{"url", "about:blank"}});
     const nlohmann::json screen{

@@ -313,7 +313,7 @@ TEST_F(Serve, ShowsWhatTheCompilerSays) {
   EXPECT_THAT(said.get<std::string>(), HasSubstr("Broken.ino:1:16: error: 'oops' was not declared"));
 }
 
-// A link with an unknown or invalid part runs nothing, not a substitute.
+// A link with an unknown or invalid part runs nothing at all.
 TEST_F(Serve, RunsNothingElseThanALinkAsksFor) {
   for (const auto& [link, sentence] :
        {std::pair{"sketch=./Nobody&map=oval&run=1",
@@ -347,8 +347,8 @@ TEST_F(Serve, SaysThatItsServerIsGone) {
       in_page("sketch=./Echo", R"(await until(() => document.documentElement.dataset.ready); return 1;)");
   EXPECT_EQ(state, 1);
   EXPECT_TRUE(server_->end().ok());
-  for (const char* deed : {"", "$('state').textContent = ''; $('run').click();"})  // notifies users who only
-                                                                                   // watch, too
+  for (const char* deed : {"", "$('state').textContent = ''; $('run').click();"})  // also notifies users who
+                                                                                   // only watch
     EXPECT_THAT(
         browser()
             .run(std::string(deed) + "await until(() => $('state').textContent.includes('has stopped')); "

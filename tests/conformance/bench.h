@@ -41,7 +41,7 @@ class Bench final : public avr::ChipEnvironment {
   std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;
   std::vector<std::pair<avr::Cycle, int>> samples;        ///< converted channels, with times
   std::map<int, bool> listens_to;                         ///< whether the chip wants a pin's edges
-  std::vector<std::pair<avr::Cycle, avr::Cycle>> frames;  ///< duration of a received frame, and since when
+  std::vector<std::pair<avr::Cycle, avr::Cycle>> frames;  ///< time, and the frame duration from then on
   std::vector<std::uint8_t> reported;
   bool ended = false;
   int resets = 0;

@@ -20,7 +20,7 @@ struct Program {
   std::string source;                                 ///< "DS40002061B, 15.7.2"
   std::vector<std::optional<std::uint8_t>> expected;  ///< nullopt matches any byte
   std::uint64_t cycles = 100000;                      ///< the program is stopped after this number
-  std::vector<std::string> chips{"atmega328p"};       ///< the chips that behave so, by their avr-gcc names
+  std::vector<std::string> chips{"atmega328p"};       ///< the chips with this behaviour, by avr-gcc name
   int loop = -1;                                      ///< the USART whose TX is connected to its RX, or -1
 };
 

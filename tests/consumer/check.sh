@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tests/consumer/check.sh BUILD FOLDER: installs the build in BUILD below FOLDER. Then does what a user does
 # with an installed Robosim: creates a project, runs its checks and its C++ test, and builds a project with
-# every kind of test. Last, uses a missing target.
+# every kind of test. Finally, uses a missing target.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
@@ -24,8 +24,8 @@ cmake -S "$here" -B build -G Ninja "-Drobosim_ROOT=$PWD/installed" "-DDEMO=$PWD/
 cmake --build build
 ctest --test-dir build --output-on-failure --no-tests=error
 
-# With the sources instead of a package, CMake provides the same targets and functions. They are only
-# configured here.
+# With the sources instead of a package, CMake provides the same targets and functions. The sources are only
+# configured here, not built.
 cmake -S "$here" -B sources -G Ninja "-DROBOSIM_SOURCE=$here/../.." "-DDEMO=$PWD/demo" "-DTARGETS=$targets"
 
 # A target without its package gives status 5 and the package's name.

@@ -125,7 +125,7 @@ constexpr Row kRows[] = {
     {"faults", "floating_traps", "volatile double z;", "unsigned m = 0; asm volatile(\"ldmxcsr %0\" :: \"m\"(m)); z = 1 / z;"},
     {"faults", "rounding", "", "unsigned m = 0x7f80; asm volatile(\"ldmxcsr %0\" :: \"m\"(m));"},
     {"faults", "jump_into_nothing", "extern \"C\" { int _setjmp(void*); void longjmp(void*, int); }", "_setjmp(B); for (int i = 0; i < 8; ++i) B[i] = 0x4141414141414141; longjmp(B, 1);"},
-    // Memory of each kind.
+    // Attacks that use up memory of each kind.
     {"appetite", "malloc", "", "for (;;) memset(malloc(1 << 20), 1, 1 << 20);"},
     {"appetite", "new", "", "for (;;) memset(new char[1 << 20], 1, 1 << 20);"},
     {"appetite", "realloc", "", "char* p = 0; for (long n = 4096;; n *= 2) { p = (char*)realloc(p, n); memset(p, 1, n); }"},
@@ -212,7 +212,7 @@ constexpr Row kRows[] = {
     {"endless", "serial_wait", "", "Serial.begin(1); for (;;) Serial.flush();", Target::both},
     {"endless", "analog", "", "for (;;) analogRead(A0);", Target::both},
     {"endless", "recursion_of_loop", "void loop();", "loop(); setup();", Target::both},
-    // Escape sequences, on a terminal.
+    // Escape sequences, printed to a terminal.
     {"terminal", "title", "", "Serial.begin(115200); Serial.print(F(\"\\x1b]0;FORGED\\x07\")); delay(99);", Target::both},
     {"terminal", "clipboard", "", "Serial.begin(115200); Serial.print(F(\"\\x1b]52;c;RVZJTA==\\x1b\\\\\")); delay(99);", Target::both},
     {"terminal", "clear", "", "Serial.begin(115200); Serial.print(F(\"\\x1b[2J\\x1b[H\\x1b" "c\")); delay(99);", Target::both},

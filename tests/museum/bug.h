@@ -7,7 +7,7 @@
 
 namespace robosim::museum {
 
-/// Reads a file of bugs/. Before the unified diff, it has one or two sentences, an empty line, and these
+/// A file of bugs/. Before the unified diff, the file has one or two sentences, an empty line, and these
 /// lines:
 ///
 ///   Kind: units                     the kind of mistake

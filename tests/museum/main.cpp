@@ -2,7 +2,7 @@
 // output.
 //
 //   robosim_museum [BUG...]          applies these patches of bugs/, or all, one at a time, to a copy of the
-//                                    firmware, and runs the suite against it. First, the suite must pass
+//                                    firmware, and runs the suite, which must pass beforehand
 //   --docs FILE                      also writes the table into this page
 //   --jobs N                         tries N bugs at a time; default: one per core
 //   --check BUG...                   runs the quick check of CI: all patches apply, the page
@@ -10,8 +10,8 @@
 //                                    caught
 //
 // If the host does not find a bug, the suite runs on the chips, and then the library's unit tests run. The
-// status is 1 if a bug could not be tried, or was not caught although its patch has no line “Survives:”, or
-// was caught although its patch has one.
+// status is 1 if a bug could not be tried. It is also 1 if a bug without a line “Survives:” was not caught,
+// or a bug with such a line was caught.
 #include <fmt/format.h>
 #include <stdlib.h>
 

@@ -8,7 +8,7 @@
 
 namespace robosim::museum {
 
-/// Names the target of bugs that the library's unit tests find and no test of a sketch does.
+/// Target name for bugs that only the library's unit tests find.
 inline constexpr const char* kUnitTests = "unit tests";
 
 struct Result {
@@ -17,7 +17,7 @@ struct Result {
   };
   const Bug* bug = nullptr;
   std::vector<Catch> catches;  ///< empty: the bug survived
-  double seconds = 0.0;        ///< until the last of the catches
+  double seconds = 0.0;        ///< until the last catch
   std::string trouble;         ///< why the bug could not be tried; empty = it was tried
 
   bool caught() const { return !catches.empty(); }

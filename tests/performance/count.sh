@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# count.sh performance|performance_table BUILD: counts the instructions of fixed pieces of work with valgrind's
+# callgrind. Compares the counts with the table of docs/explanation/performance.md, or writes them into it.
 # Status 1: a count is more than 2 % above the table's.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")

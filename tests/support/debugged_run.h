@@ -115,8 +115,7 @@ class DebuggedRunTest : public testing::Test {
     for (const std::string& packet : {order, "p" + std::string(Target::kPc), std::string("qRcmd,74696d65")})
       say(packet);
   }
-  /// Runs with these packets, and compares the run with one without a debugger. Returns the replies, from the
-  /// first one on.
+  /// Runs with these packets, and compares the run with one without a debugger. Returns all replies.
   std::vector<std::string> run() {
     Told alone, told;
     alone.hears_inputs = told.hears_inputs = hears_inputs_;

@@ -19,8 +19,8 @@ inline bool is_required(const std::string& target) {
 
 }  // namespace robosim::test
 
-/// If a tool of the target is missing, skips the test or SetUp, or fails it if ROBOSIM_REQUIRE names the
-/// target. The message names the tool's package in both cases.
+/// Skips the test or SetUp if a tool of the target is missing. If ROBOSIM_REQUIRE names the target, the test
+/// fails instead. The message names the tool's package in both cases.
 #define ROBOSIM_NEEDS_TARGET(target)                                                 \
   do {                                                                               \
     const std::string missing = ::robosim::build::missing_tool(target);              \

@@ -34,7 +34,7 @@ namespace {
 using testing::ElementsAreArray;
 using testing::HasSubstr;
 
-/// One of this number of runs continues to the end; the others continue for a while.
+/// One in this number of runs continues to the end; the others continue for a while.
 constexpr std::size_t kToTheEnd = 10;
 
 struct Case {

@@ -1,4 +1,4 @@
-// Tests `robosim build`, as a user starts it.
+// Tests `robosim build`, as a user runs it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -101,7 +101,7 @@ black_volts = [{}]
     for (std::size_t i = 0; i < 5; ++i) {
       const ConfigValue &w = part.find("white_volts")->items[i], &b = part.find("black_volts")->items[i];
       EXPECT_NEAR(value_of(b), black[i], 0.01 * black[i]);
-      // The floor's brightness itself varies by 5 %, which is not the sensor's error.
+      // The floor's brightness varies by 5 %, independently of the sensor.
       EXPECT_NEAR(value_of(w), white[i], 0.04 * (black[i] - white[i]));
       EXPECT_NEAR(value_of(w), white[i], 1.5 * spread_of(w));
     }

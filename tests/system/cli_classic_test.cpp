@@ -1,4 +1,4 @@
-// Tests `robosim classic`, as a user types it.
+// Tests `robosim classic`, as a user runs it.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Tests `robosim run --coverage`, as a user starts it.
+// Tests `robosim run --coverage`, as a user runs it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests `robosim flash`, as a user starts it. avrdude is a script that records its arguments.
+// Tests `robosim flash`, as a user runs it. avrdude is a script that records its arguments.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests `robosim run --gdb PORT` by real debuggers: avr-gdb and gdb-multiarch.
+// Tests `robosim run --gdb PORT` with real debuggers: avr-gdb and gdb-multiarch.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -87,8 +87,8 @@ class CliGdb : public ::testing::TestWithParam<Debugged> {
     Ended run;
     std::string gdb;  ///< gdb's output
   };
-  /// Starts a run, and gdb with these commands. gdb itself retries until the run listens. `status` is 1 if
-  /// the last command is refused.
+  /// Starts a run, and gdb with these commands. gdb retries until the run listens. `status` is 1 if the last
+  /// command is refused.
   Session debug(const std::string& commands, int status = 0) const {
     const std::string port = std::to_string(free_port());
     folder_.write(

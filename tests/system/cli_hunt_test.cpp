@@ -1,4 +1,4 @@
-// Tests `robosim hunt`, as users start it, with sketches that have one bug each, in runs of 2 s.
+// Tests `robosim hunt`, as users run it, with sketches that have one bug each, in runs of 2 s.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests `robosim mutate`, as users start it, with a sketch that has few places for bugs and runs of 50 ms.
+// Tests `robosim mutate`, as users run it, with a sketch that has few places for bugs and runs of 50 ms.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

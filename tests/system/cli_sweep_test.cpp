@@ -1,4 +1,4 @@
-// Tests `robosim sweep`, as a user starts it, with very short runs.
+// Tests `robosim sweep`, as a user runs it, with very short runs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ const std::string kFailsByChance = ROBOSIM_TEST_SKETCHES "/FailsByChance";
 
 using Words = std::vector<std::string>;
 
-/// A sweep over two maps whose runs fail with some seeds.
+/// Returns a sweep over two maps. Its runs fail with some seeds.
 Words sweep_words(const Words& more) {
   Words words{"sweep",   kFailsByChance, "--map",  "oval", "tight", "--robot", "uno5",
               "--seeds", "1..8",         "--goal", "none", "--for", "50ms"};
@@ -181,7 +181,7 @@ TEST(CliSweep, TablesOfShardsMergeToThatOfOneSweep) {
   const Ended all = merge({"part3.csv", "part1.csv", "part2.csv"}, "all.csv");
   EXPECT_EQ(all.out, one.out) << all.err;
   EXPECT_EQ(read_file(folder / "all.csv"), read_file(folder / "one.csv"));
-  // Runs that are in no table are done here.
+  // Runs that no table contains are simulated now.
   merge({"part3.csv", "part1.csv"}, "more.csv");
   EXPECT_EQ(read_file(folder / "more.csv"), read_file(folder / "one.csv"));
 
@@ -291,7 +291,7 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
   EXPECT_THAT(read_file(folder / "other.html"),
               HasSubstr("3 of the runs had another result when they were repeated"));
 
-  // A file next to a sketch that was not named.
+  // Files next to the sketch are used although no option names them.
   folder.write("Own/Own.ino", "void setup() {}\nvoid loop() {}\n");
   folder.write("Own/robot.toml", "base = \"uno5\"\n");
   folder.write("Own/own.map", "S....\n");

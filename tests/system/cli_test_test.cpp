@@ -1,4 +1,4 @@
-// Tests `robosim test` and `robosim new`, as users start them, with short runs.
+// Tests `robosim test` and `robosim new`, as users run them, with short runs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -58,7 +58,8 @@ struct Ended {
 };
 
 /// Runs `robosim WORDS` in `folder` to its end, without a terminal. `standard_output` and `standard_input`
-/// are files; without the first, the output is in the result. `program` replaces the built command.
+/// name files. Without `standard_output`, the result contains the output. `program` replaces the built
+/// command.
 inline Ended robosim_command(std::vector<std::string> words, const std::filesystem::path& folder = ".",
                              const char* standard_output = nullptr, const char* standard_input = "/dev/null",
                              const std::string& program = ROBOSIM_COMMAND) {

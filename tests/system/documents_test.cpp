@@ -64,7 +64,7 @@ struct Outcome {
   std::string output;
 };
 
-/// Runs the commands in one shell. If a command ends the shell, there are no outcomes after it.
+/// Runs the commands in one shell. If a command ends the shell, the later commands have no outcomes.
 std::vector<Outcome> run_all(const std::vector<ConsoleCommand>& commands, const fs::path& folder,
                              const fs::path& programs) {
   constexpr char kMark = '\x1e';

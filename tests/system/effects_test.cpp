@@ -1,6 +1,6 @@
 // Tests effects of light, height, slow sensors, a noisy ADC, a weak battery and a shut door on a sketch. Each
-// effect is tested by a pair of runs without and with it. It changes a value as docs/explanation/models.md
-// describes. One of two ways to read sensors succeeds, the other one fails.
+// effect is tested by a pair of runs without and with it. The effect changes a value as
+// docs/explanation/models.md describes. One of two ways to read sensors succeeds, the other one fails.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -125,8 +125,8 @@ TEST_F(Effects, OfPaintAreAsTheModelSays) {
   EXPECT_EQ(seen(", worn = \"100 %\""), code(kWhite));
 }
 
-// A straight line of 0.2 m. The gyroscope reports 15 deg/s at rest. Only a sketch that subtracts this bias is
-// straight again after a turn.
+// A straight line of 0.2 m. The gyroscope reports 15 deg/s at rest. Only a sketch that subtracts this bias
+// points straight ahead after a turn.
 TEST_F(Effects, OfAGyroscopeThatTellsATurnAtRest) {
   const auto reaches = [&](const std::string& bias, char way) {
     const std::filesystem::path map = folder_.path() / "strip.map", file = folder_.path() / "turns.toml";

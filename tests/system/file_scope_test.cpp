@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr const char* kSketch = "void setup() { Serial.begin(9600); }\nvoid loop() {}\n";
 constexpr const char* kRun = " --goal none --for 10ms";
 
-/// A served folder, and next to it a file that no client may see.
+/// A served folder, and a file next to it that no client may see.
 class Served : public testing::Test {
  protected:
   void SetUp() override {

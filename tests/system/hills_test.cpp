@@ -1,5 +1,6 @@
 // Tests effects of hills and wet floors on a sketch. Each effect is tested by a pair of runs without and with
-// it. It changes a value as docs/explanation/models.md describes. One sketch succeeds, the other one fails.
+// it. The effect changes a value as docs/explanation/models.md describes. One sketch succeeds, the other one
+// fails.
 #include <fstream>
 
 #include "sim/base/file.h"
@@ -119,8 +120,8 @@ TEST_F(Hills, ThrowOverARobotWhoseMassIsHighAndBehind) {
   EXPECT_THAT(tips.why, testing::HasSubstr("The robot tipped over near column "));
 }
 
-// The floor is flat. The robot tips over if it accelerates by more than g d / h. Its mass is d = 10 mm ahead
-// of the axle.
+// The floor is flat. The robot tips over if it accelerates by more than g d / h. Its centre of mass is d = 10
+// mm ahead of the axle.
 TEST_F(Hills, AreNotNeededToThrowOverARobotThatStartsAtOnce) {
   const std::string low = robot("caster = \"50 mm\"\n");
   EXPECT_EQ(run("TurnsBack", "", "h", 1.2, 1, "ideal", low).verdict, "reached");
@@ -142,7 +143,7 @@ TEST_F(Hills, ThatEndHighAreFallenOff) {
 }
 
 // Runs the sample Robotracer at two speeds, 0.5 and 0.7 m/s, on its course dry and wet, without and with a
-// fan. In bends of 150 mm it slides from sqrt(grip * load / mass * g * 0.15 m / sqrt 2) on. The limit is 0.91
+// fan. In bends of 150 mm it slides above sqrt(grip * load / mass * g * 0.15 m / sqrt 2). The limit is 0.91
 // m/s when dry, 0.71 m/s when wet, and 1.27 m/s when wet with the fan.
 class Wet : public testing::Test {
  protected:

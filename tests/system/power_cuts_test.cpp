@@ -47,7 +47,7 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
   std::string way;  // from station 1 to station 2
   int kept = 0, lost = 0;
 
-  // The map, without the three bytes of the robot's place after it.
+  // The number of writes of the map, without the three bytes of the robot's place.
   const std::uint64_t record = run({.sketch = "AiNavigator",
                                     .map = plan.map,
                                     .goal = "none",

@@ -31,7 +31,7 @@ inline std::filesystem::path sketch_folder(const std::string& name) {
 struct Run {
   std::string sketch;
   std::string map = "oval";
-  std::string robot = "uno5";  ///< with a board of the target instead of its own
+  std::string robot = "uno5";  ///< with the target's board instead of its own
   std::string goal;
   std::string script;
   std::uint64_t seed = 1;
@@ -78,7 +78,8 @@ inline std::string what_is_missing(const std::string& target) {
   return "";
 }
 
-/// For SetUp(): skips the test if the target cannot run, or fails it if ROBOSIM_REQUIRE names the target.
+/// For SetUp(): skips the test if the target cannot run. If ROBOSIM_REQUIRE names the target, the test fails
+/// instead.
 inline void needs_target(const std::string& target) {
   const std::string missing = what_is_missing(target);
   if (!missing.empty() && is_required(target)) FAIL() << missing;

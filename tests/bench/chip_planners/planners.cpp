@@ -69,8 +69,8 @@ Bytes trueWay(const Bytes& parents, std::uint8_t from, std::uint8_t to) {
   return up;
 }
 
-/// Runs the chip, and is the other end of its registers. The chip reads the tree from GPIOR1 and writes paths
-/// to GPIOR2. It writes 1 to GPIOR0 when a search begins, and 2 when the search ends.
+/// Runs the chip, and exchanges data with it. The chip reads the tree from GPIOR1 and writes paths to GPIOR2.
+/// It writes 1 to GPIOR0 when a search begins, and 2 when the search ends.
 class Session final {
  public:
   Session(const Bytes& image, const Bytes& parents) : input_(parents), bench_(kAtmega328p, image) {

@@ -1,4 +1,4 @@
-// A conversion starts at the next rising edge of the ADC's clock, which runs since ADEN was set. Starts
+// A conversion starts at the next rising edge of the ADC's clock, which has run since ADEN was set. Starts
 // between two edges therefore end at the same time.
 // Source: DS40002061B, 24.4
 // Expect: c7 97 c7 97

@@ -1,7 +1,7 @@
 // Macros for programs that examine a single cycle: a write, a number of NOPs and a read, without anything in
 // between.
 //
-//   OUT_IN    the read comes nops + 1 cycles after the write; both registers are of the first 64 of I/O
+//   OUT_IN    the read comes nops + 1 cycles after the write; both registers are among the first 64 of I/O
 //   STS_LDS   the read comes nops + 2 cycles after the write
 #pragma once
 

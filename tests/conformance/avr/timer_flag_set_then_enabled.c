@@ -1,5 +1,5 @@
-// A flag that was set before its interrupt was enabled is served once it is enabled; entering the vector
-// clears the flag.
+// A flag that was set before its interrupt was enabled is served once the interrupt is enabled; entering the
+// vector clears the flag.
 // Source: DS40002061B, 15.9.7
 // Expect: f1 00
 // Chips: atmega328p atmega2560 atmega32u4

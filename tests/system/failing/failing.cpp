@@ -1,4 +1,4 @@
-// Tests that fail, of sketches with bugs. docs/howto/testing.md shows their messages.
+// Failing tests of sketches with bugs. docs/howto/testing.md shows their messages.
 #include <robosim/random_worlds.h>
 
 namespace {

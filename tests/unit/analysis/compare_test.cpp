@@ -119,7 +119,7 @@ TEST(Compare, FormattingIsKnownAndDoesNotCount) {
   EXPECT_EQ(c.known[1].what, "width of long");
 }
 
-/// Returns a run that prints a number every `every`, rising and falling between 0 and 40.
+/// Returns a run that prints a number at intervals of `every`, rising and falling between 0 and 40.
 History stream(std::int64_t every, int offset) {
   History h = run();
   for (std::int64_t t = every; t < h.end_ns; t += every) {

@@ -1,4 +1,4 @@
-// Tests, with fictitious runs, which runs with another clock show that a target does the same as another one.
+// Tests, with fictitious runs, whether a run with another clock shows that two targets behave alike.
 
 #include "sim/analysis/edge.h"
 

@@ -9,10 +9,10 @@ namespace {
 
 class ChipTest : public testing::Test, protected IdleChip {
  protected:
-  /// Starts everything at the same time.
+  /// Starts all peripherals at the same time.
   void begin_everything() {
     write(reg::kAdcsra, 0xEF);  // free running, with its interrupt
-    write(0xC1, 0x58);          // USART: both ways, with TXCIE
+    write(0xC1, 0x58);          // USART: both directions, with TXCIE
     write(0xC6, 0x55);
     write(0xC6, 0xAA);
     write(reg::kEedr, 0x12);

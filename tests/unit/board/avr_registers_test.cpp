@@ -108,7 +108,7 @@ TEST(AvrTimer, AToggledPinHasTheFrequencyOfTheDataSheetsFormula) {
   const PinDrive tone = driven(2, 0x42, 4, 141, 0);
   EXPECT_EQ(tone.tone_hz, 16'000'000u / (2 * 64 * 142));
   EXPECT_EQ(tone.duty, 0.5);
-  // One match at TOP in 2 TOP ticks.
+  // There is one match, at TOP, in 2 TOP ticks.
   EXPECT_EQ(driven(2, 0x41, 0x0C, 100, 0).tone_hz, 16'000'000u / (2 * 64 * 200));
 }
 
@@ -162,7 +162,7 @@ TEST(AvrAdc, ACodeIsTheShareOfTheReferenceRoundedDown) {
   EXPECT_EQ(adc_data(0x00, 0x3FF), 0x03FF);
 }
 
-/// A board whose pins have the voltage of their number in tenths of a volt.
+/// A board on which pin N has N tenths of a volt.
 class Volts final : public FirmwarePort {
  public:
   const BoardSpec& spec() const override { return *find_board("uno"); }

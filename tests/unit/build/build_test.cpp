@@ -46,7 +46,7 @@ TEST_F(SketchTest, AnImageExportsNothingButItsEntryAndNeedsLittleOfTheMachine) {
   const std::string nm = find_program("nm").string();
   EXPECT_THAT(lines(run(Command{{nm, "-D", "-j", "--defined-only", image.image.string()}, "/", {}}).output),
               ElementsAre("robosim_image"));
-  // Excludes names that a sketch may define itself, and functions with a state or a lock.
+  // Allows only functions without a state or a lock, whose names a sketch does not define itself.
   std::vector<std::string> harmless = {"memcpy", "memmove", "memset",   "strcat", "strcpy",
                                        "strlen", "strnlen", "strfromd", "memcmp", "strstr"};
 #if defined(__arm__)  // for a division by zero

@@ -71,7 +71,7 @@ TEST_F(HostLibrariesTest, ALibraryMayKeepThePortsOfItsPins) {
   executor_->power_on(0);
   executor_->run_until(2 * kTick);
   ASSERT_EQ(edges.at.size(), 6u);
-  // Two writes are a read and a write of 2 cycles each apart.
+  // Between two writes there are a read and a write of 2 cycles each.
   EXPECT_EQ(edges.at[1] - edges.at[0], 250);
   EXPECT_EQ(edges.at[3] - edges.at[2], 250);
 }

@@ -60,8 +60,8 @@ TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
     EXPECT_EQ(crash->where.file, std::string(c.sketch) + ".ino");
     const auto place = std::pair(crash->where.function, crash->where.line);
     const auto expected = std::pair(std::string(c.function), c.line);
-    // avr-gcc 5.4's assembler gives data, such as the .word of an asm(), no line. The caller's line is then
-    // reported.
+    // avr-gcc 5.4's assembler assigns no line to data, such as the .word of an asm(). The caller's line is
+    // then reported.
     if (c.sketch == std::string("ChipOpcode"))
       EXPECT_THAT(place, AnyOf(expected, std::pair(std::string("broken"), 2)));
     else

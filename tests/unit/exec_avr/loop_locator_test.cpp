@@ -27,7 +27,8 @@ class AvrLoopTest : public AvrTest {
     for (std::size_t i = 1; i < times.size(); ++i) longest = std::max(longest, times[i] - times[i - 1]);
     const double mean_us = 1e-3 * static_cast<double>(times.back() - times[1]) / (rounds - 1.0);
     EXPECT_NEAR(r.loop_us_mean, mean_us, 0.02 * mean_us) << text;
-    // A handler that runs between the two places makes one round longer and the other one shorter.
+    // A handler that runs between the toggle and the detected place makes one round longer and another
+    // shorter.
     EXPECT_NEAR(r.loop_us_max, 1e-3 * static_cast<double>(longest), 25.0) << text;
   }
 

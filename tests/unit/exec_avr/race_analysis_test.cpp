@@ -110,7 +110,7 @@ TEST_P(TearingTest, AByteThatNoHandlersWriteIsUndoneOfIsNone) {
   }
 }
 
-// These are correct ways. The handler runs as often.
+// Correct ways to share the number. The handler runs as often.
 TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
   const std::string kHandsOver = "if (!ready) { ticks = ticks + 777; ready = true; }";
   const std::array<std::string, 2> right[] = {

@@ -1,4 +1,4 @@
-// Serial, for tests that cannot include Arduino.h.
+// Wraps Serial for tests that cannot include Arduino.h.
 #include <Arduino.h>
 
 extern "C" {

@@ -112,8 +112,8 @@ TEST(Generator, NamesItselfWithVersionAndSeed) {
   EXPECT_EQ(generate(Family::cycles, 5, 42).name, "cycles-5-42");
 }
 
-// Equal arguments give equal bytes on every machine and with every compiler. A change of these bytes must
-// raise kGeneratorVersion.
+// Equal arguments give equal bytes on every machine and with every compiler. If these bytes change, raise
+// kGeneratorVersion.
 TEST(Generator, MakesTheseVeryMaps) {
   const auto hash = [](Family family, int stations, std::uint64_t seed) {
     return sha256(write_map(generate(family, stations, seed))).substr(0, 16);

@@ -81,7 +81,7 @@ class FloorWalker {
   int32_t drift = 0;
   /// The robot started at another place than the origin, so the first relocate() may set any place.
   bool strange = false;
-  /// Number of a follow() before which an obstacle appears, and the obstacle's line.
+  /// Before follow() number `block_before`, an obstacle appears on line `block_line`.
   int block_before = -1, block_line = -1;
 
  private:

@@ -104,7 +104,7 @@ TEST(Print, ALineGoesOnAtTheSamePlaceOnTheNextSheet) {
     double least = 1e9, most = -1e9;
     const auto all = operations_of(pages[page]);
     for (std::size_t i = 1; i < all.size(); ++i) {
-      // The line is 100 mm above the floor's edge, and the sheets' lower edge 60 mm.
+      // The line is 100 mm above the floor's edge, and the sheets' lower edge is 60 mm above it.
       if (all[i].name != "l" || std::fabs(all[i].mm[1] - (100.0 - 60.0 + 15.0)) > 1e-3) continue;
       least = std::min(least, all[i - 1].mm[0]);
       most = std::max(most, all[i].mm[0]);

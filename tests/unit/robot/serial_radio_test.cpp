@@ -35,7 +35,7 @@ class Pair {
     board_a.output(3, true, now + kSecond / 9600);
     ticks(2);
   }
-  /// Returns the number of bytes on the second board's line. Each has two edges.
+  /// Returns the number of bytes on the second board's line. Each byte has two edges.
   std::size_t heard() const { return board_b.edges.size() / 2; }
   void ticks(int count) {
     for (; count > 0; --count) {

@@ -229,7 +229,7 @@ TEST(Pca9685, TellsThePulsesOfItsChannels) {
   TwoWireBench bench("pca9685");
   bench.send(0x40, {0xFE, 121});  // 25 MHz / 4096 / 122: 50 Hz
   bench.send(0x40, {0x00, 0x20});
-  bench.send(0x40, {0xFE, 3});                       // not while it is awake
+  bench.send(0x40, {0xFE, 3});                       // ignored while the chip is awake
   bench.send(0x40, {0x06, 0x00, 0x00, 0x33, 0x01});  // 307 of 4096
   bench.send(0x40, {0x0E, 0x00, 0x10, 0x00, 0x00});
   EXPECT_THAT(bench.told(60), ElementsAre("0:1498us 2:on"));

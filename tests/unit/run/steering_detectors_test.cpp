@@ -128,8 +128,8 @@ TEST(MotorsLeftOn, IsNobodyWhoSearchesByPlan) {
               IsEmpty());
 }
 
-/// Reads the sensors every `every`, and roughly follows the line. In between it sends bytes, and reports that
-/// it is in `call`.
+/// Reads the sensors at intervals of `every`, and roughly follows the line. In between it sends bytes, and
+/// reports that it is in `call`.
 Driven::Step sends(SimTime every, const char* call, bool drives = true) {
   return [=](Driven& robot, SimTime t) {
     robot.call = call;

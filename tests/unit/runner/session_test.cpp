@@ -36,7 +36,7 @@ using ::testing::StartsWith;
 class Session {
  public:
   explicit Session(const ExecutorFactory& factory) : Session([] {}, factory) {}
-  /// The runner's process calls `first` first. Besides 0, 1 and 2 it then has no descriptors that it needs.
+  /// The runner's process first calls `first`. It then needs no descriptors except 0, 1 and 2.
   Session(const std::function<void()>& first, const ExecutorFactory& factory)
       : runner_([&] {
           ::dup2(input_.read.get(), STDIN_FILENO);

@@ -99,7 +99,7 @@ struct Element {
   bool is_anchor() const { return !negated && words.front() != "^" && words.front() != "$"; }
 };
 
-/// Finds phrases, indexed by the words of their first element that is a word.
+/// Finds phrases by an index of their anchors' words.
 class PhraseList {
  public:
   template <std::size_t kCount>

@@ -31,7 +31,7 @@ area = [
   EXPECT_NEAR(back(0.53, 0.5), 0.0, 1e-12);    // the line over both areas
   EXPECT_NEAR(back(0.8, 0.5), 1.25, 1e-12);    // silver over the line
   EXPECT_NEAR(back(0.8, 0.6), 1.25, 1e-12);
-  // Coverage of the line is the same in the area.
+  // The area does not change the coverage of the line.
   EXPECT_EQ(floor.coverage({0.8, 0.5}, kSpot), 1.0);
   EXPECT_EQ(floor.coverage({0.48, 0.53}, kSpot), 0.0);
 }

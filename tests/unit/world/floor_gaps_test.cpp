@@ -141,7 +141,8 @@ TEST_F(JointsTest, CostWhatTheImpactOnTheFarEdgeDoes) {
 
 TEST_F(JointsTest, HoldAWheelThatHasNotThePowerToClimbOut) {
   map_.course.joints = {joint(10.0, 0.005)};
-  // Both wheels, of 16 mm, are in the middle of the gap. The motors have the force `share`.
+  // Both wheels, of 16 mm, are in the middle of the gap. The motors' force is `share` of the load on the
+  // wheels.
   const auto leaves = [&](double share) {
     Body& body = make({{10.0, 10.0}, {1.0, 0.0}});
     const WheelParams& w = params_.wheel[left];

@@ -1,4 +1,4 @@
-// Tests a driver's motors with inductance, against closed forms within 2 %, and against pulses that are
+// Tests motors with inductance on a driver, against closed forms within 2 %, and against pulses that are
 // simulated step by step.
 #include "sim/world/motor_winding.h"
 
@@ -173,8 +173,8 @@ class WoundBody : public testing::Test {
   std::unique_ptr<World> world_;
 };
 
-// A motor that its wheel turns has k_e for each ampere. Its torque reduces the speed, and its current flows
-// into the battery for half of the time.
+// A motor turned by its wheel has the torque k_e per ampere. The loss of speed gives the motor's charge,
+// which flows into the battery for half of the time.
 TEST_F(WoundBody, GivesBackWhatASlowerDutyTakesOffItsSpeed) {
   const BodyParams p = wound();
   const WheelParams& w = p.wheel[left];

@@ -104,7 +104,7 @@ TEST_F(SkidTest, AFanPressesItDown) {
     body.block(right, true);
     run(3.0);
     const double drag = p.grip * (kGravity + force / p.mass_kg);
-    // In the tick in which it is blocked, the body still moves at full speed.
+    // In the tick in which its wheels are blocked, the body still moves at full speed.
     const double expected = speed * speed / (2.0 * drag) + 0.5 * speed * 0.001;
     EXPECT_NEAR(body.distance() - from, expected, kTwoPercent * expected) << force;
   }

@@ -74,7 +74,7 @@ class Wrapper : public testing::Test {
   void tool(const std::string& name, const std::string& body) const {
     const fs::path file = folder_ / "bin" / name;
     const std::string note = "echo \"" + name + " $*\" >>'" + folder_.string() + "/calls'\n";
-    // Only for cmake and ctest the working folder matters. The other tools keep their state in the folder.
+    // The working folder matters only for cmake and ctest. The other tools keep their state in the folder.
     const std::string place = name == "cmake" || name == "ctest" ? "" : "cd '" + folder_.string() + "'\n";
     write_file(file, "#!/bin/sh\n" + note + place + body + "\n");
     fs::permissions(file, fs::perms::owner_all);
@@ -260,7 +260,7 @@ TEST_F(Wrapper, BuildsAndRunsTheTests) {
   EXPECT_THAT(asked, testing::ContainsRegex("ctest --preset release -j [0-9]+ -N -R Golden\n"));
 }
 
-// Prints output as ctest -V does: that of two tests is mixed, and a failed test's output comes a second time.
+// Prints output as ctest -V does: the output of two tests is mixed, and a failed test's output is repeated.
 constexpr const char* kFourTests = R"(cat <<'END'
 Test project here
 test 1

@@ -1,4 +1,4 @@
-// Checks twice whether 100 ms have passed, before they have: correctly, and wrongly. The results differ if
+// Checks too early whether 100 ms have passed, once correctly and once wrongly. The results differ if
 // millis() is about to wrap.
 void setup() {
   Serial.begin(115200);

@@ -1,4 +1,4 @@
-// Recursion without end: the stack grows into the variables.
+// Recurses without end: the stack grows into the variables.
 volatile int depth;
 
 int __attribute__((noinline)) deeper(int n) {

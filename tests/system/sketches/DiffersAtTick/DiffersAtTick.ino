@@ -1,4 +1,4 @@
-// On each target, a tick of millis() decides the current second. It does not decide the value of 7 / 0.
+// On each target, a tick of millis() decides the current second, but not the value of 7 / 0.
 volatile int nothing = 0;
 
 void setup() { Serial.begin(115200); }

@@ -1,7 +1,7 @@
 // A line follower. A letter on the serial line selects how it reads its five sensors:
 //   t  thresholds at half scale, one conversion each      r  raw, unscaled
 //   c  scaled by a calibration turn over the line         m  as c, each the mean of 10 ms
-//   d  difference with its own light switched, at once    w  as d, 1 ms after switching the light
+//   d  difference with and without its own light          w  as d, 1 ms after switching the light
 //   e  as t, ends at the first reading without a line     l  as t, ends after 250 ms without a line
 //   b  as t, ends if one battery reading is 20 steps low  v  as t, ends if the mean of 16 readings is
 //   k  keeps the middle sensor on the line's right edge

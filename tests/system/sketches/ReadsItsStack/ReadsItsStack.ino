@@ -1,4 +1,4 @@
-// The host has no stack pointer. The chips differ, too, in the time that the counting takes.
+// The host has no stack pointer. The chips also differ in the time for counting.
 #ifdef SP  // missing on the Blue Pill
 unsigned int top() { return SP; }
 #else
