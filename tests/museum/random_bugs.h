@@ -1,5 +1,5 @@
 // Draws small bugs at random over the firmware, and runs the suite of tests/firmware against each bug. If the
-// suite does not find it, runs the library's unit tests.
+// suite does not find the bug, runs the library's unit tests.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Tests effects of hills and wet floors on a sketch. Each effect is tested by a pair of runs without and with
-// it. The effect changes a value as docs/explanation/models.md describes. One sketch succeeds, the other one
+// Tests effects of hills and wet floors on a sketch. A pair of runs, one with the effect and one without,
+// shows that a value changes as docs/explanation/models.md describes. One sketch succeeds, the other one
 // fails.
 #include <fstream>
 

@@ -1,4 +1,4 @@
-// Drives straight on by PWM of timer 1 on both enable pins. A letter on the serial line selects the duty cycle:
+// Drives straight on with PWM of timer 1 on both enable pins. A letter on the serial line selects the duty:
 //   s  40 % at 490 Hz
 //   f  40 % at 31 kHz
 //   d  at 31 kHz: full power for a second, and then half power, which slows the robot down
