@@ -27,13 +27,13 @@ using httplib::Request;
 using httplib::Response;
 
 constexpr std::size_t kLongestBody = 256 * 1024;
-constexpr std::size_t kLongestImage = 3 * 1024 * 1024;  // in base64, a little over 2 MB
-constexpr const char* kFiles = "/api/file";             // accepts such images
-constexpr std::size_t kLongestRequest = 4000;           // to a watched run
-constexpr std::size_t kThreads = 64;                    // each waits for its client
+constexpr std::size_t kLongestImage = 3 * 1024 * 1024;  // about 2 MB, in base64
+constexpr const char* kFiles = "/api/file";             // accepts files of that size
+constexpr std::size_t kLongestRequest = 4000;           // bytes, to a watched run
+constexpr std::size_t kThreads = 64;                    // each waits for one client
 constexpr std::uintmax_t kBlock = 4096;                 // of a disk, bytes
 constexpr int kUsualPort = 8080;
-constexpr int kPatience_s = 3;  // from one byte to the next
+constexpr int kPatience_s = 3;  // maximum time between two bytes
 constexpr const char* kCookie = "robosim=";
 
 const Refusal kTooLong{413, "the request is too large: expected at most 256 KB, or 3 MB with an image"};
@@ -103,7 +103,7 @@ std::string server_sent(std::string_view lines) {
   return text;
 }
 
-// Parses "7.html" to 7; else 0.
+// Parses "7.html" to 7; returns 0 for other names.
 int number_of(std::string_view name) {
   int number = 0;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
@@ -112,8 +112,9 @@ int number_of(std::string_view name) {
   return whole ? number : 0;
 }
 
-/// A pool of threads, which answer each connection within its time limit. In some releases of the library
-/// enqueue() returns whether there was room, in others nothing. The library's own pool may be final.
+/// A pool of threads, each of which answers a connection within its time limit. In some releases of the
+/// library, enqueue() returns whether there was room; in others, it returns nothing. The library's own pool
+/// may be final.
 class Threads : public httplib::TaskQueue {
  public:
   explicit Threads(RequestDeadline& deadline) : deadline_(deadline), pool_(kThreads) {}
@@ -135,7 +136,7 @@ int bind(httplib::Server& server, const Settings& settings) {
     ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
   if (settings.port == 0 && server.bind_to_port(settings.address.c_str(), kUsualPort)) return kUsualPort;
-  server.stop();  // cpp-httplib 0.18 refuses a second attempt otherwise
+  server.stop();  // otherwise cpp-httplib 0.18 refuses a second attempt
   const int port = settings.port == 0 ? server.bind_to_any_port(settings.address.c_str())
                    : server.bind_to_port(settings.address.c_str(), settings.port) ? settings.port
                                                                                   : -1;
@@ -159,8 +160,8 @@ struct Server::Impl {
         origin_check(settings.address, port, is_loopback(settings.address) ? "" : random_token()),
         deadline(port, settings.deadline, too_slow(settings.deadline)) {
     http.new_task_queue = [this] { return new Threads(deadline); };
-    // The library leaves the body of a refused request unread, and would treat it as the next request. So a
-    // page of another site could put a request into a body. It could have headers that the page may not send.
+    // The library does not read the body of a refused request, and would treat it as the next request. So a
+    // page of another site could put a request into a body, with headers that the page may not send.
     http.set_keep_alive_max_count(1);
     http.set_logger([this](const Request& request, const Response&) {
       if (request.body.empty() && has_body(request)) deadline.read_away();
@@ -283,7 +284,7 @@ struct Server::Impl {
                          "application/json");
   }
 
-  /// Reads the requested run. If the request is invalid, answers with the reason, and returns nothing.
+  /// Parses the requested run. If it is invalid, answers with the reason and returns nullopt.
   std::optional<RunForm> wanted_by(const Request& request, Response& response) const {
     try {
       return read_run_form(request.body, choices_in(jobs.folder()));

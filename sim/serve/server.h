@@ -1,14 +1,14 @@
-// `robosim serve`: serves the page for a folder, by HTTP.
+// `robosim serve`: serves the page for a folder by HTTP.
 //
 //   GET  /                    the page; /bench.css, /bench.js, /watch.js, /editor.js
 //   GET  /api/folder          the choices
-//   POST /api/run             runs it; the answer is a line of JSON for each piece of output,
+//   POST /api/run             runs a request; the answer is a line of JSON for each piece of output,
 //                             {"say": "…"}, and at its end {"done": {"status", "recording", "sentence"}}
 //   GET  /recording/N.html    the page of run N (docs/reference/recordings.md)
 //   POST /api/live            prepares a run for watching: {"live": N}
 //   GET  /api/live/N          runs it, as server-sent events: the lines of `robosim run --live`, {"say": "…"}
-//                             and {"done": …}. The run ends when its listener has gone
-//   POST /api/live/N          a request to it: {"id": 1, "do": "pause"}
+//                             and {"done": …}. The run ends when its listener leaves
+//   POST /api/live/N          a request to this run: {"id": 1, "do": "pause"}
 //   POST /api/map             {"name"}: a map's text
 //   POST /api/floor           {"text"}: the floor of a map's text, or its error
 //   POST /api/file            {"name", "text", "replace"}: writes a sketch, robot or map (file_store.h)
@@ -26,10 +26,10 @@ namespace robosim::serve {
 
 struct Settings {
   std::filesystem::path folder;
-  std::filesystem::path robosim;      ///< the program
-  std::string address = "127.0.0.1";  ///< an IP address of this machine; other than loopback requires a token
-  int port = 0;                       ///< 0 = 8080, or any free one
-  std::chrono::milliseconds deadline{10'000};  ///< for a request, head and body
+  std::filesystem::path robosim;               ///< the program
+  std::string address = "127.0.0.1";           ///< of this machine; all but loopback require a token
+  int port = 0;                                ///< 0 = 8080, or any free port
+  std::chrono::milliseconds deadline{10'000};  ///< for receiving a request, head and body
   /// Limit of what a server writes into its folder until it ends, in bytes; a file counts for 4096 or more.
   std::uintmax_t most_saved = 200'000'000;
 };
