@@ -12,7 +12,8 @@ constexpr std::uint8_t kSigned = Cpu::kV | Cpu::kS;
 constexpr std::uint8_t kArithmetic = kC | kZ | kN | kSigned | Cpu::kH;
 
 constexpr std::uint8_t kPointers = 26;  // X, Y, Z
-// Limits of Lines. A Line beyond them, which no typical sketch reaches, is held.
+// Limits of a sum or difference: its value, its step, and the index of its last byte. If a result exceeds
+// them, its operands are held instead of followed. No typical sketch exceeds them.
 constexpr std::int64_t kMost = std::int64_t{1} << 48, kSteepest = std::int64_t{1} << 24;
 constexpr int kBytes = 5;
 
@@ -55,7 +56,7 @@ bool CounterExtrapolation::agrees(std::uint32_t registers) const {
 
 // --- holding
 
-/// Limits the window to counts for which the line's bits from `bits` up stay unchanged.
+/// Limits the window to the counts for which only the lowest `bits` bits of the line change.
 void CounterExtrapolation::keep(const Line& line, int bits) {
   if (line.step == 0) return;
   const std::int64_t within = low_bits(line.now, bits);
@@ -197,7 +198,8 @@ void CounterExtrapolation::store(const Instruction& instruction, const Instructi
   }
 }
 
-/// Returns the line of a number with the bytes of `line` below k and with `byte` as byte k.
+/// Extends the lower k bytes of `line` by byte k, and returns the line of that number. Byte k is `byte`, or
+/// `constant` if `byte` is empty. Returns nothing if `byte` is not byte k of a number with these lower bytes.
 std::optional<CounterExtrapolation::Line> CounterExtrapolation::extended(const Line& line,
                                                                          const Operand& byte,
                                                                          std::uint8_t constant, int k) {
@@ -234,7 +236,8 @@ std::optional<CounterExtrapolation::Chain> CounterExtrapolation::begun(const Ins
   chain.subtracts = is_difference(instruction.op);
   chain.k = left ? left->k : right->k;
   if (left && right && (left->k != right->k || chain.k != 0 || carry)) return std::nullopt;
-  // The lower bytes would borrow: they belong to the Line, and the instruction does not subtract them.
+  // The Line of `right` contains lower bytes, too. Subtracting it would borrow from byte k for them, but the
+  // instruction subtracts only byte k.
   if (right && chain.subtracts && chain.k != 0) return std::nullopt;
   const auto line = [&](std::uint8_t value) { return Line{std::int64_t{value} << (8 * chain.k), 0}; };
   chain.left = left ? left->line : line(cpu_.data[instruction.a]);

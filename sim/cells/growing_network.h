@@ -36,7 +36,7 @@ class GrowingNetwork {
     return here.x == at.x && here.y == at.y;
   }
   bool isTree() const { return is_tree_; }
-  /// Returns the result of nav::headingOf() from a table, without counting arms.
+  /// Returns the same heading as nav::headingOf(), read from the node instead of computed from its arms.
   nav::Heading heading(Id node, std::uint8_t slot) const {
     return static_cast<nav::Heading>(nodes_[node].headings >> 2 * slot & 3);
   }

@@ -29,7 +29,7 @@ class SerialPrinter {
 };
 
 /// Replaces closed standard streams by /dev/null. Otherwise the next opened file would be mistaken for one of
-/// them. Writing to such a standard output fails.
+/// them. Opens /dev/null read-only for standard output, so that writing to it still fails.
 void open_standard_streams();
 
 }  // namespace robosim::cli

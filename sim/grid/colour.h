@@ -2,9 +2,9 @@
 //
 // `infrared` is the reflectance for a sensor such as TCRT5000 or QTR (950 nm), relative to white paper;
 // `light` is the reflectance for red, green and blue light. All are estimates. Pigments that look dark to the
-// eye hardly absorb infra-red. Makers of reflex sensors state 40 to 80 % of a white card for coloured PVC.
-// For bright metal they state 110 to 160 %, since metal reflects like a mirror if emitter and receiver look
-// straight down.
+// eye hardly absorb infra-red. Makers of reflective sensors state that coloured PVC reflects 40 to 80 % as
+// much as a white card. For bright metal they state 110 to 160 %, since metal reflects like a mirror if
+// emitter and receiver look straight down.
 //
 // Green is therefore much nearer to white than to black. Infra-red alone cannot distinguish a single green
 // square from a dirty floor.
@@ -24,7 +24,8 @@ struct HueFigures {
   const char* drawn;            ///< HTML colour for pictures
 };
 
-/// All hues except grey.
+/// The values of each Hue, in the order of the enumerators. For grey, only the name is used: Colour computes
+/// the other values from `black`.
 constexpr std::array<HueFigures, 6> kHues = {{{"black", 0.00, {0.00, 0.00, 0.00}, "#202020"},
                                               {"white", 1.00, {1.00, 1.00, 1.00}, "#ffffff"},
                                               {"grey", 0.50, {0.50, 0.50, 0.50}, "#909090"},

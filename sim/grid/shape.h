@@ -19,7 +19,7 @@ struct Shape {
   double half_width = 0.0;   ///< m, of a rectangle
   double radius = 0.0;       ///< m, of a disc; 0 = a rectangle
   Place place;               ///< place of the table in the map's file
-  Vec2 least, most;          ///< m, corners of the region that contains the middle for any draw
+  Vec2 least, most;          ///< m, corners of the region that contains `middle` for every seed
 
   /// Returns the distance from the centre to the farthest point, m.
   double reach() const {
@@ -38,11 +38,11 @@ struct Shape {
 Shape read_shape(TableReader& table, const Course& course, const char* name, const SampledParameters& figures,
                  Parameter* length = nullptr);
 
-/// Checks that the centres of a map's areas, hills, surfaces and joints are on the map's floor, for any draw.
+/// Checks that the centres of a map's areas, hills, surfaces and joints are on its floor for every seed.
 /// Throws InputError.
 void check_shapes(const Map& map);
 
-/// Returns `at`, and `size` and `angle` or `radius`, in the format that read_shape() reads.
+/// Returns a shape in the format that read_shape() reads: `at`, then either `radius`, or `size` and `angle`.
 std::string shape_text(const Shape& shape);
 
 }  // namespace robosim::grid

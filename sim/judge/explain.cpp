@@ -103,7 +103,8 @@ std::string whereabouts(const Evidence& e) {
   return text.empty() ? "" : "; the robot " + text;
 }
 
-// Returns the fix for a finding of a check.
+// Returns advice on a numeric overflow that a sanitizer check found on a board with a 16-bit int. Returns ""
+// for other findings and boards.
 std::string advice(const Evidence& e) {
   const std::string& check = e.crash->check;
   const bool too_large =
@@ -270,8 +271,8 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   });
 }
 
-// Returns "motor pins 7 and 9 were written HIGH, but never set to OUTPUT": pull-ups switch on the inputs of
-// some drivers.
+// Returns "motor pins 7 and 9 were written HIGH, but never set to OUTPUT"; empty if there are no such pins.
+// Writing HIGH to an input enables its pull-up, which is enough to switch on some motor drivers.
 std::string forgotten_outputs(const Evidence& e) {
   std::vector<int> pins;
   for (const robot::WiredPin& wired : e.wiring) {

@@ -1,5 +1,5 @@
-// Two simple ways to store a network, for comparing planners: a table of links, as on the paper's robot, and
-// a table of parents. Neither table stores costs, places or headings.
+// Two simple ways to store a network, for comparing planners: a table of links, as on the pony of the m-graph
+// paper, and a table of parents. Neither table stores costs, places or headings.
 #ifndef LINEKIT_NAV_LINK_TABLE_H
 #define LINEKIT_NAV_LINK_TABLE_H
 
@@ -8,8 +8,8 @@
 
 namespace nav {
 
-/// Stores `kSlots` links per node, in any numbering, one byte each. A node's slot 0 leads to its parent; slot
-/// 0 of node 0 leads to a child.
+/// Stores `kSlots` links per node, one byte each. The nodes may be numbered in any order. A node's slot 0
+/// leads to its parent; slot 0 of node 0 leads to a child.
 template <uint8_t kNodes, uint8_t kSlots>
 class LinkTable {
  public:

@@ -380,7 +380,7 @@ TEST_F(HalTest, TheEepromKeepsWhatIsWrittenThroughItsChangesOfBanks) {
 TEST_F(HalTest, AWriteThatPowerOffInterruptsLeavesTheValueBefore) {
   robosim_eeprom_write(5, 50);
   robosim_eeprom_write(5, 51);
-  // Erases the second half of the record, its address, as if it had not been written yet.
+  // Erases the address, which is the second half of the record, as if it had not been written yet.
   for (std::uint8_t* half = flash_.data(); half < flash_.data() + robosim::stm32::kFlashBytes; half += 4)
     if (half[0] == 51 && half[1] == 0xA5) half[2] = half[3] = 0xFF;
   EXPECT_EQ(robosim_eeprom_read(5), 50);

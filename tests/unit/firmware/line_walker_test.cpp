@@ -11,8 +11,8 @@ namespace {
 
 using namespace walked;
 
-// The expected values of each trip are exact. A map consists of places, costs and times, and a robot that
-// drives differently measures other values.
+// The expected values of each trip are exact, because a map is built from them. A robot that drives
+// differently measures other places, costs and times.
 TEST(LineWalkerTest, ComesToBothEndsOfALine) {
   Walk walk({{-300, 0, 300, 0}});
   walk.go({kBack, kBack});

@@ -53,8 +53,8 @@ class Distracted : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Stands and reads a sensor. Starts to drive after two seconds, `later` after the last reading, and does not
-/// read again.
+/// Stands for two seconds, then drives. Reads a sensor every millisecond until `later` before the start, and
+/// never again.
 class Starts final : public Distracted {
  public:
   explicit Starts(SimTime later) : Distracted(kSecond, false), later_(later) {}

@@ -84,7 +84,7 @@ struct NotingTurns final : Listener {
   std::string& all;
 };
 
-// Returns an uno5 with an eye that looks ahead instead of a bumper.
+// Returns an uno5 whose bumper is replaced by an infra-red switch that looks ahead.
 robot::Description seeing_robot() {
   const test::TemporaryFolder folder;
   const std::string file = folder.path() / "seeing.toml";

@@ -109,7 +109,8 @@ void RaceAnalysis::find_accesses(const DebugInfo& debug) {
   accesses_.erase(same, accesses_.end());
 }
 
-/// Adds an access if another byte of the same number is accessed after word address `pc`.
+/// Adds an access if the instruction at word address `pc`, and one soon after it, access two bytes of one
+/// number.
 void RaceAnalysis::add_group(std::uint32_t pc, const DebugInfo& debug) {
   const Cpu& cpu = chip_.cpu();
   const Instruction& first = cpu.instruction(pc);
