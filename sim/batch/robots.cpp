@@ -69,7 +69,7 @@ void add_noise(const SensorBlock& sensor, Lanes& volts) {
 }
 
 [[noreturn]] void refuse(const robot::Description& robot, const std::string& what) {
-  throw InputError({robot.file.string()}, what + " is nothing for a batch of robots");
+  throw InputError({robot.file.string()}, what + " is not supported in a batch of robots");
 }
 
 }  // namespace

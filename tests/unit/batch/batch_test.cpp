@@ -202,10 +202,10 @@ TEST(Batch, SaysWhatItCannotHold) {
   };
   EXPECT_EQ(refused(with("")), "");
   EXPECT_EQ(refused(with("[battery]\nkind = \"nimh\"\ncells = 6\ncapacity_mAh = 2000\n")),
-            "mine.toml: [battery] is nothing for a batch of robots");
+            "mine.toml: [battery] is not supported in a batch of robots");
   EXPECT_EQ(refused(with("[[part]]\nname = \"D\"\ntype = \"reflectance\"\nread = \"digital\"\npin = 22\nat = "
                          "[\"10 mm\", \"0 mm\"]\n")),
-            "mine.toml: D, a sensor whose read is not \"analog\", is nothing for a batch of robots");
+            "mine.toml: D, a sensor whose read is not \"analog\", is not supported in a batch of robots");
   EXPECT_EQ(refused(with("[[part]]\nname = \"E\"\ntype = \"reflectance\"\npin = \"A9\"\nat = [\"10 mm\", \"0 "
                          "mm\"]\n")),
             "mine.toml: has 6 reflectance sensors, and the first robot of its batch has 5");
