@@ -12,8 +12,8 @@ namespace robosim::analysis {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kNear_ns = kSecond_ns;  ///< events no further apart count as simultaneous
-/// Two boards of one kind may be 0.5 % fast and 0.5 % slow (an Uno's resonator, Murata CSTCE16M0V53). This
-/// share of the time since their last common event is added to the tolerance.
+/// Share of the time to the nearest common event that is added to the tolerance. One board may be 0.5 % fast
+/// and another of the same kind 0.5 % slow (an Uno's resonator, Murata CSTCE16M0V53).
 constexpr std::int64_t kApart_percent = 1;
 
 /// Returns the end of the comparable behaviour: the loss of the line, otherwise the end of the run.

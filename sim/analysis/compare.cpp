@@ -12,7 +12,7 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::int64_t kSlipping_ns = kSecond_ns;  // a robot is leaving the line this long before it is lost
+constexpr std::int64_t kSlipping_ns = kSecond_ns;  // not compared: this time before a loss
 
 std::string came_to(const TimedText& place) {
   return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;
@@ -81,13 +81,13 @@ class Comparer {
       }
   }
 
-  /// Returns whether `other` ran long enough for an event `after_ns` after its last common event, at
-  /// `since_ns`.
+  /// Returns whether `other` ran long enough to show an event. `since_ns` is its last common event;
+  /// `after_ns` is the delay from there to the event.
   bool had_time(std::size_t other, std::int64_t since_ns, std::int64_t after_ns) const {
     return seen_ns(*sides_[other]) >= since_ns + after_ns + tolerance_.time_for(after_ns);
   }
 
-  /// Reports the first mark after the common ones, which only one side has.
+  /// Reports the first mark that only one side has, after the common marks.
   template <typename Marks, typename Make>
   void compare_rest(const Marks& a, const Marks& b, std::size_t common, const Make& make) {
     if (a.size() == b.size()) return;

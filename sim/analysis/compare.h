@@ -7,11 +7,13 @@
 //   places    their names and order
 //   lines     their text and order, without numbers; a text that occurs more than 20 times, or 5 times in
 //             2 s, is a stream: both sides must send it at about the same rate and at about the same time
-//   numbers   in a line: within 10 % of each other; in a stream: within the other side's range in the second
-//             before and after, or next to that range if the values span 10 or more
+//   numbers   in a line: within 10 % of each other
+//             in a stream: within 10 % of one of the other side's values in the second before and after, or
+//             within the range of these values, widened at both ends by half the range; by at least 1 if
+//             the stream's values span 10 or more
 //   times     from one place or line to the next: within 0.5 s plus 25 %
 //   motors    a manoeuvre of 0.5 s requires 0.1 s of the same manoeuvre on the other side, within 1 s plus
-//             1 % of the time since the last common place or line;
+//             1 % of the time to the nearest common place or line;
 //             the mean command between two common events: within 0.25
 //   the end   the verdict
 #pragma once

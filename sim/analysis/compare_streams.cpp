@@ -100,7 +100,7 @@ class StreamComparer {
   }
 
   /// Allows a deviation of 1 in an integer with a wide range: it is a measurement whose last digit varies. An
-  /// integer with a small range may be a state, where every value differs.
+  /// integer with a small range may be a state, so it gets no such allowance.
   void find_last_places() {
     last_places_.assign(lanes_[0].front().parts.numbers.size(), 0.0);
     for (std::size_t n = 0; n < last_places_.size(); ++n) {
@@ -114,8 +114,8 @@ class StreamComparer {
     }
   }
 
-  /// Compares each number of `side`'s lines with the other side's at about that time. Returns false if one
-  /// differs.
+  /// Compares each number of `side`'s lines with the other side's numbers at about the same time. Returns
+  /// false if a number differs.
   bool compare_numbers(const std::string& form, std::size_t side) {
     const auto& others = lanes_[1 - side];
     for (const Said& said : lanes_[side]) {

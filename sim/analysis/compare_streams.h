@@ -1,6 +1,6 @@
 // Compares lines that firmware prints repeatedly, such as measurements a few times a second. Two sides print
-// them at different moments, and robots vibrate. So each line is compared with the other side's output at
-// about that time.
+// them at different moments, and robots vibrate. Each line is therefore compared with the other side's
+// output at about the same time.
 #pragma once
 
 #include <array>

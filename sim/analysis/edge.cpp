@@ -110,7 +110,7 @@ std::optional<Choice> Choice::of(const Difference& found, const History& first, 
 }
 
 // Sums the probabilities of all tables with these totals that are at most as likely as this table. A
-// behaviour that a target shows with only one of its clocks counts as rare.
+// behaviour that a target shows with only one of fewer than kManyRuns clocks counts as rare.
 Alikeness alikeness(const Share& one, const Share& other) {
   constexpr double kUnlikely = 0.05, kRounding = 1e-9;
   const int both = one.as_first + other.as_first;

@@ -1,5 +1,5 @@
 // Decides whether a target with a slightly wrong clock behaves like another target.
-// docs/howto/comparing.md explains why this distinguishes chance from a fault.
+// docs/howto/comparing.md explains how this distinguishes chance from a fault.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace robosim::analysis {
 
-/// Duration for which a run must follow another run after a difference, to count as equal.
+/// Duration after a difference for which two runs must agree to count as equal.
 constexpr std::int64_t kBehindEdge_ns = 2'000'000'000;
 
 /// Returns whether `mine` equals `other` until `behind_ns` after the difference. If a run ends earlier, both
@@ -59,7 +59,7 @@ struct Share {
   int runs = 0, as_first = 0;
 };
 enum class Alikeness {
-  alike,  ///< both targets show both, equally often; or one behaviour shows with only one clock of a hundred
+  alike,  ///< both targets show both behaviours, equally often; or one shows in a single run of many
   apart,  ///< one target shows a behaviour that the other never or seldom shows
   rare,   ///< too few runs: one of the two behaviours is rare
 };

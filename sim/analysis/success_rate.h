@@ -40,7 +40,7 @@ std::optional<std::int64_t> needed_runs(const Demand& demand);
 
 /// Counts runs in a fixed order. The tally is decided once the remaining runs cannot change whether the
 /// demand is met. Stopping then saves runs and never changes the answer, however often the tally is checked.
-/// (Stopping at any good interval would give a wrong result more often than the interval admits.)
+/// (Stopping as soon as the interval looks good would give wrong results in more than 5 % of cases.)
 class Tally {
  public:
   Tally(std::int64_t planned, std::optional<Demand> demand);

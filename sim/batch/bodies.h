@@ -1,11 +1,11 @@
-// Simulates many bodies, each as if it were alone on one floor. Searches use a batch to simulate a body
-// repeatedly with different parameters or commands.
+// Simulates many bodies, each as if it were alone on one floor. A search uses a batch to simulate one
+// body many times, with different parameters or commands.
 //
 // A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications. Each
-// operation waits for the previous operation. Here they are computed for a block of bodies at once (lanes.h).
-// The operations have the same order, so all bits of the results are equal. This applies to the usual state
-// of bodies: both tyres roll, both wheels keep their direction, nothing is near. Each tick tests each lane
-// for this state.
+// operation waits for the previous operation. A batch therefore computes each operation for a block of bodies
+// at once (lanes.h). The operations have the same order, so all bits of the results are equal. This applies
+// to the usual state of bodies: both tyres roll, both wheels keep their direction, nothing is near. Each tick
+// tests each lane for this state.
 //
 // If a body starts, stops, slips, skids, or comes near a wall, the code of world::Body simulates this tick.
 // It also simulates any special body (windings, steered wheels, wheels that skid, loads that shift). The tick
@@ -49,7 +49,7 @@ struct BodyBlock : BodyMotion {
   Lanes per_radius[2], inertia[2], turning_friction[2], joule0[2], joule1[2], side_share[2];
   Lanes owns[2], grip_squares[2], skids_from;
   Lanes mass, mass_own, mass_cross, half_track, per_track, bound_radius, way_per_travel, stride;
-  Lanes rolls;  // 1 = an ordinary body that touches nothing
+  Lanes rolls;  // 1 = the body touches nothing and may use rolling_step.h
 };
 
 class Bodies {

@@ -69,8 +69,9 @@ class Robots {
   std::size_t size() const { return bodies_.size(); }
   std::size_t sensors() const { return sensors_; }
 
-  /// Sets the driver's command from its pins, from now on, at the beginning of a tick
-  /// (robot::bridge_command). The motor of a differential needs the command for both sides.
+  /// Sets a motor's command, from the tick that begins now until the next call. robot::bridge_command()
+  /// computes commands from a driver's pins. For the motor of a differential, call this function for both
+  /// sides.
   void tell(std::size_t robot, world::Side, const world::WheelCommand&);
   /// Reads sensor number `sensor`, in the order of the file, for each robot: V. `t` is a time of the tick
   /// that begins now. Uses one sample of noise.
@@ -100,7 +101,7 @@ class Robots {
   SimTime posed_at_ = -1;   // the time of poses_
   std::vector<Told> told_;  // commands in this tick
   std::vector<world::WheelCommand> commands_[2];
-  std::vector<bool> lags_;  // for each sensor: it lags on some robot
+  std::vector<bool> lags_;  // for each sensor: whether it lags on any robot
   SimTime now_ = 0;
 };
 

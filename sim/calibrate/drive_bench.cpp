@@ -16,7 +16,7 @@ namespace {
 constexpr double kTick = 0.001;         // s, tick of the world
 constexpr double kPiece = 0.5;          // s, duration of a piece of a drive
 constexpr double kRollsFor = 5.0;       // s, maximum rolling after a timed drive
-constexpr double kMostDriving = 120.0;  // s, maximum of all drives together
+constexpr double kMostDriving = 120.0;  // s, maximum total of all drives
 constexpr double kCell = 50.0;          // m: a floor without walls in reach
 const Pose kStart{{20.0 * kCell, 20.0 * kCell}, {1.0, 0.0}};
 
@@ -39,7 +39,7 @@ robot::Description nominal(robot::Description robot) {
 /// Returns a motor's command for a value -255 .. 255 of the sketch. 0 sets all pins low.
 world::WheelCommand command(const robot::Description& robot, const robot::MotorSpec& motor, int told) {
   if (told == 0) return {0.0, 0.0};
-  // Uses a duty cycle between (n + 1) / 256 of an Uno's timer 0 and n / 255 of the other timers.
+  // An Uno's timer 0 has the duty cycle (n + 1) / 256, its other timers n / 255. Uses a value in between.
   const double duty = std::abs(told) == 255 ? 1.0 : (std::abs(told) + 0.5) / 255.5;
   robot::BridgeInputs inputs;
   inputs.phase = motor.phase;
@@ -97,7 +97,7 @@ Bench::Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, cons
       world_(floor_) {
   if (volts > 0.0) body_.supply_volts = volts;
   for (const int side : {0, 1}) {
-    // If the file has no friction, uses a start value.
+    // Uses a start value if the file gives no friction.
     world::WheelParams& wheel = body_.wheel[side];
     wheel.no_load_current = std::max(wheel.no_load_current, 0.03 * wheel.stall_current);
     motors_[side] = motor_of(robot_, side);

@@ -1,5 +1,5 @@
 // Drives a robot's body as in a log, with variable parameters, and compares the simulated drive to the
-// counts. The top of drive_fit.h describes the parameters, and the measurements that determine them. The
+// counts. The top of drive_fit.h describes the parameters, and which measurements determine them. The
 // motors' commands in each tick are computed once. All drives, for any number of parameter sets, are then
 // simulated in parallel, as bodies of one batch (sim/batch/bodies.h).
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace robosim::calibrate {
 
-/// The fitted or fixed values, which are logarithms of factors of the file's parameters.
+/// The fitted and fixed values. Each is the logarithm of a factor that multiplies a parameter of the file.
 enum Factor {
   no_load_left,
   no_load_right,

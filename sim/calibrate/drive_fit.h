@@ -6,7 +6,7 @@
 //   its speed at each voltage:    k_e, and R friction / k_t
 //   its time constant:            R J / (k_t k_e)
 //   its coasting:                 friction / J
-// These give k_e and the two ratios of k_t, friction and J. They do not give R or J. With R (stall_current)
+// These give k_e and the ratios between k_t, friction and J. They do not give R or J. With R (stall_current)
 // and J (mass, rotor, wheels) from the file, they give no_load, stall_torque and no_load_current. If J is
 // wrong, stall_torque is wrong by the same factor, and the robot still behaves correctly. Turns on the spot
 // determine the body's inertia about its axis.
@@ -27,7 +27,7 @@
 
 namespace robosim::calibrate {
 
-/// A measurement by stopwatch and tape measure. From rest, the motors get this command for this duration,
+/// A measurement by stopwatch and tape measure. The motors get this command from rest, for `seconds`, and
 /// then coast.
 struct Timed {
   std::string file;

@@ -19,11 +19,11 @@ struct EdgeFit {
   double sse, white;
 };
 
-/// Returns the share of the footprint that is on the tape. `inwards`: how far inside the tape's edge the
-/// sensor is.
+/// Returns the share of the footprint that is on the tape. `inwards` is the distance from the tape's edge
+/// to the sensor, m, positive inside the tape.
 double share_on_tape(double inwards, double footprint, double tape_m);
 
-/// Fits with the edge moved inwards by `offset`.
+/// Returns the fit with the edge moved inwards by `offset`.
 EdgeFit at_offset(const Edge& edge, double offset, double footprint, double tape_m);
 
 /// Returns the offset with the smallest error.

@@ -29,7 +29,7 @@ struct Figure {
 /// written digit.
 double spread_of(const Found&);
 
-/// Returns the uncertainty of a value, relative to the value (or to `against`).
+/// Returns the uncertainty of a value, relative to that value, or to `against` if `against` is not 0.
 double unsureness(const Figure&, const Found&);
 /// Returns the relative uncertainty of the least certain value.
 double least_sure(const Figure&);

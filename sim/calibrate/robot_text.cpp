@@ -10,7 +10,7 @@
 namespace robosim::calibrate {
 namespace {
 
-/// Returns the offset in the text of a value of the tree.
+/// Converts a line and column to an offset in the text.
 std::size_t offset_of(std::string_view text, const Place& place) {
   std::size_t at = 0;
   for (int line = 1; line < place.line; ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;

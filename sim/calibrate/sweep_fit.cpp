@@ -128,7 +128,7 @@ void measure_levels(Element& element) {
   const double patches = std::max((radius > 0.0 ? std::min(length, circles) : length) / kPatch, 2.0);
   const bool skewed = static_cast<double>(clipped) > kMostClipped * static_cast<double>(white.size());
   fit.white = {skewed ? median(white) : mean(white), (skewed ? 1.25 : 1.0) * floor / std::sqrt(patches)};
-  // On average, the position of a time within its step is known to a quarter of the step.
+  // The mean of times that are rounded to steps is uncertain by a quarter of a step.
   fit.white.sd =
       std::hypot(fit.white.sd, 0.25 * element.traces.front().timing * fit.white.value * fit.white.value);
   fit.black = {mean(black),
@@ -188,7 +188,7 @@ void measure_footprint(PartFit& fit, const std::vector<Element>& elements, doubl
   const double scatter = mean_sd(tenths);
   // If samples are farther apart than the footprint, they show only that the footprint is small.
   if (fit.spacing > footprint) return;
-  // A difference between wheels and tape is an error of either.
+  // Counts half of the relative difference between the measured and the given tape width as uncertainty.
   const double scale = fit.seen.value > 0.0 ? 0.5 * (fit.seen.value / tape_m - 1.0) : 0.0;
   fit.footprint = {footprint, std::hypot(scatter, std::hypot(0.01, scale) * footprint)};
   for (const Edge& edge : edges) {
@@ -199,7 +199,7 @@ void measure_footprint(PartFit& fit, const std::vector<Element>& elements, doubl
   }
 }
 
-/// Collects track widths from pairs of crossings that are a whole turn of the robot apart, by the wheels'
+/// Collects track widths from pairs of crossings between which the robot makes a whole turn, by the wheels'
 /// counts.
 void collect_turns(const Element& element, const robot::Description& robot, std::vector<double>& tracks) {
   for (std::size_t k = 0; k < element.traces.size(); ++k) {

@@ -90,8 +90,8 @@ Trace make_trace(const Log& log, const Sweep& sweep, std::size_t column, const r
                     "{:.0f} and {:.0f} counts; check whether each motor turns and each encoder counts",
                     sweep.count[0].back() - sweep.count[0].front(),
                     sweep.count[1].back() - sweep.count[1].front()));
-  // The robot turns about the point of the axle that rests. `centre` is its distance to the left of the
-  // axle's middle.
+  // The robot turns about the stationary point of the axle. `centre` is that point's distance to the left of
+  // the axle's middle.
   const double centre = 0.5 * robot.chassis.track.value * (left + right) / (left - right);
   const Vec2 at = part.elements[element].at;
   trace.radius = std::hypot(at.x, at.y + centre);

@@ -63,8 +63,7 @@ void CellFloor::pack_neighbours(int y, std::uint8_t* bits) {
 Sense CellFloor::sense_alone(std::size_t index, Direction d) const {
   const std::size_t front = next(index, d);
   if (is_open(front)) return Sense::straight;
-  // v1 continues forever at the map's edge. Here, a line that ends at the edge has a dead end like any other
-  // line.
+  // In Robosim v1, the robot continues forever at the map's edge. Here, a line ends at the edge.
   if ((cells_[front] & kWall) == 0) return Sense::no_path;
   return is_open(index) && grid::blocks_line(map_, cell_at(index), d) ? Sense::no_path : Sense::straight;
 }

@@ -75,7 +75,7 @@ bool CellWalker::is_junction() const {
   return robot_.floor().is_near_obstacle(robot_.at()) && count(lines_at(robot_)) >= 3;
 }
 
-// Handles no_path: the end of a line, a wall into which the robot has stepped there, or an obstacle.
+// Handles no_path: the end of a line, a wall at that end that the robot has entered, or an obstacle.
 Landmark CellWalker::end_of_line() {
   const CellFloor& floor = robot_.floor();
   const CellPose pose = robot_.pose();
@@ -109,8 +109,8 @@ inline bool CellWalker::goes_on() {
   }
 }
 
-// Continues to the next stop. The byte of a cell shows the usual ends of a line: no obstacle near, and line
-// on three sides or more, or only behind the robot.
+// Continues to the next stop. The byte of a cell shows the usual ends of a line: no obstacle is near, and
+// line continues on three or four sides, or only behind the robot.
 Landmark CellWalker::met() {
   const CellFloor& floor = robot_.floor();
   const Spot spot = robot_.spot();

@@ -5,13 +5,13 @@
 // the way back. Places are the map's cells. A grid has a compass: heading 0 is east, whatever the robot's
 // first direction.
 //
-// A line is the same from both ends. Without a watcher of each move, the robot therefore walks along a line
-// only once. The walker records the line. Later the robot can go back over the last line that it has not yet
-// returned over. It then reaches the other end at once, with an equal number of counted moves. An explorer
-// goes back over every line of a tree.
+// A line is the same from both ends. Unless a watcher follows each move, the robot therefore walks along a
+// line only once. The walker records each line. When the robot goes back over the latest recorded line, it
+// reaches the other end at once, and the moves of that line are counted again. An explorer goes back over
+// every line of a tree.
 //
-// If an obstacle is directly next to a junction, the robot senses the obstacle before it moves. It does not
-// have to leave the junction to find the obstacle, which costs no move.
+// If an obstacle is directly next to a junction, the robot senses the obstacle before it moves. Finding it
+// therefore costs no move.
 #pragma once
 
 #include <cstddef>

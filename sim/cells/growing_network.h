@@ -1,4 +1,4 @@
-// Implements the explorer's map, a Network (firmware/src/nav/Network.h), by arrays that grow, for a host.
+// Implements the explorer's map, a Network (firmware/src/nav/Network.h), with growing arrays, for a host.
 //
 // Places are cells of a map, so they are never negative.
 #pragma once

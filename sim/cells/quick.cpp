@@ -7,8 +7,8 @@ namespace {
 
 using grid::Direction;
 
-// The action of the walk for the byte of the robot's cell: the number of quarter turns to the right before
-// the robot continues. The robot moves onto open line, so nothing can block it.
+// Maps the byte of the robot's cell to the walk's action: a number of quarter turns to the right, and then a
+// move, or one of the other codes. The robot moves onto open line, so nothing can block it.
 class WalkTable {
  public:
   static constexpr std::uint8_t kRight = 1, kLeft = 3;

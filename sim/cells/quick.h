@@ -19,7 +19,7 @@ std::uint64_t run_along(const CellFloor& floor, Spot& spot, std::uint64_t most);
 
 /// Walks along one side, by at most `most` moves. Returns the number of moves.
 std::uint64_t keep_to(Side side, const CellFloor& floor, Spot& spot, std::uint64_t most);
-/// As above, and also stops where a line may end, and at either of two spots.
+/// Walks like the function above, but also stops where a line may end, and at the spots `a` and `b`.
 std::uint64_t keep_to(Side side, const CellFloor& floor, Spot& spot, std::uint64_t most, const Spot& a,
                       const Spot& b);
 

@@ -1,8 +1,8 @@
 // Implements the third algorithm: scans a floor into a graph, then uses the graph to drive from station to
 // station.
 //
-// The navigator's explorer (firmware/src/nav/Explorer.h) scans, with the robot on cells. Like v1's scan, the
-// scan ends at the start, facing the line. If the start is not the end of a line, the robot continues to
+// The navigator's explorer (firmware/src/nav/Explorer.h) scans with the robot on cells. As in v1, the robot
+// ends the scan at the start, facing the line. If the start is not the end of a line, the robot continues to
 // station 1 (if it exists) by a shortest path.
 //
 // Stations are numbered from 1 in the order of discovery. Station 1 is the start if a line ends there.
@@ -23,7 +23,7 @@
 
 namespace robosim::cells {
 
-/// The ending of a scan or a drive.
+/// The result of a scan or a drive.
 enum class Ending {
   complete,      ///< a scan found everything reachable, or a drive reached its destination
   lost,          ///< noise: the robot met an impossible place

@@ -28,7 +28,7 @@ void walk_on(CellRobot& robot, Side side, std::uint64_t moves) {
 Walk walk(CellRobot& robot, Side side) {
   Walk walk;
   DeadEnds visited;
-  // Uses Brent's cycle detection: the marked spot advances to ever later moves.
+  // Uses Brent's cycle detection: after 1, 2, 4, … moves, marks the robot's current spot.
   Spot mark = robot.spot();
   std::uint64_t next_mark = robot.moves() + 1;
   const Spot start = mark;

@@ -54,9 +54,9 @@ class DeadEnds {
   std::vector<grid::CellAt> cells_;
 };
 
-/// Walks until the robot is back in its initial pose, or until a repetition is detected after some 2^k moves.
-/// The original never stops. The robot may start next to the loop that it then walks. At the latest, the walk
-/// ends when the moves are used up.
+/// Walks until the robot is back in its initial pose, a repetition is detected, or the moves are used up.
+/// Repetitions are detected because a robot that starts outside its loop never returns to its initial pose.
+/// Robosim v1 never stops.
 Walk walk(CellRobot& robot, Side side);
 
 }  // namespace robosim::cells

@@ -27,7 +27,8 @@ Imported read_rescue(const nlohmann::json& json, const std::string& file);
 nlohmann::json json_of(std::string_view text, const std::string& file);
 
 /// Reads "length[m], curvature[1/m]", one segment per line; a positive curvature is to the left. The course
-/// begins at its start line. If the gap to a complete lap is straight ahead, a straight closes it.
+/// begins at its start line. If the start line is straight ahead of the course's end, a straight closes the
+/// lap.
 Imported read_curvature(std::string_view text, const std::string& file);
 
 /// Reads "x y" in metres. The path has straights with corners between them, at most 0.3 mm from the points.

@@ -16,8 +16,8 @@ constexpr int kMostCells = 256;  // for each side
 // lines.
 constexpr double kCell = 0.075;  // m
 constexpr int kLines = 2;        // cells of a map between neighbouring lines
-// With walls, a map's cell is 11.25 mm, a sixteenth of the classic 180 mm. The rules have walls of 12 mm,
-// within 5 %.
+// With walls, a map's cell is 11.25 mm, a sixteenth of the classic 180 mm. The rules specify walls of
+// 12 mm.
 constexpr int kWalls = 16;
 
 struct Maze {

@@ -32,7 +32,7 @@ grid::Path path_of(const Polyline& all) {
   const Vec2 first = leg(0);
   const Vec2 from = line.front().at;
   grid::Path path({{rounded(from.x), rounded(from.y)}, first * (1.0 / length(first))});
-  // Lengths that each bend removes from its legs. Two neighbouring bends share a leg.
+  // The length that each bend removes from both adjoining straights. Neighbouring bends share a straight.
   std::vector<double> turns(line.size()), cuts(line.size());
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     turns[i] = std::atan2(cross(leg(i - 1), leg(i)), dot(leg(i - 1), leg(i)));

@@ -10,7 +10,7 @@ namespace robosim::course {
 
 struct Corner {
   Vec2 at;
-  double rounding = 0.0;    ///< m, radius of the bend, smaller if its legs are too short; 0 = sharp
+  double rounding = 0.0;    ///< m, radius of the bend, smaller if the straights are too short; 0 = sharp
   bool gap_behind = false;  ///< unpainted between this point and the next point
 };
 

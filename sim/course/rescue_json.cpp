@@ -142,7 +142,7 @@ class RescueReader {
     if (!tiles_.emplace(at, std::move(tile)).second) refuse(where + " is given twice");
   }
 
-  // Adds the drawings of a tile.
+  // Adds the lines of a tile, from rescue_tiles() or from the file.
   void draw(Tile& tile, const Json& type, const std::string& where) {
     if (is_evacuation(tile.id)) return;
     for (const TileKind& kind : rescue_tiles()) {
@@ -155,7 +155,7 @@ class RescueReader {
       simplified_ += kind.simplified;
       return;
     }
-    // Uses the paths in the file, which lead from side to side.
+    // Uses the paths in the file, each from one side to another, for an unknown tile.
     if (!type.is_object() || !type.contains("paths") || !type["paths"].is_object() || type["paths"].empty())
       refuse(fmt::format("{}: unknown type of tile: expected a known tileType or one with paths, got “{}”",
                          where, tile.id.substr(0, 40)));
@@ -303,8 +303,8 @@ class RescueReader {
     }
   }
 
-  // Sets the goal along the first path. The path's tiles equal the route's tiles unless levels, or lines on a
-  // tile's edge, confuse them.
+  // Sets the goal along the first path. Sets none if the path and the route differ in their tiles, because of
+  // levels or of lines on a tile's edge.
   void set_goal(grid::Map& map) {
     const std::vector<double> middles = tile_middles(map.course.paths.front(), kTile);
     map.goal = "none";

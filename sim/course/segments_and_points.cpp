@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMostMissing = 1.1;  // m, from goal line to start line
 constexpr double kAside = 0.05;       // m, sideways distance
-constexpr double kSamePoint = 1e-4;   // m; closer points are one
+constexpr double kSamePoint = 1e-4;   // m; closer points are merged
 constexpr double kBeside = 3e-4;      // m, from removed points to the straight that replaces them
 constexpr std::size_t kMostThinned = 100;
 

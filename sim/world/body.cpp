@@ -10,7 +10,7 @@ namespace robosim::world {
 
 namespace {
 
-// Returns the rest of an impulse after friction of at most `friction`.
+// Returns an impulse reduced by friction of at most `friction`.
 double after_friction(double impulse, double friction) {
   if (impulse > friction) return impulse - friction;
   if (impulse < -friction) return impulse + friction;
@@ -88,8 +88,8 @@ void Body::advance(double dt) {
 }
 
 // Both wheels roll: (mass_own + inertia + drag) speed_i + mass_cross speed_j = impulse_i - friction_i, where
-// friction holds a wheel or opposes its turning. The solution is the unique minimum of a convex function.
-// Descent along each coordinate finds it.
+// friction holds a wheel or opposes its turning. The solution is the unique minimum of a convex function, and
+// is found by coordinate descent.
 void Body::solve_friction(double* speed, const double* impulse, const double* friction,
                           const Motor* m) const {
   const double own[2] = {mass_own_ + unit_[left].inertia + m[left].drag,
@@ -105,9 +105,9 @@ void Body::solve_friction(double* speed, const double* impulse, const double* fr
   speed[right] = y[1];
 }
 
-// Solves for separate speeds of ground and tread: at least one tyre slips, or nearly. Traction of at most
-// `limit` joins the two speeds. Solves wheel by wheel, with the other's traction fixed, until nothing
-// changes.
+// Solves for separate speeds of ground and tread if at least one tyre slips or nearly slips. Traction of at
+// most `limit` couples the two speeds. Solves wheel by wheel, with the other wheel's traction fixed, until
+// the tractions no longer change.
 void Body::solve_slip(const Motor* m, const double* friction, const double* limit) {
   const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
   const double turning = half_track_ * half_track_ * per_inertia_;
@@ -145,7 +145,7 @@ void Body::accelerate() {
   const double s0 = surface_[0], s1 = surface_[1];
   const double friction[2] = {unit_[0].friction[s0 == 0.0], unit_[1].friction[s1 == 0.0]};
 
-  // The tyres take up the rest of the frame's sideways turn, up to their grip.
+  // The tyres cancel the sideways speed in the turned frame, up to their grip.
   const double sideways = -side_free_ * params_.mass_kg;
   double limit[2] = {grip_limit_[0], grip_limit_[1]};
   bool skids = false;
@@ -210,7 +210,7 @@ void Body::spin() {
   draw_energy();
 }
 
-// Computes the tick of a rolling body. Returns false, without effect, for a body that does not roll.
+// Computes the tick if the body simply rolls (rolling_step.h). Otherwise returns false, without effect.
 ROBOSIM_ALSO_FOR("avx") bool Body::roll_on(const Walls& walls) {
   if (!is_ordinary_ || lifted_ || v_ == 0.0 || u_ != 0.0 || !walls.discs().empty()) return false;
   Rolling<Pair> next;

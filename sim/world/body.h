@@ -67,12 +67,12 @@ enum Side { left = 0, right = 1 };
 
 /// One wheel and its gear motor. Rates and torques apply to the gear's output, as in data sheets.
 struct WheelParams {
-  double nominal_volts = 0.0;       ///< V, for the next four values
+  double nominal_volts = 0.0;       ///< V at which the next four values apply
   double no_load_rate = 0.0;        ///< rad/s
   double no_load_current = 0.0;     ///< A; consumed by friction in motor and gear
   double stall_torque = 0.0;        ///< N m
   double stall_current = 0.0;       ///< A; more than no_load_current
-  double static_friction = 0.0;     ///< friction of motor and gear: at rest / while turning; at least 1
+  double static_friction = 0.0;     ///< friction at rest / while turning, motor and gear; at least 1
   double gear_ratio = 0.0;          ///< motor turns for each turn of the wheel
   double rotor_inertia_kgm2 = 0.0;  ///< motor rotor
   double wheel_inertia_kgm2 = 0.0;  ///< wheel about its axle
@@ -87,8 +87,8 @@ struct BodyParams {
   double driver_drop_volts = 0.0;  ///< V lost in bipolar switches at any current (L298N 1.4; MOSFETs 0)
   double driver_ohms = 0.0;        ///< ohm of both switches in series with the motor (L298N 1.15, TB6612 0.5)
   double driver_diode_volts = 0.0;  ///< V lost in each freewheeling diode
-  bool driver_both_ways = true;     ///< the switches conduct both ways (MOSFETs), not one way with diodes
-  bool driver_single = false;       ///< the driver is one switch, with a diode across the motor
+  bool driver_both_ways = true;     ///< switches conduct both ways (MOSFETs); false: one way, with diodes
+  bool driver_single = false;       ///< the driver is a single switch, with a diode across the motor
   double track_m = 0.0;             ///< m between the wheels' contact points
   double mass_kg = 0.0;             ///< kg, total; centred on the axle's centre
   double yaw_inertia_kgm2 = 0.0;    ///< kg m2 about the axle's centre, without the wheels' own spin
@@ -105,7 +105,7 @@ struct BodyParams {
   double caster_m = -0.05;         ///< m; the caster's position ahead of the axle; not 0
   double caster_radius_m = 0.008;  ///< m; the caster is a ball
   double centre_height_m = 0.0;    ///< m; height of the centre of mass; 0 = loads do not shift
-  double wheelbase_m = 0.0;        ///< m between two wheels of a side, which skid to turn; 0 = caster
+  double wheelbase_m = 0.0;        ///< m between front and rear wheel of a skid-steered body; 0 = caster
   double downforce_n = 0.0;        ///< N from fans, until press() changes it; half on each wheel
   double steer_base_m = 0.0;       ///< m from the axle to the steered wheels ahead; 0 = no steered wheels
   bool differential = false;       ///< steered bodies: one motor drives both wheels, half each
@@ -115,11 +115,11 @@ struct BodyParams {
 /// docs/evidence/models.md.
 BodyParams default_body_params();
 
-/// Returns the effective track width, m, of wheels that skid when they turn: body_skid.cpp.
+/// Returns the effective track width, m, of a body that turns by skidding: body_skid.cpp.
 double effective_track(double track, double wheelbase);
 
-/// Returns the steering angle at the body's middle, rad. `inner` is the angle of the inner steered wheel; the
-/// two are `track` apart: body_steer.cpp.
+/// Returns the steering angle at the body's middle, rad. `inner` is the angle of the inner steered wheel. The
+/// two steered wheels are `track` apart: body_steer.cpp.
 double steered_middle(double inner, double track, double steer_base);
 
 /// How a body has fallen over.
@@ -171,7 +171,7 @@ class Body {
   /// Returns the number of contacts with walls, edges, obstacles and other bodies. A lasting contact counts
   /// once.
   int collisions() const { return collisions_; }
-  /// Returns whether the latest of these contacts was with another body.
+  /// Returns whether the latest counted contact was with another body.
   bool collided_with_body() const { return collided_with_body_; }
   bool in_contact() const { return in_contact_; }
   /// Returns whether something presses against the body from within 60 degrees of straight ahead, as a bumper
@@ -183,17 +183,17 @@ class Body {
   /// middle.
   Vec2 circle_centre() const { return pose_.to_world(bound_centre_); }
   double bound_radius() const { return bound_radius_; }
-  /// Returns an upper bound, m, for the movement of that circle's centre within a duration. The bound is
-  /// twice what speeds and grip allow on a plane floor without outside influence.
+  /// Returns an upper bound, m, for the movement of circle_centre() within a duration. The bound is twice the
+  /// movement that speeds and grip allow on a plane floor without outside influence.
   double reach(double seconds) const;
   /// Returns the kinetic energy of body and wheels, J.
   double kinetic_energy() const;
 
-  /// Sets a command until the next call; values beyond ±1 and 0..1 are limited.
+  /// Sets a command until the next call; clamps its values to -1..1 or 0..1.
   void command(Side, const WheelCommand&);
   void place(const Pose&);  ///< lifts the body and puts it down at rest
 
-  // The next functions set outside influences, which last until the next call.
+  // The next functions set outside influences. Each lasts until the same function is called again.
   /// Sets the driver's supply, V; the initial value is params().supply_volts.
   void supply(double supply_volts);
   /// Sets a downforce in addition to the body's weight, N.
@@ -274,9 +274,9 @@ class Body {
     bool is_at_face = false;             // whether a face stops a wheel
     Pose face;                           // the pose at that face
     double pitch = 0.0, roll = 0.0;      // sines; positive: front up, left side up
-    bool eases = false;                  // nothing pulls at the body
+    bool eases = false;                  // neither slope nor tipping accelerates the body
     double speed = 0.0;                  // m/s in the previous tick, minus losses that shift no load
-    double gain = 0.0;                   // m/s2 since then
+    double gain = 0.0;                   // m/s2; smoothed acceleration
     double tip[2] = {0.0, 0.0};          // rad by which the caster, or a wheel, has left the floor
     double tip_rate[2] = {0.0, 0.0};     // rad/s
     Toppled toppled = Toppled::no;
@@ -340,7 +340,7 @@ class Body {
   Roller<Pair> roller_ = {};  // constants from the above and from the commands
   bool is_ordinary_ = false;  // may use rolling_step.h
   double mass_own_ = 0.0,
-         mass_cross_ = 0.0;  // kg: effect of a wheel's ground speed on that wheel, and on the other
+         mass_cross_ = 0.0;  // kg: couple a wheel's ground speed to its own impulse, and to the other wheel's
   double half_track_ = 0.0, per_track_ = 0.0;
   double grip_limit_[2] = {0.0, 0.0};                  // N s per tick, for each wheel
   double side_share_[2] = {0.5, 0.5};                  // each wheel's share of a sideways force

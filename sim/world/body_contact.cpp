@@ -43,7 +43,7 @@ void Body::collide(const Walls& walls) {
 }
 
 // Moves the body out of an overlap. Limits its approach so that it at most closes the gap within a tick.
-// `moved` is its movement since the contact was found.
+// `moved` is the body's movement since the contact was found.
 bool Body::push_out(const Contact& contact, Vec2 moved) {
   if (contact.embedded) {
     v_ = u_ = omega_ = surface_[0] = surface_[1] = 0.0;
@@ -83,7 +83,7 @@ void Body::set_velocity(Vec2 velocity) {
 }
 
 // Slows the treads after a contact. The wall has stopped the body, and the floor stops the treads within its
-// grip. The wall takes up their push on the body.
+// grip. The wall takes up the treads' push on the body.
 void Body::grip_after_contact() {
   const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
   for (int i = 0; i < 2; ++i) {

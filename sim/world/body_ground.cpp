@@ -5,16 +5,16 @@
 //   force  = - m g (load_share (rise_left + rise_right) / 2 + (1 - load_share) rise_caster)
 //   torque = the same forces, each with its arm about the axle's centre
 // Both change the velocities before motors, friction and grip do. The weight that presses on the floor is m g
-// cos, with the cosine of the body's lean. Rolling resistance and grip depend on this weight and on the
-// surface under each wheel.
+// cos, where cos is the cosine of the body's lean. Rolling resistance and grip depend on this weight and on
+// the surface under each wheel.
 //
-// With centre_height_m = h, loads shift with the acceleration a (mean of this tick and the last) and with the
-// slope:
+// With centre_height_m = h, loads shift with the acceleration a (the mean of this tick's acceleration and the
+// previous a) and with the slope:
 //   N_caster = (1 - load_share) m g cos - m (g pitch + a) h / c      N_axle = m g cos - N_caster
 //   N_right - N_left = 2 m (g roll + v omega) h / track              at most N_axle
 // If N_caster is negative, the caster leaves the floor and the body turns about its axle. If a wheel's load
-// is negative, the body turns about the line through the other side. The force across that line is f =
-// m g sine + m a. With the mass at the distance d from the line, and the tip angle phi,
+// is negative, the body turns about the line from the other wheel to the caster. The force across that line
+// is f = m g sine + m a. With the mass at the distance d from the line, and the tip angle phi,
 //   I d2 phi / dt2 = f (h cos phi + d sin phi) - m g cos (d cos phi - h sin phi)
 //   I = m (h^2 + d^2 + bound_radius^2 / 4)
 // Beyond 45 degrees the body has toppled. At rest, it therefore tips where tan(slope) > d / h.
@@ -24,9 +24,9 @@
 // at least 0, instead of h. A robot therefore does not trip over a step if its mass is no higher than its
 // hubs.
 //
-// A wheel that meets a steeper slope, k_1 after k_0, keeps its speed times the cosine of the angle between
-// them: v falls by (1 - cos) times the wheel's share of the mass. If the wheel lands from k_0 < 0, its share
-// of v^2 falls by no more than it has gained during the fall: 2 g r (1 - 1 / sqrt(1 + k_0^2)).
+// If the slope under a wheel increases from k_0 to k_1, v is reduced by (1 - cos) times the wheel's share of
+// the mass. cos is the cosine of the angle between both slopes. If the wheel lands from k_0 < 0, its share of
+// v^2 falls by no more than the gain during the fall: 2 g r (1 - 1 / sqrt(1 + k_0^2)).
 //
 // At a gap between boards, each wheel and the caster lose their share of the energy at once (floor_gaps.h). A
 // gap pulls the wheel down while the wheel is inside.
@@ -57,8 +57,8 @@ constexpr double kFaceSlope = 3.0, kFaceLeast = 1e-4;  // m per m of movement, a
 
 }  // namespace
 
-// Sets the body's stance. Returns false if the body has run into a face: it then stands at its previous
-// place.
+// Sets the body's stance. Returns false if the body topples or has run into a face. A face moves the body
+// back to `before`.
 bool Body::stand(Ground* ground, const Pose& before, double travel) {
   Vec2 at[3], rises[3];
   const Stance last = stance_;
@@ -129,7 +129,8 @@ void Body::find_footing(const Ground* ground, Vec2* at, Vec2* rises) {
     stance_.sunk[i] = ground ? ground->joints().sunk(at[i], roller(i)).depth : 0.0;
     stance_.height[i] = footing.height - stance_.sunk[i];
     rises[i] = footing.rise;
-    // On a slope a large wheel's axle is higher than a small one's; the chassis still follows the slope.
+    // On a slope, a large wheel's axle rises more than a small one's. The chassis follows the slope, so this
+    // uses a ball's height.
     chassis[i] = footing.height > 0.0 && i < 2 ? ground->under_ball(at[i], params_.caster_radius_m).height
                                                : footing.height;
     chassis[i] -= stance_.sunk[i];
@@ -145,7 +146,7 @@ void Body::find_footing(const Ground* ground, Vec2* at, Vec2* rises) {
   if (known) lean_.rate = Vec2{pitch - stance_.pitch, roll - stance_.roll} * (1.0 / kDt);
 }
 
-// Turns part of the speed upward at once if a wheel begins to rise more steeply, or to fall less.
+// Reduces the speed at once if a wheel begins to rise more steeply, or to fall less steeply.
 void Body::bump(const Vec2* before, const Vec2* rises) {
   const Vec2 way = v_ < 0.0 ? pose_.heading * -1.0 : pose_.heading;
   for (int i = 0; i < 3; ++i) {
@@ -165,8 +166,8 @@ void Body::bump(const Vec2* before, const Vec2* rises) {
   }
 }
 
-// Removes a wheel's share of the energy when the wheel meets the far edge of a gap. On the way down and up,
-// gravity's work is the difference of the heights, in any number of ticks.
+// Removes a wheel's share of the energy when the wheel meets the far edge of a gap. Sets the slope within a
+// gap so that gravity's work equals the difference of the heights, for any number of ticks.
 void Body::jolt(const FloorGaps& joints, const Pose& before, const Stance& last, const Vec2* at,
                 Vec2* rises) {
   const Vec2 from[3] = {before.to_world({0.0, half_track_}), before.to_world({0.0, -half_track_}),
@@ -245,7 +246,7 @@ void Body::share_load(Ground* ground, const Vec2* at) {
 }
 
 // Advances a tip about one axis. `push` is the acceleration across that axis, m/s2; `arm` is the distance
-// from there to the centre of mass, m.
+// from the axis to the centre of mass, m.
 void Body::tip(int which, double push, double arm) {
   const double h = params_.centre_height_m;
   double &angle = stance_.tip[which], &rate = stance_.tip_rate[which];

@@ -10,7 +10,7 @@ namespace robosim::world {
 
 namespace {
 
-// N s per tick: a friction that is never overcome.
+// N s per tick: friction that no motor overcomes.
 constexpr double kHeld = 1e6;
 
 double torque_per_ampere(const WheelParams& w) {
@@ -170,7 +170,7 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
       !winds_ && !(params_.centre_height_m > 0.0) && !(params_.steer_base_m > 0.0) && !(scrub_rolling_ > 0.0);
 }
 
-// Updates the values that depend on a command.
+// Updates the values of `roller_` that depend on a command.
 void Body::tell_roller(Side side) {
   const Unit& unit = unit_[side];
   const double drives = std::fabs(unit.drive);
@@ -182,7 +182,7 @@ void Body::tell_roller(Side side) {
   roller_.brake_drag[side] = unit.brake * unit.drag;
 }
 
-// Updates all values that depend on the body.
+// Updates all values of `roller_`.
 void Body::set_roller(Side side) {
   const Unit& unit = unit_[side];
   tell_roller(side);

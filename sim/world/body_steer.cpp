@@ -1,7 +1,7 @@
 // Simulates bodies with steered wheels in front: one (tricycle) or two (car, Ackermann). Both driven wheels
 // roll on one axle behind them.
 //
-// The steered wheels are L ahead of the driven axle, at the angle delta, to the left positive. No wheel
+// The steered wheels are L ahead of the driven axle, at the angle delta, positive to the left. No wheel
 // slides sideways if every wheel's axle points to one centre on the driven axle's line (the bicycle model):
 //   R = L / tan delta                 from the middle of the driven axle to the centre, to the left
 //   omega = k v,  k = tan delta / L   the heading's rate, v forward at the driven axle
@@ -15,9 +15,10 @@
 //
 // For this motion the steered wheels push across their own direction with
 //   P = (I domega/dt - (F_right - F_left) B / 2) / (L cos delta) + (1 - load_share) m v omega
-// up to grip (1 - load_share) m g. If they would have to push harder, they slide: the body runs wide, and
-// turns as that force and the driven wheels make it turn. In a steady bend, therefore, v^2 k <= grip g.
-// Driven wheels slip and skid as in body.h; the steered wheels carry their share of the sideways force.
+// up to grip (1 - load_share) m g. If they would have to push harder, they slide, and the body runs wide.
+// That limited force and the driven wheels then determine its turn. In a steady bend, therefore, v^2 k <=
+// grip g. Driven wheels slip and skid as in body.h; the steered wheels carry their share of the sideways
+// force.
 //
 // Source: geometry and Newton's law. Not modelled: spinning out (the tail slides, but does not turn the body
 // faster), the steered wheels' inertia and the servo's load while turning them, linkages that miss

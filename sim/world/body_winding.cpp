@@ -15,7 +15,7 @@
 // A motor that is turned by its wheel delivers at most the energy that the wheel loses. Its torque against
 // the motion is then k_e per ampere if that exceeds k_t. k_t includes the gear's losses during driving.
 //
-// Torque and the supply's current in a tick are linear about the speed at its beginning. The step is
+// Torque and the supply's current are linearised about the speed at the tick's beginning. The step is
 // therefore implicit, as for the motors in body.h.
 #include <algorithm>
 
@@ -30,7 +30,7 @@ enum What { forward, shorted, backward, open };
 
 constexpr double kLeastShare = 1e-9;
 
-// Swaps forward and backward: mirrors the voltages of body and command.
+// Mirrors a phase: swaps forward and backward, and negates voltages and supply currents.
 void turn_round(Phase& phase) {
   std::swap(phase.volts[0], phase.volts[1]);
   std::swap(phase.supply[0], phase.supply[1]);

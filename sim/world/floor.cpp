@@ -8,7 +8,7 @@ namespace {
 
 bool is_painted(Cell c) { return c == Cell::line || c == Cell::obstacle; }
 
-// Largest footprint, m, for which only the nearest stripes matter if corners are round.
+// Largest footprint, m, for which a floor with round corners looks up only nearby stripes.
 constexpr double kUsualFootprint = 0.016;
 
 constexpr double kPatch = 0.010;  // m between the sample points of a floor's brightness
@@ -60,8 +60,7 @@ void Floor::index_with_marks(const grid::Map& map) {
   marked_ = true;
 }
 
-// Reads stripes as grid::Stripes does, cell by cell: a gap takes line/2 from the neighbouring painted
-// stripes.
+// Reads stripes cell by cell, like grid::Stripes. Shortens painted stripes by line/2 next to a gap.
 void Floor::read_stripes(const grid::Map& map) {
   const double whole = 0.5 * cell_;
   const double shortened = whole - std::min(half_line_, 0.45 * cell_);
@@ -233,9 +232,9 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
   return ramp(nearest, reach, footprint);
 }
 
-// Finds the nearest stripe; the result is valid in the point's cell. If distances above `reach` are
-// irrelevant, it is valid beyond the cell, as far as other stripes are surely farther away. Those are at
-// least stripes_reach_ from the cell. At the map's edge, the result is not valid beyond the cell.
+// Finds the nearest stripe. The result is valid in the point's cell, and for a small `reach` also around that
+// cell. Stripes that the cell does not list are at least stripes_reach_ away from it. They stay farther away
+// than `reach` within stripes_reach_ - reach of the cell. A cell at the map's edge gets no such margin.
 double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) const {
   constexpr double kRounding = 1e-9;  // m
   found = {};
@@ -298,7 +297,7 @@ double Floor::coverage_raster(Vec2 p, double footprint) const {
     return south * ((quad & 1 ? west : 0.0) + (quad & 2 ? east : 0.0)) +
            north * ((quad & 4 ? west : 0.0) + (quad & 8 ? east : 0.0));
   }
-  // The footprint is wider than a cell: adds up the cells. In u and v the map begins at 1.
+  // Sums the overlaps with all cells: the footprint is wider than a cell. The map begins at u = v = 1.
   const auto first = [](double low) { return static_cast<int>(std::max(std::floor(low) - 1.0, 0.0)); };
   const auto last = [](double high, double most) {
     return static_cast<int>(std::min(std::ceil(high) - 1.0, most));

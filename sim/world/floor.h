@@ -73,8 +73,8 @@ class Floor {
   }
 
   /// Returns how dark a footprint appears to a reflectance sensor: 0 is white paper, 1 black. The value is
-  /// negative where more light returns than from paper. For a picture it is the mean darkness. With lines
-  /// only, it is the dark share of the footprint: the share on a dark line, or off a light line.
+  /// negative where more light returns than from paper. For a picture it is the mean darkness. On a floor
+  /// with lines only, it is the dark share of the footprint: the share on a dark line, or off a light line.
   ///
   /// Marks are painted like the line. Areas lie under lines and marks, or over them, in their order
   /// (grid::Area). PaintedLines covers lines of other widths and colours, wear and gloss.
@@ -181,7 +181,7 @@ class Floor {
     return patches_.over(darkness, light_line_ ? 0.0 : 1.0, light_line_ ? 1.0 : 0.0, p, footprint);
   }
   // Returns the darkness of a floor with more than lines. Inlining it for each sensor would slow down floors
-  // with lines only. A Vec2 parameter would be built in memory before each reading.
+  // with lines only. Takes x and y, because a Vec2 would be built in memory before each reading.
   double painted_darkness(double x, double y, double footprint_m) const;
   double other_darkness(double x, double y, double footprint_m) const;
   double darkness_of_paint(Vec2 p, double footprint) const;
@@ -225,7 +225,7 @@ class Floor {
   PaintedLines lines_;
   RuntimePaint patches_;
   const double gloss_;
-  const bool alike_;        // only lines and marks, all whole and matt
+  const bool alike_;        // only lines and marks: all alike, none worn or glossy
   bool plain_;              // only lines, all like the map's: a faster path
   bool marked_;             // only lines and marks, all like the map's: looked up together
   const bool paints_only_;  // only lines and marks, not all alike

@@ -9,9 +9,9 @@ namespace robosim::world {
 namespace {
 
 constexpr double kTread = 0.006;     // m
-constexpr double kMostShare = 0.98;  // maximum of half a gap / the roller's radius
+constexpr double kMostShare = 0.98;  // maximum ratio of half the gap to the roller's radius
 
-// The dimensions, across a gap, of a roller at the gap: m.
+// Dimensions of a gap and of a roller at it, measured across the gap, m.
 struct Meeting {
   double half = 0.0;   // half the gap, without the part that the tread bridges
   double reach = 0.0;  // the roller's; more than half

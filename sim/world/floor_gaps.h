@@ -8,10 +8,10 @@
 // rebound.
 //
 // Above a speed of sqrt(G r), G = 9.8 m/s^2 (0.40 m/s for r = 16 mm), the wheel leaves the first edge and
-// falls. With V = v / sqrt(G r) it meets the second edge g / (1 + V) before it, after sinking by 4 / (1 +
-// V)^2 h at most. If g is small against r, it meets the edge with sqrt(G r) g / r. A wheel that carries a
-// mass m loses the kinetic energy
-//   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              in all 4 m G h at most, at any speed
+// falls. With V = v / sqrt(G r), the wheel touches the second edge when its axle is g / (1 + V) before that
+// edge. It has then sunk by at most 4 / (1 + V)^2 h. If g is small compared to r, its speed across the edge
+// is sqrt(G r) g / r. A wheel that carries a mass m loses the kinetic energy
+//   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              at most 4 m G h, at any speed
 //
 // A wheel that rolls obliquely, by theta, reaches r |cos theta| along the gap's width. Its tread of width w
 // bridges w |sin theta| of that width. Robot files do not contain w; 6 mm are assumed, as for narrow wheels.
@@ -45,8 +45,8 @@ class FloorGaps {
   };
   /// Returns how far a roller with contact point p has sunk into a gap.
   Sunk sunk(Vec2 p, const Roller& roller) const;
-  /// Returns the sum of squares of its speeds across the edges that it meets between two points, (m/s)^2. The
-  /// points are those of successive ticks.
+  /// Returns the sum of the roller's squared speeds across all edges that it meets between two points,
+  /// (m/s)^2. The points are those of successive ticks.
   double met2(Vec2 from, Vec2 to, const Roller& roller) const;
 
  private:

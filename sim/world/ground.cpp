@@ -10,7 +10,7 @@ namespace robosim::world {
 namespace {
 
 constexpr double kSteepest = 4.0;
-constexpr double kPoint = 1e-9;  // m: a smaller reach counts as none
+constexpr double kPoint = 1e-9;  // m: a smaller reach counts as 0
 
 // The profile along a hill.
 struct CrossSection {
@@ -33,7 +33,7 @@ struct Top {
 };
 
 // Returns how a wheel at `s` rests on a profile. `reach` is the wheel's extent along the hill. `high` is the
-// distance from its middle down to its contact point, m.
+// distance from the wheel's middle down to its contact point, m.
 Top top_of(const CrossSection& profile, double s, double reach, double radius, double high) {
   Top top{-1.0, 0.0};
   const auto take = [&top](double height, double slope) {

@@ -8,13 +8,15 @@
 //   h(s) + r sqrt(1 + k^2) - r
 // A wheel that rolls obliquely to a hill reaches r |cos| along the hill and r |sin| across.
 //
-// A wheel therefore meets a step of height H at r sqrt(1 - (1 - H/r)^2) before the step, with the slope
-// tan(acos(1 - H/r)). A wheel at rest climbs only as far as its grip allows: H <= r (1 - 1 / sqrt(1 +
-// grip^2)), if it carries all of the weight. Where hills overlap, the highest counts. dz/ds is limited to 4.
+// A wheel therefore meets a step of height H when its axle is r sqrt(1 - (1 - H/r)^2) before the step. The
+// slope is then tan(acos(1 - H/r)). A wheel at rest climbs only as far as its grip allows: H <= r (1 - 1 /
+// sqrt(1 + grip^2)), if it carries all of the weight. Where hills overlap, the highest hill counts. dz/ds is
+// limited to 4.
 //
 // A seesaw is a thin, even plank on a pivot at height p, with mass M and length L:
 //   (M L^2 / 12 + sum m s^2) d2(sine)/dt2 = - sum N s       m, N: mass and force at s from the pivot
-// It stops when an end touches the floor. Approximations: sine for angle; masses on it move slowly along it.
+// It stops when an end touches the floor. Approximations: sine for angle; masses on the plank move slowly
+// along it.
 //
 // Not modelled: the distance that a wheel gains at a crest and loses at a foot; soft ground; overhangs.
 #pragma once

@@ -7,14 +7,14 @@
 //   d, lamp       (h^2 / (h^2 + r^2))^(3/2) at height h above a point r away: a small lamp's illuminance of a
 //                 plane (Lambert's cosine law and the inverse square), relative to the point below it
 //   d, sun        1 within `radius` of at + moves t, else 0: a patch of sun
-//   w             4 u (1 - u), a rectified sine by parabolas, u = the fraction of frequency t + phase; the
-//                 error is within 0.057
+//   w             4 u (1 - u), u = the fractional part of frequency t + phase: parabolas that approximate a
+//                 rectified sine within 0.057
 //
 // A sensor receives L times its exposure, because light enters from the side, through the gap between floor
 // and robot:
 //   x(h) = (h^2 / (h^2 + 5^2)) / (3^2 / (3^2 + 5^2)),  h = its height in mm
-// This is an even sky's light on a point 5 mm behind an edge at height h (Lambert), relative to h = 3 mm. The
-// 5 mm are estimated as half a sensor board's width.
+// This is the light of a uniform sky on a point 5 mm behind an edge at height h (Lambert), relative to h = 3
+// mm. The 5 mm are estimated as half a sensor board's width.
 #pragma once
 
 #include <cstddef>

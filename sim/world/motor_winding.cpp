@@ -42,7 +42,7 @@ class Period {
       flow(lasts, until_zero, 0.0, target, phase.supply[way]);
       left -= lasts;
       decay = left > 0.0 ? decay_of(left / tau_) : 1.0;
-      // After the current changes its sign, it changes at another rate.
+      // With the opposite sign, the current has another rate of change.
       const int other = way_in(phase);
       if (other < 0) {
         now_ = {};

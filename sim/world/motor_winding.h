@@ -4,7 +4,7 @@
 //
 // In each phase of a period a driver applies a voltage v to the winding. With diodes, v may depend on the
 // current's direction: v+ while it flows forward, v- >= v+ while it flows backward. No voltage applies if no
-// current flows and neither voltage would start one. For a phase of t with one v,
+// current flows and neither voltage would start one. In a phase of duration t with constant v,
 //   i(t) = a + (i(0) - a) e^(-t / tau),  integral of i = a t - tau (i(t) - i(0)),  a = (v - E) / R
 // If a and i(0) have opposite signs, the current reaches 0 after tau ln(1 - i(0) / a). In the steady state,
 // the current at a period's end equals the current at its beginning. Newton's method finds this current in 1
@@ -46,8 +46,9 @@ struct MeanCurrent {
   double drawn = 0.0, drawn_per_volt = 0.0;  ///< A from the supply; below 0, into the supply
 };
 
-/// Computes the means. `tau` is L / R as a multiple of the period. With 0 (a much longer or unknown period),
-/// the current has its final value in each phase. Expects at most four phases, whose shares add up to 1.
+/// Computes the means. `tau` is L / R as a multiple of the period. If `tau` is 0 (a much longer or unknown
+/// period), the current has its final value in each phase. Expects at most four phases, whose shares add up
+/// to 1.
 MeanCurrent mean_current(std::span<const Phase> phases, double emf, double per_ohm, double tau);
 
 }  // namespace robosim::world

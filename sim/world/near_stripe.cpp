@@ -12,13 +12,13 @@ constexpr double kRounding = 1e-9;  // m: more than the rounding error of distan
 // a few stripes.
 constexpr double kWorthwhile = 0.015;
 constexpr double kBeside = 5e-4;  // m; smallest gap between a point and a straight stripe for a clear box
-constexpr double kAlone = 5e-3;   // m; below it, the second nearest stripe is also checked
+constexpr double kAlone = 5e-3;   // m; smallest box for which one stripe suffices, not two
 constexpr double kDiagonal = 0.70710678118654752;
 
 bool is_level(const grid::Stripe& s) { return s.radius == 0.0 && s.a.y == s.b.y && s.a.x < s.b.x; }
 bool is_upright(const grid::Stripe& s) { return s.radius == 0.0 && s.a.x == s.b.x && s.a.y < s.b.y; }
 
-// Reduces the box to the part where the footprint at p does not reach the stripe. Returns false if it becomes
+// Reduces the box to a part around p in which no footprint reaches the stripe. Returns false if that part is
 // too small.
 bool keep_clear(FloorBox& box, const grid::Stripe& s, double reach, double away, Vec2 p) {
   const double wide = reach + kRounding;

@@ -39,7 +39,7 @@ double range_to_disc(Vec2 from, Vec2 direction, Vec2 half_beam, Vec2 centre, dou
                   range_to_disc(from, edges.right, centre, radius));
 }
 
-// Steps from cell to cell along the ray, at the borders that it crosses.
+// Steps along the ray from one cell border to the next.
 double Walls::range_along(Vec2 from, Vec2 direction, double most) const {
   if (beyond_edge(from)) return 0.0;
   const double side = map_->cell_m;
@@ -64,7 +64,7 @@ double Walls::range_along(Vec2 from, Vec2 direction, double most) const {
   return std::min(way, most);
 }
 
-// Searches each solid's nearest point in the beam. A solid is convex: if its nearest point is outside the
+// Searches for each solid's nearest point in the beam. A solid is convex: if its nearest point is outside the
 // beam, its nearest point in the beam is on an edge.
 double Walls::range_in_beam(Vec2 from, Vec2 direction, Vec2 half_beam, double most) const {
   const Edges edges(direction, half_beam);

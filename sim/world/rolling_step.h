@@ -1,6 +1,6 @@
-// Computes a tick of a body that simply rolls: both tyres grip, both wheels keep their direction, nothing is
-// near. This is by far the most common case. The code has no branches, and its results equal those of
-// body.cpp bit for bit. One template serves a single body and many bodies at once (simd_pair.h).
+// Computes a tick of a body that simply rolls: both tyres grip, both wheels keep their direction, and no
+// obstacle is near. This is by far the most common case. The code has no branches, and its results equal
+// those of body.cpp bit for bit. One template serves a single body and many bodies at once (simd_pair.h).
 #pragma once
 
 #include "sim/world/simd_pair.h"
@@ -8,8 +8,8 @@
 
 namespace robosim::world {
 
-// Slower motion counts as no motion: first-order decays would end in denormal numbers, which are 30 times as
-// slow.
+// Slower motion counts as standing still. Otherwise, decaying speeds would become denormal numbers, whose
+// arithmetic takes 30 times as long.
 constexpr double kStill = 1e-6;  ///< m/s, rad/s
 
 /// A rolling body's parameters and motor commands, with Body's names.

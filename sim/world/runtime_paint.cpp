@@ -5,7 +5,7 @@
 namespace robosim::world {
 namespace {
 
-/// Returns the share of an interval about `at` that lies between two ends.
+/// Returns the share of an interval of `width` about `at` that lies between `least` and `most`.
 double share_between(double least, double most, double at, double width) {
   if (at - 0.5 * width >= least && at + 0.5 * width <= most) return 1.0;
   const double from = std::max(at - 0.5 * width, least), to = std::min(at + 0.5 * width, most);

@@ -1,5 +1,5 @@
 // Computes with two numbers at once, for a body's two wheels. Compilers use one vector instruction per
-// operation where the machine has it. The results are identical bit for bit.
+// operation if the machine has such an instruction. The results are identical bit for bit.
 //
 // Code for both wheels is a template over `Both`: a Pair, for one body; or Two, with plain members, so that
 // compilers can vectorise a loop over many bodies (sim/batch).
@@ -63,7 +63,7 @@ class Sure<Pair> {
   PairBits both_ = {-1, -1};
 };
 
-/// Stores the result as a number, too: 1 or 0.
+/// Stores the result as a number, 1 or 0.
 template <>
 class Sure<Two> {
  public:

@@ -13,7 +13,7 @@ constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond)
 constexpr double kMaxSpeed = 100.0;  ///< m/s
 constexpr double kMaxTurn = 500.0;   ///< rad/s
 
-/// Share of the remaining grip in each of the two directions while a body skids: 1 / sqrt(2).
+/// Share of the grip in each direction, lengthwise and sideways, while a body skids: 1 / sqrt(2).
 constexpr double kSkidShare = 0.70710678118654752;
 
 /// Returns x limited to ±bound; 0 for NaN.

@@ -14,7 +14,7 @@ namespace robosim::world {
 
 class VisibilityGrid {
  public:
-  /// Makes square tiles of `side` (m), or larger: at most 256 along a side of the floor.
+  /// Makes square tiles of `side` (m), or larger tiles if more than 256 would lie along a side of the floor.
   VisibilityGrid(const grid::Map& map, double side) {
     constexpr double kMost = 256.0;
     const double wide = map.width * map.cell_m, high = map.height * map.cell_m;

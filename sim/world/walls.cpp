@@ -131,7 +131,7 @@ Contacts Walls::touch(Vec2 centre, double radius) const {
         found.add({nearest, d * (1.0 / away), radius - away});
         continue;
       }
-      // The centre is inside the cell: pushes it out through the nearest open side.
+      // Pushes a centre that is inside the cell out through the nearest open side.
       Contact out{centre, {}, std::numeric_limits<double>::infinity(), true};
       const auto side_at = [&](bool open, double inside, Vec2 normal) {
         if (open && inside + radius < out.depth) out = {centre, normal, inside + radius, false};
@@ -189,8 +189,8 @@ Contacts Walls::touch(std::span<const Vec2> polygon, Vec2 centre, double radius)
   return found;
 }
 
-// Finds the axis on which the two convex shapes overlap least. A side of the cell next to another solid cell
-// does not push out. Neither does a corner at such a side.
+// Finds the axis on which the two convex shapes overlap least. A side of the cell that borders another solid
+// cell does not push out. Neither does a corner at such a side.
 void Walls::touch_cell(std::span<const Vec2> polygon, int column, int row, Contacts& found) const {
   const double side = map_->cell_m;
   const Vec2 low{column * side, row * side}, high{low.x + side, low.y + side};

@@ -21,7 +21,7 @@ struct Contact {
   bool embedded = false;  ///< no way out: the outline's middle is inside a block of walls
 };
 
-/// The deepest contacts of an outline, deepest first. More than eight would not change the result.
+/// The contacts of an outline, deepest first. Stores the eight deepest; more would not change the result.
 class Contacts {
  public:
   void add(const Contact&);

@@ -36,7 +36,7 @@ class World {
   /// Adds a body, and returns its number, from 0. Bodies keep their addresses. Throws std::invalid_argument
   /// (see Body).
   std::size_t add_body(const BodyParams&, const Pose&);
-  /// Returns the first of the earlier bodies that this one overlaps, or nothing.
+  /// Returns the first body with a lower number that overlaps body `number`, or nothing.
   std::optional<std::size_t> first_overlap(std::size_t number) const;
   std::size_t body_count() const { return bodies_.size(); }
   Body& body(std::size_t number) { return *bodies_[number]; }
@@ -91,7 +91,7 @@ class World {
     bodies_[number]->step(walls_, nullptr);
     bodies_[number]->settle_contact();
   }
-  /// Steps all bodies that cannot be stepped alone.
+  /// Steps the given bodies, which must be all bodies that cannot be stepped alone.
   void step_together(const std::vector<std::size_t>& numbers);
 
  private:

@@ -124,8 +124,8 @@ LineNetwork padded(LineNetwork network) {
   return network;
 }
 
-/// Replaces a line of several pieces that ends at a station by a single piece. Adds a network for every place
-/// with enough room.
+/// Replaces a line of several pieces that ends at a station by a single piece. Adds a network for each place
+/// where that piece fits.
 void add_shorter_ends(const LineNetwork& network, std::vector<LineNetwork>& found) {
   for (const Knot station : padded(network).stations()) {
     LineNetwork rest = padded(network);
@@ -243,7 +243,7 @@ std::string LineNetwork::map() const {
 }
 
 LineNetwork grow(const GrowthLimits& limits, const RandomSource& rng) {
-  // The lattice is large enough that growth is seldom blocked, and small enough that lines become neighbours.
+  // The lattice is large enough for growth, and small enough that lines become neighbours.
   int side = 3;
   while (side * side < 3 * limits.pieces) ++side;
   LineNetwork network;

@@ -27,7 +27,7 @@ bool has(const std::vector<Piece>& pieces, const Piece& piece);
 
 struct LineNetwork {
   int apart = 3;              ///< cells: smallest distance between knots; at least 2, or lines would touch
-  int most_ways = 4;          ///< maximum per knot
+  int most_ways = 4;          ///< maximum number of pieces at a knot
   std::vector<Piece> pieces;  ///< sorted
   std::vector<int> columns, rows;  ///< cells from each lattice column, or row, to the next
   std::vector<Piece> obstacles;    ///< pieces with an obstacle in their middle
@@ -38,13 +38,14 @@ struct LineNetwork {
   bool is_connected() const;
   /// Returns the knots with one neighbour, in row order.
   std::vector<Knot> stations() const;
-  /// Returns whether the network is connected, starts at a station, and has no knot with too many ways.
+  /// Returns whether the network is connected, starts at a station, and has at most `most_ways` pieces at
+  /// each knot.
   bool is_sound() const;
 
   /// Returns networks that are one step smaller. All are sound, and the smallest come first. Repeated calls
   /// end after finitely many steps.
   std::vector<LineNetwork> smaller() const;
-  /// Returns the number of cells from lines to the map's edge. A robot needs them to turn round.
+  /// Returns the number of cells between lines and the map's edge, where a robot can turn round.
   int margin() const { return std::max(apart, 3); }
   /// The next two functions return the column, or row, of the map's cell at a knot.
   int column_of(int x) const;
@@ -58,7 +59,7 @@ struct LineNetwork {
 struct GrowthLimits {
   int pieces = 1;
   int apart = 3;
-  int most_ways = 4;  ///< maximum per knot
+  int most_ways = 4;  ///< maximum number of pieces at a knot
   int cycles = 0;
   int obstacles = 0;
 };

@@ -84,7 +84,7 @@ std::vector<RobotVariant> RobotVariant::smaller() const {
   const auto is_other = [](int level) { return level != 0; };
   if (std::count_if(levels.begin(), levels.end(), is_other) > 1)
     found.push_back({std::vector<int>(levels.size(), 0)});
-  // Resets halves, quarters, … to the file's values; finally, single parameters.
+  // Resets blocks of parameters to the file's values: all, each half, each quarter, … each single parameter.
   for (std::size_t width = levels.size(); width > 0; width /= 2) {
     for (std::size_t from = 0; from < levels.size(); from += width) {
       RobotVariant less = *this;

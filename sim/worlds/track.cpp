@@ -30,8 +30,7 @@ void tidy(Track& track) {
   track.gaps.erase(std::unique(track.gaps.begin(), track.gaps.end()), track.gaps.end());
 }
 
-/// Returns the track with all squares from column, or row, `at` on moved back by one. Coinciding squares
-/// merge.
+/// Returns the track with column, or row, `at` merged into the previous one.
 Track folded(const Track& track, int at, bool across) {
   Track less = track;
   const auto move = [&](Knot knot) {
