@@ -11,7 +11,7 @@ namespace {
 constexpr double kFloat = 1e-5;  // relative error of a 32-bit float after some arithmetic
 constexpr double kInt = 65536.0, kLong = 4294967296.0;
 constexpr std::size_t kLongestShown = 60;
-constexpr std::size_t kHexDigits = 4, kBinaryDigits = 16;  // minimum digits of such a number
+constexpr std::size_t kHexDigits = 4, kBinaryDigits = 16;  // minimum number of digits in HEX, and in BIN
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_hex(char c) { return is_digit(c) || (c >= 'A' && c <= 'F'); }
@@ -45,7 +45,7 @@ bool extends(const Number& longer, const Number& shorter, char filler) {
          longer.text.find_first_not_of(filler) >= more;
 }
 
-/// Returns whether both are one negative number in HEX or BIN, printed as types of different widths.
+/// Returns whether both print the same negative number in HEX or BIN, from types of different widths.
 bool wider(const Number& a, const Number& b) {
   if (a.form != b.form || a.text.size() == b.text.size()) return false;
   const char filler = a.form == Number::Form::hexadecimal ? 'F' : '1';

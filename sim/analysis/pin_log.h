@@ -12,7 +12,7 @@
 
 namespace robosim::analysis {
 
-/// A value at a pin: "A0" and "2.84 V", read by or driven from a line of the sketch.
+/// A value at a pin: "A0" and "2.84 V", read or driven by a line of the sketch.
 struct PinUse {
   std::int64_t t_ns = 0;
   std::string pin;
@@ -22,7 +22,7 @@ struct PinUse {
 
 class PinLog {
  public:
-  /// Stores, for each pin, the last use before `moment_ns`, or else the first one after it.
+  /// Stores each pin's last use before `moment_ns`, or its first use afterwards if there is none before.
   explicit PinLog(std::int64_t moment_ns) : moment_ns_(moment_ns) {}
 
   void add(const wire::Event& event);

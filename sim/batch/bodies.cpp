@@ -22,8 +22,8 @@ Two of(const Lanes (&figure)[2], std::size_t lane) { return {figure[0][lane], fi
 // Computes each body's motion as if it rolled on. Sets `moves` for bodies that really roll on. `done` is 0
 // for bodies that neither roll on nor stand without being driven.
 //
-// The output is separate from the input. Otherwise compilers would create masked stores for "this lane's
-// number, if it moves". Some processors take 20 times as long for such stores.
+// The output is separate from the input. Otherwise compilers would create masked stores, which write
+// only the lanes that move. Some processors take 20 times as long for such stores.
 ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lanes& moves, Lanes& done) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const Roller<Two> body = {

@@ -8,13 +8,13 @@
 //   std::vector<double> volts(robots.size());
 //   while (robots.now() < kSecond) {
 //     robots.read(2, robots.now(), volts);          // the third sensor of each robot, now
-//     robots.tell(17, world::left, {0.6, 0.4});     // as a driver computes it from its pins
+//     robots.tell(17, world::left, {0.6, 0.4});     // a command, as a driver makes from its pins
 //     robots.step();
 //   }
 //
 // A robot of a batch behaves like a robot::Robot with the same description, seed and number. With equal
 // commands it has equal poses, and reads equal volts with equal noise, bit for bit (tests/unit/batch). It
-// costs less, since it has no pins, no edges, and no unused parts. The arithmetic is done for a block of
+// takes less time, since it has no pins, no edges, and no unused parts. The arithmetic is done for a block of
 // robots at once (bodies.h). The pose is computed once for all sensors that read at one time.
 //
 // Robots of a batch neither detect nor touch each other.

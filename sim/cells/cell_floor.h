@@ -78,7 +78,7 @@ struct Spot {
 
 class CellFloor {
  public:
-  /// `map` must outlive this object. Takes about 1 ns per cell.
+  /// `map` must outlive this object. Construction takes about 1 ns per cell.
   explicit CellFloor(const grid::Map& map);
 
   const grid::Map& map() const { return map_; }

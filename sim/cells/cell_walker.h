@@ -29,8 +29,8 @@ class CellWalker {
 
   explicit CellWalker(CellRobot& robot) : robot_(robot) {}
 
-  /// Returns the landmark, known from the map at no cost. A robot at the end of a line that faces away from
-  /// the line turns round, which is a move.
+  /// Returns the landmark, known from the map at no cost. If the robot is at a line's end and faces away
+  /// from the line, it turns round, which is a move.
   nav::Landmark begin();
   nav::Landmark follow();
   void leave(nav::Turn turn);
@@ -38,8 +38,8 @@ class CellWalker {
   /// Notes that the robot was put onto the end of a line, facing along the line.
   void reset();
 
-  /// Return data of the last landmark: its cell, the moves before it, and, if it is `blocked`, the place of
-  /// the obstacle.
+  /// Return data of the last landmark: its cell, the number of moves before it, and, if it is
+  /// `blocked`, the place of the obstacle.
   grid::CellAt cell() const { return cell_; }
   std::uint32_t cost() const { return cost_; }
   grid::CellAt obstacle() const;
@@ -70,7 +70,7 @@ class CellWalker {
   grid::CellAt cell_;
   std::size_t node_ = 0;                         ///< number of cell_
   grid::Direction out_ = grid::Direction::east;  ///< direction of the robot's exit
-  std::vector<Way> ways_;                        ///< ways not returned over yet, in the order of walking
+  std::vector<Way> ways_;                        ///< lines to go back over, oldest first
   std::uint32_t cost_ = 0;
   std::uint64_t counted_ = 0;                        ///< number of moves before the last landmark
   grid::Direction heading_ = grid::Direction::east;  ///< heading at the last landmark

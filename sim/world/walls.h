@@ -18,7 +18,7 @@ struct Contact {
   Vec2 point;             ///< m, in the world frame
   Vec2 normal;            ///< unit vector, away from the solid
   double depth = 0.0;     ///< m by which the outline overlaps; negative: the remaining gap
-  bool embedded = false;  ///< no way out: the outline's middle is inside a block of walls
+  bool embedded = false;  ///< the outline's middle is inside a block of walls, with no open side
 };
 
 /// The contacts of an outline, deepest first. Stores the eight deepest; more would not change the result.
