@@ -39,7 +39,7 @@ Cycle Adc::clock() const { return static_cast<Cycle>(adc_prescaler(core_.cpu.dat
 
 Cycle Adc::edge_after(Cycle cycle) const {
   const Cycle first = state_.origin + clock() / 2;
-  // clock() is a power of two.
+  // The mask rounds down to a multiple of clock(), which is a power of two.
   return cycle < first ? first : first + ((cycle - first) & ~(clock() - 1)) + clock();
 }
 
@@ -102,8 +102,8 @@ void Adc::write_control_bit(Address address, std::uint8_t value, std::uint8_t bi
   write_control(address, bit == kAdif ? value : static_cast<std::uint8_t>(value & ~kAdif));
 }
 
-// Handles a change of the trigger source (24.4). All flags share one line to the converter. A rising edge on
-// the line starts a conversion, even if the new selection causes the edge.
+// Handles a change of the trigger source (24.4). The flag of the selected source drives the trigger signal. A
+// rising edge of this signal starts a conversion, even if the change of source causes the edge.
 void Adc::write_control_b(Address address, std::uint8_t value) {
   if (!state_.runs) return;
   const int before = trigger();

@@ -7,10 +7,10 @@
 //   sample   start + 1.5 P; 13.5 P in the first conversion after ADEN
 //   end      start + 13 P; 25 P in the first conversion. ADIF is set, ADSC reads 0; free running restarts
 //
-// An auto trigger moves the origin to 3 cycles after its flag. The conversion then samples 2 P and ends 13.5
-// P after the origin (table 24-1). Entering a sleep mode that keeps the ADC clock running also starts a
-// conversion, unless auto triggering is enabled (10.3, 24.6). A stopped clock (PRR, deeper sleep) pauses a
-// conversion; ADEN = 0 ends it.
+// An auto trigger sets origin to 3 cycles after the trigger's flag. The sample is then taken at origin + 2 P,
+// and the conversion ends at origin + 13.5 P (table 24-1). Entering a sleep mode that keeps the ADC clock
+// running also starts a conversion, unless auto triggering is enabled (10.3, 24.6). A stopped clock (PRR,
+// deeper sleep) pauses a conversion; ADEN = 0 ends the conversion.
 #pragma once
 
 #include <cstdint>
@@ -36,12 +36,12 @@ class Adc final : public Peripheral {
     Core::Held held_sample, held_end;
     std::uint16_t sampled = 0, result = 0;
     std::uint8_t multiplexer = 0, control_b = 0;  ///< ADMUX and ADCSRB, latched by the conversion
-    double held = 0.0;                            ///< V, on the sampling capacitor after the last sample
+    double held = 0.0;                            ///< volts on the sampling capacitor after the last sample
     Cycle charges_since = 0;  ///< cycle from which the selected input charges the capacitor
     bool runs = true;
     bool first = false;  ///< no conversion has begun since ADEN was set
     bool converting = false;
-    bool locked = false;  ///< ADCL was read, ADCH was not
+    bool locked = false;  ///< ADCL was read, and ADCH was not read since
   };
 
   std::uint8_t read_control(Address address);

@@ -1,11 +1,11 @@
 // Connects interrupt flags to the peripheral that they trigger: a timer's compare match can start an ADC
-// conversion. The interrupt vector identifies the flag. Only one peripheral waits at a time, and for only one
-// flag.
+// conversion. The interrupt vector identifies the flag. At any time, at most one peripheral waits for a flag,
+// and for one flag only.
 //
 //   core.triggers.offer<&Timer::awaited>(vector, this);   // once: this peripheral owns the flag
 //   core.triggers.raised(vector, at);                     // when the flag is set; cheap if not awaited
 //
-// A peripheral that computes its flags only on demand must compute an awaited flag in time.
+// A peripheral that computes its flags only on demand must schedule an event for an awaited flag.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace robosim::avr {
 
 class AdcTriggers {
  public:
-  static constexpr int kNone = 0;  ///< the reset vector: no flag is awaited
+  static constexpr int kNone = 0;  ///< the reset vector, which means that no flag is awaited
 
   /// Registers bool Owner::Method(int vector, bool awaited) for a flag. The method is called when a
   /// peripheral starts or stops waiting, and returns whether the flag is set.

@@ -2,8 +2,8 @@
 // and runs the chip to a cycle.
 //
 //   Chip ── Core: Cpu, Events, Interrupts
-//     ├──── Pins ── ExternalInterrupts, Timer ×n, Usart ×n, Adc, …     one file each; it cites its chapter
-//     └──── Power: sleep modes, PRR, CLKPR, what a reset leaves in MCUSR
+//     ├──── Pins ── ExternalInterrupts, Timer ×n, Usart ×n, Adc, …     one file each, citing its chapter
+//     └──── Power: sleep modes, PRR, CLKPR, reset flags in MCUSR
 //
 // Equal flash and equal environments give equal runs, regardless of how often run_to() returns in between.
 #pragma once
@@ -24,7 +24,7 @@ class UsbHost;
 
 class Chip {
  public:
-  /// `last_ram` is the last address of data memory, at or beyond the end of the chip's own RAM.
+  /// `last_ram` is the last address of data memory, which can be after the end of the chip's own RAM.
   Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram, ChipEnvironment& around,
        std::int64_t oscillator_hz = 16'000'000);
   ~Chip();
@@ -61,14 +61,14 @@ class Chip {
   const Cpu& cpu() const { return core_.cpu; }
   Core& core() { return core_; }
   const Core& core() const { return core_; }
-  /// Returns the object that skips waiting loops, without any effect on firmware or its environment.
+  /// Returns the object that skips waiting loops. Skipping has no effect on firmware or the environment.
   Idle& idle() { return idle_; }
   const Idle& idle() const { return idle_; }
   Pins& pins() { return pins_; }
 
   /// Saves all state that changes while the chip runs, except the environment's state.
   SnapshotRegistry::Snapshot save() const { return core_.snapshots.save(); }
-  /// Restores the state of an equal chip.
+  /// Restores a snapshot of this chip, or of a chip that was constructed with equal arguments.
   void restore(const SnapshotRegistry::Snapshot& saved);
 
  private:

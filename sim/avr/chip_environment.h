@@ -1,8 +1,8 @@
-// Declares the interface through which a chip accesses the world outside. A robot's board, a test or a web
-// page implements it.
+// Declares the interface through which a chip accesses its environment. A robot's board, a test or a web page
+// implements it.
 //
-// Pins are indices in ChipSpec::pins, and times are processor cycles. Successive times decrease by at most
-// the few cycles of one instruction.
+// Pins are indices in ChipSpec::pins, and times are processor cycles. From one call to the next, the time may
+// decrease by at most the cycles of one instruction.
 #pragma once
 
 #include "hal/board/board.h"
@@ -17,10 +17,10 @@ class ChipEnvironment {
   /// the pin.
   virtual bool level(int pin, bool pull_up, Cycle at) = 0;
   /// Returns the level for a read by a peripheral, or by an instruction that reads the whole port. The
-  /// program possibly ignores this level.
+  /// program may ignore this level.
   virtual bool level_along(int pin, bool pull_up, Cycle at) = 0;
-  /// Returns the cycle, exclusive, until which level() keeps its result at `at`. Until then the caller can
-  /// skip calls. Returns `at` if that cycle is unknown.
+  /// Returns the first cycle after `at` at which the result of level() may change. Until this cycle, the
+  /// caller can skip calls. Returns `at` if that cycle is unknown.
   virtual Cycle level_until(int pin, Cycle at) = 0;
   /// Returns the volts at a pin, for a sample of the converter or comparator. `high` is set if the chip's own
   /// output or pull-up is high.
@@ -32,19 +32,19 @@ class ChipEnvironment {
   }
   /// Returns FirmwarePort::supply_share().
   virtual double supply_share() { return 1.0; }
-  /// Reports that the chip drives a pin differently.
+  /// Reports that the chip has changed how it drives a pin.
   virtual void driven(int pin, const PinDrive& drive, Cycle at) = 0;
   /// Starts or stops reports of level changes through Chip::edge(). Returns the level from which changes are
   /// reported; the result is ignored if reports stop.
   virtual bool wants_edges(int pin, bool wanted, Cycle at) = 0;
 
-  // --- serial lines: UARTs by their index in ChipSpec::uarts, then the USB's
+  // --- serial lines: numbers are indices in ChipSpec::uarts; USB has the next number
   /// Reports that the chip starts to send a frame.
   virtual void sent(int line, std::uint16_t data, Cycle at) = 0;
-  /// Reports the duration of each received frame from now on; 0 = the receiver is off.
+  /// Reports the frame duration to which the receiver is set from `at` on; 0 = the receiver is off.
   virtual void listens(int line, Cycle frame, Cycle at) = 0;
 
-  // --- the two-wire bus, at the end of each byte
+  // --- two-wire bus; each function is called at the end of a byte
   /// Addresses a device (seven bits and the direction); returns whether a device answers.
   virtual bool two_wire_address(std::uint8_t address, Cycle at) = 0;
   /// Writes a byte; returns whether the device acknowledges it.

@@ -11,8 +11,8 @@
 // sampled when ACSR is read or written. They are also sampled every 64 cycles while an interrupt (ACIE),
 // timer 1 (ACIC) or the ADC's auto trigger waits for an edge.
 //
-// Not modelled: the synchroniser delay of ACO (1 to 2 cycles), and the comparator's offset and hysteresis. A
-// pin with PWM counts as having its level in PORTx.
+// Not modelled: the synchroniser delay of ACO (1 to 2 cycles), and the comparator's offset and hysteresis. On
+// a board, a pin with PWM has the supply voltage if its duty cycle is at least 50 %, otherwise 0 V.
 #pragma once
 
 #include <array>

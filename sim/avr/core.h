@@ -66,7 +66,7 @@ struct Core {
   Cycle now() const { return cpu.cycle(); }
   std::uint8_t& at(Address address) { return cpu.data[address]; }
 
-  /// Schedules an event at `cycle`, possibly before the end of the processor's current run.
+  /// Schedules an event at `cycle`. Stops the processor's current run, which may end after `cycle`.
   void schedule(Events::Id id, Cycle cycle) {
     events.schedule(id, cycle);
     cpu.look_up();
@@ -121,7 +121,8 @@ struct Core {
     clock_changes_.push_back(
         {[](void* self, std::int64_t before) { (static_cast<Owner*>(self)->*Method)(before); }, owner});
   }
-  /// Converts `at` from cycles of a clock of `hz_before` to cycles of the current clock.
+  /// Returns the new cycle of an event due at `at`, after the clock has changed from `hz_before`. The
+  /// remaining time stays the same.
   Cycle rescaled(Cycle at, std::int64_t hz_before) const {
     if (at == kNoCycle || at <= now()) return at;
     const auto before = static_cast<Cycle>(hz_before);
@@ -143,7 +144,7 @@ struct Core {
   ChipEnvironment& environment;
   const std::int64_t oscillator_hz;
   std::int64_t clock_hz;      ///< processor clock: the oscillator's frequency, divided as CLKPR sets
-  double supply_volts = 5.0;  ///< also the voltage of AVCC; the chip's owner may change it
+  double supply_volts = 5.0;  ///< VCC and AVCC; the chip's owner may change the value
   SnapshotRegistry snapshots;
   MarkVisitor* visitor = nullptr;  ///< visits marks; null = marks stop the chip
   /// Set while the watchdog can reset the chip even with interrupts off.

@@ -12,8 +12,8 @@ constexpr std::uint8_t kSigned = Cpu::kV | Cpu::kS;
 constexpr std::uint8_t kArithmetic = kC | kZ | kN | kSigned | Cpu::kH;
 
 constexpr std::uint8_t kPointers = 26;  // X, Y, Z
-// Limits of a sum or difference: its value, its step, and the index of its last byte. If a result exceeds
-// them, its operands are held instead of followed. No typical sketch exceeds them.
+// Limits of a sum or difference: its value, its step, and the index of its last byte. If a result exceeds a
+// limit, its operands are held instead of followed. No typical sketch exceeds a limit.
 constexpr std::int64_t kMost = std::int64_t{1} << 48, kSteepest = std::int64_t{1} << 24;
 constexpr int kBytes = 5;
 
@@ -56,7 +56,7 @@ bool CounterExtrapolation::agrees(std::uint32_t registers) const {
 
 // --- holding
 
-/// Limits the window to the counts for which only the lowest `bits` bits of the line change.
+/// Limits the window to the counts for which `line` changes only in its lowest `bits` bits.
 void CounterExtrapolation::keep(const Line& line, int bits) {
   if (line.step == 0) return;
   const std::int64_t within = low_bits(line.now, bits);
@@ -153,7 +153,7 @@ void CounterExtrapolation::follow(const Instruction& instruction, const Instruct
   compute(effects);
 }
 
-/// Holds all inputs of an instruction, so that its result is equal for all n.
+/// Holds all inputs of an instruction, so that its result is the same for all n in the window.
 void CounterExtrapolation::compute(const InstructionEffects& effects) {
   hold_registers(effects.reads);
   hold_flags(effects.flags_read);
@@ -198,8 +198,8 @@ void CounterExtrapolation::store(const Instruction& instruction, const Instructi
   }
 }
 
-/// Extends the lower k bytes of `line` by byte k, and returns the line of that number. Byte k is `byte`, or
-/// `constant` if `byte` is empty. Returns nothing if `byte` is not byte k of a number with these lower bytes.
+/// Returns the Line of a number with the lower k bytes of `line` and a new byte k. Byte k is `byte`, or
+/// `constant` if `byte` is empty. Returns nothing if `byte` belongs to a number with other lower bytes.
 std::optional<CounterExtrapolation::Line> CounterExtrapolation::extended(const Line& line,
                                                                          const Operand& byte,
                                                                          std::uint8_t constant, int k) {
@@ -236,7 +236,7 @@ std::optional<CounterExtrapolation::Chain> CounterExtrapolation::begun(const Ins
   chain.subtracts = is_difference(instruction.op);
   chain.k = left ? left->k : right->k;
   if (left && right && (left->k != right->k || chain.k != 0 || carry)) return std::nullopt;
-  // The Line of `right` contains lower bytes, too. Subtracting it would borrow from byte k for them, but the
+  // Subtracting the Line of `right` would also subtract its bytes below k, which may borrow from byte k. The
   // instruction subtracts only byte k.
   if (right && chain.subtracts && chain.k != 0) return std::nullopt;
   const auto line = [&](std::uint8_t value) { return Line{std::int64_t{value} << (8 * chain.k), 0}; };

@@ -1,14 +1,14 @@
-// Follows the values that a loop computes from a counter during one pass. Finds for how many more counts all
-// jumps of the pass go the same way.
+// Follows the values that a loop computes from a counter during one pass. Finds the number of further counts
+// for which all jumps of the pass have the same targets.
 //
 //   the counter reads v0 now, and v0 + n later
-//   Line    a whole number: `now` + n * `step`
+//   Line    an integer that is linear in n: `now` + n * `step`
 //   Byte    byte k of a Line in two's complement, as a processor register stores it
 //   Chain   the flags of a sum or difference of two Lines, computed byte by byte: ADD ADC ADC, CP CPC …
 //
 // Sums and differences of Bytes are followed while the bytes belong to the same number. Any other use of a
 // Byte holds it: the window, which is the range of n, shrinks until the byte is constant within it. The
-// result is never a guess. In the worst case the window contains only n = 0.
+// window is never too large. In the worst case it contains only n = 0.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ class CounterExtrapolation {
   /// Returns whether these registers, one bit each, match their Lines. A mismatch is a bug in this class.
   bool agrees(std::uint32_t registers) const;
 
-  /// Limit the window to counts for which this memory, or these flags, stay unchanged.
+  /// Limit the window to counts for which the byte at `address`, or `flags`, keep their values.
   void hold(Address address);
   void hold_flags(unsigned flags);
 

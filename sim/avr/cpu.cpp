@@ -87,7 +87,7 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
       plain_(chip.ram_address, kPlainRead | kPlainWrite) {
   for (const Address elsewhere : {reg::kSreg, reg::kSpL, reg::kSpH}) plain_[elsewhere] = 0;
   flash_.resize(std::bit_ceil(std::max<std::size_t>(flash_.size(), 2)), kErased);
-  // Skips the erased end of the flash, usually its largest part: all its words decode alike.
+  // Skips the erased end of the flash, usually most of the flash: all erased words decode alike.
   const std::size_t words = flash_.size() / 2;
   words_ = static_cast<std::uint32_t>(words);
   std::size_t used = words;
@@ -324,8 +324,8 @@ bool Cpu::reads_number(std::uint32_t pc) const {
   return true;
 }
 
-// Returns the operation at `pc` without its own mark. An instruction with a mark is never the second of a
-// pair, because run() stops there.
+// Returns the operation for `pc`, ignoring a mark at `pc`. A marked instruction is never the second of a
+// pair, because run() stops before it.
 Op Cpu::unmarked(std::uint32_t pc) const {
   const Op first = alone(pc);
   const auto none_marked = [&](std::uint32_t words) {
@@ -376,8 +376,8 @@ std::uint8_t Cpu::bits_read(std::uint32_t pc) const {
   if (next.op == Op::andi && next.a == reads.a) return next.b;
   if (next.op != Op::and_) return kAllBits;
   if (next.a == reads.a) return next.b == reads.a ? kAllBits : data[next.b];
-  // Recognises the Arduino core's digitalRead(): it ANDs a mask with the value, and LDI then overwrites the
-  // value.
+  // Recognises the Arduino core's digitalRead(): AND stores its result in the register of the mask, and LDI
+  // then overwrites the value that was read.
   const Instruction& after = instruction(pc + reads.words + next.words);
   const bool replaced = after.op == Op::ldi && after.a == reads.a;
   return next.b == reads.a && replaced ? data[next.a] : kAllBits;

@@ -39,7 +39,7 @@ class Cpu {
     mark,      ///< the instruction at the program counter has a mark; the next run() executes it
     break_,    ///< BREAK ran
     illegal,   ///< the program counter is at a reserved opcode
-    outside,   ///< the program counter is beyond the flash, after a jump to outside_pc() or the last word
+    outside,   ///< the program counter is outside the flash: a jump to outside_pc(), or the flash's end
     bad_read,  ///< the last instruction read bad_address(), which has no memory
     bad_write,
     spm,      ///< SPM ran
@@ -52,7 +52,7 @@ class Cpu {
   Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last_ram);
 
   // --- running
-  /// Runs until cycle `until`, or a few cycles longer, or until an earlier stop.
+  /// Runs until an earlier stop, or until cycle `until`, which the last instruction may cross.
   Stop run(Cycle until);
   /// Makes run() return Stop::reached after the current instruction. Called by hooks.
   void look_up() { horizon_ = 0; }
@@ -87,7 +87,7 @@ class Cpu {
   bool interruptible() const { return state.sreg & kI && state.cycle != state.held_at; }
   bool interrupts_enabled() const { return state.sreg & kI; }
   /// Waiting interrupts, one bit each. An instruction that sets I makes run() return if an interrupt is
-  /// waiting; always, if this is null.
+  /// waiting, or if this pointer is null.
   const std::uint64_t* waiting = nullptr;
   /// Resets the processor: the program counter and I/O registers become 0, memory is retained.
   void reset();
@@ -146,7 +146,7 @@ class Cpu {
     plain_[address] &= static_cast<std::uint8_t>(~kPlainWrite);
   }
   /// Adds a second owner to a register; `owner` is called after the first owner. The first owner stores the
-  /// register's value. The second changes only its own bits.
+  /// register's value. The second owner changes only its own bits.
   template <auto Method, typename Owner>
   void also_on_write(Address address, Owner* owner) {
     const Hook before = hooks_[address];
@@ -251,7 +251,7 @@ class Cpu {
   /// on_entered is called when the processor enters a handler, before the return address is pushed. on_left
   /// is called after RETI has returned, before interrupts are enabled.
   Call on_entered, on_left;
-  /// Notes a switch to another task with its own stack, which is inside `count` handlers.
+  /// Notes a switch to another task, which has its own stack and is inside `count` handlers.
   void set_open_handlers(int count);
   Cycle handler_cycles() const {
     return state.handler_cycles + (state.open_handlers > 0 ? state.cycle - state.handler_began : 0);
@@ -266,14 +266,14 @@ class Cpu {
     std::uint16_t sp_watch = 0;
     std::uint16_t sp_before = 0;  ///< stack pointer before the last write to SPL or SPH
     std::uint8_t sreg = 0;
-    Cycle held_at = kNoCycle;  ///< cycle at which an instruction set I; the next one runs before an interrupt
+    Cycle held_at = kNoCycle;  ///< cycle at which an instruction set I; the next one runs uninterrupted
     Address bad_address = 0;
     std::uint32_t outside_pc = 0;
     std::uint32_t passing = ~0u;   ///< word address whose mark was already reported
     bool reads_signature = false;  ///< LPM reads the signature row instead of flash
     int open_handlers = 0;
     Cycle handler_began = 0, handler_cycles = 0;
-    std::uint32_t interrupted_pc = 0;  ///< place interrupted by the current or last handler
+    std::uint32_t interrupted_pc = 0;  ///< where the current or last handler has interrupted firmware
     std::uint8_t vector = 0;           ///< vector of that handler
     Cycle last_io = 0;                 ///< last access to an I/O register outside handlers
     std::uint32_t last_io_pc = 0;
@@ -299,8 +299,8 @@ class Cpu {
   std::uint8_t load_elsewhere(Address address);
   void store_elsewhere(Address address, std::uint8_t value);
   void touch();
-  /// Returns whether an OUT to SREG comes between the writes of SPH and SPL, where a function reserves its
-  /// variables.
+  /// Returns whether an OUT to SREG at `pc` follows a write of SPH. A function's prologue has such an OUT
+  /// between its writes of SPH and SPL.
   bool is_in_prologue(std::uint32_t pc) const {
     if (pc == 0) return false;
     const Instruction& before = original_[pc - 1];
@@ -353,7 +353,7 @@ class Cpu {
     void (*tell)(void* self, Address address);
     void* self;
   };
-  std::deque<Early> early_;  ///< registers with an early listener
+  std::deque<Early> early_;  ///< registers with a callback before each write
   bool (*may_pass_)(void* self) = [](void*) { return false; };
   void* may_pass_self_ = nullptr;
   Cycle horizon_ = 0;

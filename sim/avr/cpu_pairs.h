@@ -1,6 +1,6 @@
-// Defines the macros for pairs of instructions that run as one (ROBOSIM_AVR_PAIRS), for the interpreter's
-// loop (cpu_run.cpp). If the horizon is not after the start of the second instruction, the two run
-// separately. The loop therefore never stops between them, where some flags are not computed.
+// Defines macros for the interpreter's loop (cpu_run.cpp): pairs of instructions that run as one
+// (ROBOSIM_AVR_PAIRS). If the horizon is not after the start of the second instruction, the two run
+// separately. The loop therefore never stops inside a pair, where some flags are not computed.
 #pragma once
 
 #include "sim/avr/cpu_steps.h"
@@ -80,7 +80,8 @@
     STORE(address, r[i->a], 1);        \
   }
 
-// Runs a handler that cannot be interrupted, and whose stack does not reach its variables.
+// Runs the TimeCount handler in one step, if nothing can interrupt it and its pushes do not overwrite its
+// variables.
 #define CODE_OF_TIME_COUNT                                                                                \
   OPERATION(count_time, 0) {                                                                              \
     constexpr int kPushes = TimeCount::kPushes;                                                           \

@@ -61,8 +61,8 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
   state.sreg = flags.packed_into(state.sreg);                   \
   state.sp = sp
 #define RESUME_WITH_FLAGS goto resume_with_flags
-// Returns whether an I/O register has no hook for this access and no event is due. The access is then like
-// one to memory, except for last_io.
+// Returns whether an I/O register has no hook for this access and no event is due. Such an access only reads
+// or writes the byte in memory, and updates last_io.
 #define IS_PLAIN(way) (left > 0 && plain_[static_cast<std::size_t>(i->k)] & (way))
 #define NOTE_IO                                         \
   state.last_pc = static_cast<std::uint32_t>(i - code); \

@@ -129,7 +129,7 @@ inline constexpr std::array<Flags, 256> kFlagsOf = [] {
 }();
 
 inline void Flags::unpack(std::uint8_t sreg) {
-  const Flags& of = kFlagsOf[sreg];  // copied one by one, because the members are in host registers
+  const Flags& of = kFlagsOf[sreg];  // copies member by member: the members are in host registers
   carry = of.carry;
   zero = of.zero;
   negative = of.negative;

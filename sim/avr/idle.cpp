@@ -56,7 +56,7 @@ void Idle::before() {
 }
 
 void Idle::after() {
-  if (core_.now() == cycle_before_) return;  // a mark stopped run() first
+  if (core_.now() == cycle_before_) return;  // a mark stopped run() before any instruction
   if (recorded_) {
     ++steps_;
     if (!path_.after()) {

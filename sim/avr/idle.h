@@ -3,10 +3,11 @@
 //
 //   explores   occasionally, for some hundred instructions: targets of backward jumps become heads
 //   records    one pass that starts at a head (loop_trace.h)
-//   skips      at a head, if the pass's inputs are unchanged: the passes that end before the next event and
-//              within the window of the counter. The last of them runs, to compute its results
+//   skips      at a head, if the pass's inputs are unchanged. Only passes that end before the next event, and
+//              within the window of the counter, are skipped. The last of these runs, to compute its results
 //
-// Cpu marks only heads, and other loops cost nothing. A head that does not pay off loses its mark.
+// Cpu marks only heads, so that loops without a head cost nothing. A head that does not pay off loses its
+// mark.
 #pragma once
 
 #include <cstdint>
@@ -35,13 +36,13 @@ class Idle {
   }
   void before();
   void after();
-  /// Handles the processor's arrival at a head. Only the processor has effects before `horizon`.
+  /// Handles the processor's arrival at a head. Before `horizon`, no event affects the chip.
   void at_head(Cycle horizon);
   /// Notes a mark at which the chip continued.
   void visited(std::uint32_t pc) {
     if (recorded_) path_.visited(pc);
   }
-  /// Notes that the chip has slept for `cycles`. A loop with sleep does not count as waiting.
+  /// Notes that the chip has slept for `cycles`. A loop that sleeps does not count as a waiting loop.
   void slept(Cycle cycles) {
     slept_ += cycles;
     if (exploring_ > 0) landings_.clear();

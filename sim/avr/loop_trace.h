@@ -43,7 +43,7 @@ class LoopTrace {
     Cycle cycles = 0;
     std::vector<std::uint32_t> jumps;  ///< calls and returns, as recorded by Cpu
     int visits = 0;                    ///< number of visited marks
-    std::uint32_t visited = 0;         ///< address of the mark
+    std::uint32_t visited = 0;         ///< word address of the visited mark
     Cycle visited_after = 0;
     bool enables_interrupts = false;
   };
@@ -79,7 +79,7 @@ class LoopTrace {
   int steps_ = 0;
   Instruction instruction_;
   InstructionEffects effects_;
-  std::optional<std::uint8_t> looked_;  ///< expected value of an I/O register
+  std::optional<std::uint8_t> looked_;  ///< expected value of the I/O register that the instruction reads
   bool counter_ = false;                ///< that register is the counter
 };
 

@@ -126,8 +126,8 @@ void Spi::look_at_select() {
   request();
 }
 
-// Takes the pins of a master (table 19-1): MISO is an input; the other pins are outputs if the port makes
-// them outputs.
+// Takes the pins of a master (table 19-1): MISO is an input; the other pins are outputs if DDRx makes them
+// outputs.
 void Spi::drive() {
   const bool master = is_master();
   if (master) {

@@ -226,8 +226,8 @@ std::uint8_t Timer::wanted() const {
   return static_cast<std::uint8_t>(wanted);
 }
 
-// Finds a periodic event that can be predicted. Most timers only overflow, for millis(). All other timers are
-// counted normally.
+// Predicts the only enabled flag if it is set periodically, such as the overflow for millis(). All other
+// timers are counted normally.
 void Timer::find_beat(std::uint8_t flag, Cycle at) {
   const Counter& counter = state_.counter;
   if (flag != enables() || !std::has_single_bit(flag) || at == kNoCycle || state_.requested ||
@@ -240,8 +240,8 @@ void Timer::find_beat(std::uint8_t flag, Cycle at) {
   state_.beat_period = (counter.top() + Cycle{1}) << state_.shift;
 }
 
-// Handles the entry of a predicted interrupt. Returns false if other events of the timer may have changed its
-// flags since then.
+// Handles the entry of a predicted interrupt. Returns false if the timer must be counted instead: a whole
+// period has passed, or another flag may have been set.
 bool Timer::beat() {
   const Cycle now = core_.now(), next = state_.beat_at + state_.beat_period;
   if (next <= now || state_.beat_flags & ~(state_.flags | state_.beat)) return false;

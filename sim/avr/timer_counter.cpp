@@ -5,8 +5,8 @@
 namespace robosim::avr {
 namespace {
 
-// Number of turns after which every counter is in its regular period. A counter possibly runs on to MAX
-// first, then adopts a new TOP, and then takes two rounds.
+// Number of turns or restarts after which every counter is in its regular period. Before, a counter may run
+// on to MAX, adopt a new TOP, and complete two periods.
 constexpr int kTurnsUntilRegular = 8;
 
 }  // namespace

@@ -2,7 +2,7 @@
 // 17.2, external clock).
 //
 //   pin ─► synchroniser, edge detector: 3 cycles ─► counter, or ICRn
-//   pin ─► noise canceler: 4 cycles more; a shorter level is ignored
+//   pin ─► noise canceler: 4 more cycles; a level shorter than 4 cycles is ignored
 //
 // An asynchronous edge is delayed by 2.5 to 3.5 cycles. An edge that the chip itself causes is synchronous
 // with its clock.
@@ -43,13 +43,13 @@ class EdgesUnderWay {
 class NoiseCanceler {
  public:
   enum class Verdict : std::uint8_t { passes, takes_back };
-  /// Switches the canceler on while its input has this level.
+  /// Switches the canceler on; `level` is the current level of its input.
   void begin(bool level) {
     behind_ = before_ = level;
     since_ = 0;
   }
-  /// Handles a level change at the input. The change passes unless it ends a level that was too short. Such a
-  /// level is withdrawn.
+  /// Handles a level change at the input. Returns takes_back if the change ends a level that was too short;
+  /// the edge before that level is then withdrawn.
   Verdict change(bool level, Cycle at) {
     if (at - since_ >= kCancelerCycles) behind_ = before_;
     before_ = level;
@@ -59,7 +59,7 @@ class NoiseCanceler {
 
  private:
   bool behind_ = false;  ///< last settled level of the output
-  bool before_ = false;  ///< level of the pin
+  bool before_ = false;  ///< level of the input after its last change
   Cycle since_ = 0;
 };
 

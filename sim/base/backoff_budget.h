@@ -20,7 +20,7 @@ class BackoffBudget {
   }
   bool is_banned(std::uint64_t now) const { return now < banned_until_; }
   void begin_anew() { budget_ = 0; }
-  /// Handles a jump back in time to `now`. A ban then ends at most its full duration after `now`.
+  /// Handles a jump back in time to `now`. Afterwards a ban ends no later than a new ban would.
   void moved_in_time(std::uint64_t now) {
     banned_until_ = std::min(banned_until_, now + (kFirstBan << bans_));
   }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-// Two digits for each twelve bits.
+// Two digits for each value of twelve bits.
 constexpr auto kPairs = [] {
   std::array<std::array<char, 2>, 4096> pairs{};
   for (std::size_t bits = 0; bits < pairs.size(); ++bits)
@@ -21,7 +21,7 @@ constexpr auto kPairs = [] {
   return pairs;
 }();
 
-// The value of each digit at each of a group's four places; kBad if the character is not a digit.
+// Value of each character at each of the four positions in a group; kBad for an invalid character.
 constexpr std::uint32_t kBad = 1u << 24;
 constexpr auto kValues = [] {
   std::array<std::array<std::uint32_t, 256>, 4> values{};
@@ -102,7 +102,7 @@ std::string from_base64(std::string_view text) {
     *to++ = static_cast<char>(group);
   }
   const std::size_t left = text.size() - i;
-  if (left == 1) bad = kBad;  // one digit has only six bits
+  if (left == 1) bad = kBad;  // a single digit has only six bits, less than a byte
   if (left >= 2) {
     const std::uint32_t group = value(i, 0) | value(i + 1, 1) | (left == 3 ? value(i + 2, 2) : 0);
     bad |= group;

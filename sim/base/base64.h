@@ -14,7 +14,7 @@ class Base64 {
  public:
   /// Returns an upper bound of the number of characters for `bytes` bytes.
   static constexpr std::size_t most(std::size_t bytes) { return (bytes + 2) / 3 * 4 + 4; }
-  /// Writes all characters that are complete so far to `to`, and returns their end.
+  /// Writes to `to` all characters that are complete so far. Returns the end of the written text.
   char* put(char* to, std::string_view bytes);
   char* finish(char* to);
 
@@ -22,7 +22,7 @@ class Base64 {
   char left_[3] = {};  ///< bytes of an incomplete group
   std::size_t left_size_ = 0;
 };
-/// Decodes base64. Throws InputError for any other character.
+/// Decodes base64, with or without padding. Throws InputError for invalid text.
 std::string from_base64(std::string_view text);
 
 }  // namespace robosim

@@ -20,7 +20,7 @@ struct Pipe {
   Pipe();
 };
 
-/// The way in which a child process has ended.
+/// The exit status of a child process, or the signal that has ended it.
 struct Ending {
   int status = 0;  ///< exit status, unless a signal has ended it
   int signal = 0;  ///< 0 = none
@@ -38,7 +38,7 @@ struct ChildStart {
   std::optional<std::vector<std::string>> environment;  ///< "NAME=VALUE"; nothing = inherit
   int input = kOurs, output = kOurs, errors = kOurs;
   std::vector<int>
-      default_signals;     ///< signals with default actions in the child; if not empty, none is blocked
+      default_signals;     ///< signals with default actions in the child; if any, the child blocks no signal
   bool own_group = false;  ///< creates a process group for the child: Ctrl-C in a terminal does not reach it
 };
 
@@ -56,7 +56,7 @@ class Child {
   Child& operator=(Child&& other) noexcept;
   ~Child();
 
-  /// Sends a signal to the child, or to the child's own process group. Has no effect after wait().
+  /// Sends a signal to the child, or to its process group if `own_group` was set. Has no effect after wait().
   /// Async-signal-safe.
   void send(int signal) const;
   /// Returns whether the child has ended. The process number is not reused until wait().

@@ -64,8 +64,8 @@ class TableReader {
   /// Reads a string that is one of `allowed`.
   std::string choice(const char* key, std::string fallback, const std::vector<std::string>& allowed);
 
-  /// Throws InputError for the first unknown key that resembles a known key. Call this when all keys are
-  /// read, and a required key is missing.
+  /// Throws InputError for the first unknown key that resembles a known key. Call this after all keys are
+  /// read, if a required key is missing.
   void refuse_misspelt() const;
   /// Throws InputError for the first key that was never read.
   void finish() const;

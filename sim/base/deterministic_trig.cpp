@@ -33,7 +33,8 @@ Vec2 unit_vector(double angle) {
 }
 
 double angle_of(Vec2 v) {
-  // Newton's method from the middle of the quadrant. The cross product is the sine of the remaining angle.
+  // Applies Newton's method from the middle of the quadrant. The cross product is the sine of the remaining
+  // angle.
   double angle = v.y >= 0.0 ? (v.x >= 0.0 ? 0.5 : 1.5) * kQuarter : (v.x >= 0.0 ? -0.5 : -1.5) * kQuarter;
   const double size = length(v);
   if (size == 0.0) return 0.0;

@@ -10,8 +10,8 @@ namespace robosim {
 /// Lists names: "d, oval and tight".
 std::string all_of(const std::vector<std::string>& names);
 
-/// Returns the candidate that differs least from `word`. Few letters must differ, as in a typing error, or
-/// the candidate must start with `word`. A candidate such as "laps:N" stands for laps with any parameter:
+/// Returns the candidate that differs least from `word`. The candidate must differ in few letters, as after a
+/// typing error, or start with `word`. A candidate such as "laps:N" stands for laps with any parameter:
 /// "lap:3" gives "laps:3".
 std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& candidates);
 

@@ -24,7 +24,7 @@ enum class ExitStatus : int {
   bad_input = 2,     ///< usage, bad file, sketch does not compile
   internal = 3,      ///< internal error in Robosim
   timeout = 4,       ///< simulated time limit reached
-  tool_missing = 5,  ///< missing tool, with an installation hint, or another fault of the machine
+  tool_missing = 5,  ///< missing tool (with an installation hint), or another fault of the machine
   interrupted = 130,
 };
 

@@ -5,7 +5,7 @@
 
 namespace robosim {
 
-/// Returns e^-x for x >= 0; error below 1e-15. Uses the series about the nearest power of two.
+/// Returns e^-x for x >= 0; error below 1e-15. Multiplies the nearest power of two by a Taylor series.
 inline double decay_of(double x) {
   constexpr double kLn2High = 0x1.62e42feep-1, kLn2Low = 0x1.a39ef35793c76p-33, kMost = 700.0;
   if (!(x < kMost)) return 0.0;
@@ -16,7 +16,7 @@ inline double decay_of(double x) {
   return std::ldexp(sum, -static_cast<int>(halvings));
 }
 
-/// Returns the natural logarithm of x > 0; error below 1e-15 of 1 + |ln x|. Uses the series of artanh.
+/// Returns the natural logarithm of x > 0; error below 1e-15 (1 + |ln x|). Uses the series of artanh.
 inline double log_of(double x) {
   constexpr double kLn2 = 0.69314718055994531, kRootHalf = 0.70710678118654752;
   int doublings = 0;

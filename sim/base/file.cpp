@@ -28,8 +28,7 @@ namespace {
   throw InputError({path.string()}, std::string("cannot be ") + verb + ": " + std::strerror(error));
 }
 
-/// Returns the prefix of the installed Robosim that this program links, if the program is not part of it;
-/// otherwise empty.
+/// Returns the prefix of the installed Robosim that this test links; empty in Robosim's own programs.
 fs::path linked_installation() {
   return robosim_installation ? fs::path(robosim_installation()) : fs::path();
 }
@@ -42,7 +41,7 @@ fs::path executable_folder() {
 }  // namespace
 
 Descriptor open_to_read(const fs::path& path) {
-  Descriptor file = open_in_scope(path, O_RDONLY | O_NONBLOCK);  // O_NONBLOCK: a pipe would wait for a writer
+  Descriptor file = open_in_scope(path, O_RDONLY | O_NONBLOCK);  // O_NONBLOCK: does not wait for a writer
   check_is_file(file, path);
   return file;
 }
@@ -95,7 +94,7 @@ bool replace([[maybe_unused]] const fs::path& fresh, [[maybe_unused]] const fs::
   const auto change_places = [&] {
     return ::renameat2(AT_FDCWD, fresh.c_str(), AT_FDCWD, old.c_str(), RENAME_EXCHANGE) == 0;
   };
-  if (!change_places()) return false;  // missing file, or no support by the file system
+  if (!change_places()) return false;  // no old file, or no support by the file system
   if (::unlink(fresh.c_str()) == 0) return true;
   change_places();  // undo: `old` was a folder
 #endif
@@ -110,7 +109,7 @@ void write_file(const fs::path& path, std::string_view content) {
   const bool in_place = fs::exists(there) && !fs::is_regular_file(there) && !fs::is_directory(there);
   const fs::path target = in_place ? path : beside(path);
   try {
-    // Removes a link of that name by another user, which would lead elsewhere.
+    // Removes an existing temporary file, or a link by another user, which would lead elsewhere.
     if (!in_place) ::unlink(target.c_str());
     const int fresh = in_place ? O_TRUNC : O_EXCL | O_NOFOLLOW;
     const Descriptor file(::open(target.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | fresh, 0666));

@@ -32,8 +32,8 @@ std::string read_file(const Descriptor& file, const std::filesystem::path& path,
 /// an interrupt. A device such as /dev/stdout is written directly. Throws InputError.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
-/// Links an unnamed file (O_TMPFILE) to the target's name, in one step like write_file(), without waiting for
-/// the disk. A power failure in the next seconds may leave an empty file. `error` is the errno of an earlier
+/// Gives an unnamed file (O_TMPFILE) the name `path`, in one step like write_file(), without waiting for the
+/// disk. A power failure in the next seconds may leave an empty file. `error` is the errno of an earlier
 /// failure; 0 = none. Throws InputError.
 void place_file(const Descriptor& unnamed, const std::filesystem::path& path, int error = 0);
 

@@ -34,7 +34,7 @@ std::deque<std::string> steps_of(const fs::path& path) {
   return steps;
 }
 
-/// Returns the steps from `folder` to `path`; nothing if `path` does not start with `folder`.
+/// Returns the path's components below `folder`; nothing if `path` does not start with `folder`.
 std::optional<std::deque<std::string>> steps_below(const fs::path& folder, const fs::path& path) {
   const std::deque<std::string> top = steps_of(folder);
   std::deque<std::string> steps = steps_of(path);
@@ -170,8 +170,8 @@ class Scope {
     return below && std::find(below->begin(), below->end(), "..") == below->end();
   }
 
-  // Opens the served folder for each use, because a run's process passes the numbers of its descriptors to
-  // other processes.
+  // Opens the served folder for each use. A run's process reuses descriptor numbers, so that an inherited
+  // handle would refer to another file.
   HeldFolder served() const { return HeldFolder(served_); }
 
   fs::path served_;

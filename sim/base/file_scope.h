@@ -35,8 +35,8 @@ class HeldFolder {
   Descriptor handle_;
 };
 
-/// Environment variable with the allowed folders of a process and its children, one per line. The first is
-/// the served folder, to which names in files are restricted. If the variable is unset, there is no
+/// Environment variable with the allowed folders of a process and its children, one per line. The first
+/// folder is the served folder, to which names in files are restricted. If the variable is unset, there is no
 /// restriction.
 inline constexpr const char* kFileScope = "ROBOSIM_FILE_SCOPE";
 
@@ -52,15 +52,15 @@ Descriptor open_in_scope(const std::filesystem::path& path, int flags);
 /// ::open().
 Descriptor open_to_show(const std::filesystem::path& path);
 
-/// Adds a folder that no file has named, such as the folder of the user's libraries. Has no effect without a
-/// scope.
+/// Adds a folder whose name does not come from an input file, such as the folder of the user's libraries. Has
+/// no effect without a scope.
 void extend_file_scope(const std::filesystem::path& folder);
 
 /// Returns the error for a path that leads out of the scope.
 InputError out_of_scope(const std::filesystem::path& path, const Place& place = {});
 
-/// Throws InputError if a scope is set, and `path` leads out of the served folder and of Robosim's own
-/// folders. The path, which `place` names, need not exist.
+/// Throws InputError if a scope is set, and `path` is outside both the served folder and Robosim's own data.
+/// `place` is the place of the path in a file. The path need not exist.
 void check_in_scope(const std::filesystem::path& path, const Place& place = {});
 
 /// Returns whether no scope is set, or `folder` is the served folder or below it.

@@ -7,7 +7,7 @@
 // used.
 #pragma once
 
-/// Marks the definition of such a function in a .cpp file: ROBOSIM_ALSO_FOR("avx").
+/// Marks a function's definition in a .cpp file: ROBOSIM_ALSO_FOR("avx") also compiles it for AVX.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__)
 #define ROBOSIM_ALSO_FOR(processors) [[gnu::target_clones(processors, "default")]]
 #else

@@ -9,7 +9,7 @@
 
 namespace robosim {
 
-/// Writes large content to an unnamed file on the disk as it arrives. Without finish(), the file disappears
+/// Writes large content piece by piece to an unnamed file on the disk. Without finish(), the file disappears
 /// with this process. Small content stays in memory. All content stays in memory if unnamed files are
 /// impossible (a device, a pipe, some file systems).
 class NewFile {
@@ -26,7 +26,7 @@ class NewFile {
     if (used_ >= kPiece) write_waiting();
   }
   void add(std::string_view text);
-  /// Moves the file to its place, like write_file(). Throws InputError, also for earlier failures.
+  /// Gives the file its name, like write_file(). Throws InputError, also for earlier failures.
   void finish();
 
  private:

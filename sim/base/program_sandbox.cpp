@@ -59,7 +59,7 @@ void allow(int rules, const fs::path& path, std::uint64_t what) {
   ::syscall(SYS_landlock_add_rule, rules, LANDLOCK_RULE_PATH_BENEATH, &rule, 0);
 }
 
-/// Limits a resource to `most`. A program that ignores the signal at `most` is killed after `more`.
+/// Limits a resource to `most`. A program that ignores the signal at `most` is killed at `most` + `more`.
 bool limit(int what, rlim_t most, rlim_t more = 0) {
   rlimit now{};
   ::getrlimit(static_cast<__rlimit_resource_t>(what), &now);
@@ -82,14 +82,14 @@ std::vector<fs::path> program_folders() {
   return folders;
 }
 
-/// Returns an environment with only the path from the user's environment. A sketch can make a compiler print
-/// its environment.
+/// Returns an environment that contains only PATH from the user's environment. A sketch can make a compiler
+/// print its environment.
 std::vector<std::string> bare_environment(const fs::path& scratch) {
   std::string path;
   for (const fs::path& folder : program_folders()) path += (path.empty() ? "" : ":") + folder.string();
   return {
       "PATH=" + path,        "HOME=" + scratch.string(), "TMPDIR=" + scratch.string(), "LC_ALL=C",
-      "SOURCE_DATE_EPOCH=0", "CCACHE_DISABLE=1"};  // if the compiler is ccache: its own folder is not visible
+      "SOURCE_DATE_EPOCH=0", "CCACHE_DISABLE=1"};  // the compiler may be ccache, whose folder is not visible
 }
 
 std::vector<char*> null_ended(const std::vector<std::string>& texts) {

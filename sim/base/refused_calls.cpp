@@ -39,7 +39,7 @@ constexpr std::uint32_t kNeedless[] = {SYS_socket,
 
 #if defined(__x86_64__)
 constexpr std::uint32_t kMachine = AUDIT_ARCH_X86_64, kOtherMachine = AUDIT_ARCH_I386;
-/// The same calls of 32-bit programs, with socketcall() first.
+/// Numbers of the same calls in 32-bit programs; socketcall() is first.
 constexpr std::uint32_t kNeedlessOfOther[] = {102,           359,        37,  238, 270, 178,
                                               335,           26,         347, 348, 288, 286,
                                               287,           357,        336, 310, 346, kPidfdSendSignal,
@@ -113,8 +113,8 @@ constexpr Program kProgram = [] {
 void refuse_needless_calls() {
   if (kMachine == 0) return;
   const sock_fprog program{kProgram.size, const_cast<sock_filter*>(kProgram.steps.data())};
-  // Avoids the slower branches that a filter enables by default, because compilers have no secrets of other
-  // programs.
+  // Leaves off the speculation mitigations that a filter enables by default. They slow branches, and
+  // compilers hold no secrets of other programs.
   ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program);
 }
 

@@ -12,7 +12,7 @@ std::string shell_word(const std::string& text) {
 
 std::optional<std::vector<std::string>> shell_words(const std::string& command) {
   std::vector<std::string> words;
-  bool quoted = false, open = false;  // a word
+  bool quoted = false, open = false;  // `quoted`: inside quotes; `open`: inside a word
   for (std::size_t i = 0; i < command.size(); ++i) {
     const char c = command[i];
     if (!quoted && c == ' ') {

@@ -1,10 +1,10 @@
-// Takes snapshots of running state. The owners of the state register each piece once. Then the registry can
-// copy and restore all pieces.
+// Takes snapshots of state that changes during a run. The owners of the state register each piece once. Then
+// the registry can copy and restore all pieces.
 //
 //   ButtonPart::ButtonPart(PartContext& context) { context.snapshots.add(state_); }
 //   const SnapshotRegistry::Snapshot before = snapshots.save();   …   snapshots.restore(before);
 //
-// Pieces keep their addresses, and pointers to them stay valid. A copy is a value.
+// restore() writes to the pieces' own addresses, so that pointers to pieces stay valid.
 #pragma once
 
 #include <any>
@@ -39,7 +39,7 @@ class SnapshotRegistry {
   void add_memory(std::span<std::uint8_t> memory) { add_bytes(memory.data(), memory.size()); }
 
   Snapshot save() const;
-  /// Restores a copy of these pieces.
+  /// Restores all pieces from a snapshot.
   void restore(const Snapshot& copy);
 
  private:

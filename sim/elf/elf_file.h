@@ -1,4 +1,4 @@
-// Reads loaded segments, sections and symbols of ELF files, by libelf of elfutils. Users' files may be
+// Reads loaded segments, sections and symbols of ELF files with libelf (elfutils). Users' files may be
 // damaged; they are rejected with an error message.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace robosim {
 
 /// A segment that is loaded into memory.
 struct ElfSegment {
-  std::uint64_t address = 0;  ///< physical address: where it lies in flash
+  std::uint64_t address = 0;  ///< physical address: its address in flash
   std::string_view bytes;     ///< content in the file; valid as long as the ElfFile
   bool code = false;
 };
@@ -25,7 +25,7 @@ struct ElfSection {
   std::uint64_t size = 0;
   bool loaded = false;  ///< uses memory at run time
   bool writable = false;
-  bool has_content = false;  ///< the file has its content; otherwise it is zero-initialised
+  bool has_content = false;  ///< the file contains its bytes; otherwise they are zero-initialised
 };
 
 struct ElfSymbol {
@@ -55,8 +55,8 @@ class ElfFile {
 
   std::vector<ElfSegment> segments() const;
   std::vector<ElfSection> sections() const;
-  /// Returns the content of the section of this name; empty if there is none. The content is valid as long as
-  /// this object.
+  /// Returns the content of the section with this name; empty if the section is missing. The content is valid
+  /// as long as this object.
   std::string_view content_of(std::string_view section) const;
   /// Returns the defined symbols, in the file's order.
   std::vector<ElfSymbol> symbols() const;

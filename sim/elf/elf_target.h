@@ -12,7 +12,7 @@ namespace robosim {
 /// file is not a program for such a chip.
 std::string target_of_elf(std::string_view content, const std::string& file);
 
-/// Returns the error for a file that is for the target `is`, not `wanted`.
+/// Returns the error for a file that is for the target `is` instead of `wanted`.
 InputError wrong_target(const std::string& file, std::string_view is, std::string_view wanted);
 
 }  // namespace robosim
