@@ -320,7 +320,7 @@ class Cpu {
       state.handler_cycles += state.cycle - state.handler_began;
     on_left();
   }
-  /// Returns the program counter after a jump to `pc`. All targets beyond the flash become its end.
+  /// Returns the program counter after a jump to `pc`. All targets outside the flash become the flash's end.
   std::uint32_t target_of(std::uint32_t pc) {
     if (pc < words_) return pc;
     state.outside_pc = pc;

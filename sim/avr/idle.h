@@ -3,8 +3,8 @@
 //
 //   explores   occasionally, for some hundred instructions: targets of backward jumps become heads
 //   records    one pass that starts at a head (loop_trace.h)
-//   skips      at a head, if the pass's inputs are unchanged. Only passes that end before the next event, and
-//              within the window of the counter, are skipped. The last of these runs, to compute its results
+//   skips      at a head, if the pass's inputs are unchanged: all but the last of the passes that end before
+//              the next event and within the counter's window. The last pass runs, to compute its results
 //
 // Cpu marks only heads, so that loops without a head cost nothing. A head that does not pay off loses its
 // mark.

@@ -43,7 +43,7 @@ bool Timer::changes_at_match(std::size_t channel) const {
   return is_external() || 2 * kLowestTone_hz * period > core_.clock_hz;
 }
 
-// Returns the current level of a pin with PWM, as when the clock stops.
+// Returns the current level of a pin with PWM. The pin keeps this level when the clock stops.
 bool Timer::pwm_level(std::size_t channel) const {
   const Counter& counter = state_.counter;
   const std::uint16_t compare = counter.compare(channel), value = counter.value();

@@ -8,7 +8,7 @@
 //            requests the endpoint vector
 //
 //   control  SETUP sets RXSTPI, and UEDATX returns its 8 bytes
-//            TXINI: clearing it sends what was written to UEDATX
+//            TXINI: clearing TXINI sends the bytes written to UEDATX
 //            RXOUTI: a packet can be read
 //   IN       one or two banks; FIFOCON reads 1 while a bank can be filled, and clearing FIFOCON passes the
 //            bank to the host

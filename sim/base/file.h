@@ -28,8 +28,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t most_bytes 
 /// Returns the rest of an open file; `path` is its name in messages.
 std::string read_file(const Descriptor& file, const std::filesystem::path& path, std::size_t most_bytes);
 
-/// Writes to a temporary file next to the target and renames it. Readers never find half a file, even after
-/// an interrupt. A device such as /dev/stdout is written directly. Throws InputError.
+/// Writes to a temporary file next to the target and renames it. Readers never find half a file, even if
+/// writing is interrupted. A device such as /dev/stdout is written directly. Throws InputError.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
 /// Gives an unnamed file (O_TMPFILE) the name `path`, in one step like write_file(), without waiting for the

@@ -11,8 +11,7 @@
 
 namespace robosim {
 
-/// An open folder. If another folder replaces it under the same path, the replacement is neither read nor
-/// written.
+/// An open folder. If its path later names another folder, that folder is neither read nor written.
 class HeldFolder {
  public:
   /// Opens a folder. Throws InputError if opening fails.

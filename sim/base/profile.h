@@ -1,6 +1,6 @@
 // Defines the profile of a run, which sets its realism. `ideal` has no noise and no spread, and never
-// changes. `typical` has both, with sources (docs/explanation/fidelity.md). When models or parameters of
-// `typical` change, it gets a new version; older versions stay available.
+// changes. `typical` has both, with sources (docs/explanation/fidelity.md). `typical` gets a new version when
+// its models or parameters change; older versions stay available.
 #pragma once
 
 #include <initializer_list>

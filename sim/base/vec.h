@@ -22,8 +22,8 @@ constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
-/// A body's position and heading. The heading is a unit vector. Rotating it without trigonometry makes a tick
-/// bit-identical on every machine, unlike libm's sine and cosine.
+/// A body's position and heading. The heading is a unit vector. A tick rotates the heading without libm's
+/// sine and cosine, and thus has the same bits on every machine.
 struct Pose {
   Vec2 position;           ///< m
   Vec2 heading{1.0, 0.0};  ///< unit vector

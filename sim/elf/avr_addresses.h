@@ -1,5 +1,5 @@
 // Addresses in the ELF files of avr-gcc. An AVR has several memories, each from address 0. An ELF file has
-// one address space: flash is at its beginning, and the other memories far above.
+// one address space: flash starts at address 0, and the other memories at the addresses below.
 #pragma once
 
 #include <cstdint>

@@ -15,7 +15,7 @@ namespace robosim {
 
 /// A segment that is loaded into memory.
 struct ElfSegment {
-  std::uint64_t address = 0;  ///< physical address: its address in flash
+  std::uint64_t address = 0;  ///< physical address, in flash
   std::string_view bytes;     ///< content in the file; valid as long as the ElfFile
   bool code = false;
 };
