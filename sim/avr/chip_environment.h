@@ -44,7 +44,7 @@ class ChipEnvironment {
   /// Reports the frame duration to which the receiver is set from `at` on; 0 = the receiver is off.
   virtual void listens(int line, Cycle frame, Cycle at) = 0;
 
-  // --- two-wire bus; each function is called at the end of a byte
+  // --- two-wire bus: called at the end of a byte, or at the stop condition
   /// Addresses a device (seven bits and the direction); returns whether a device answers.
   virtual bool two_wire_address(std::uint8_t address, Cycle at) = 0;
   /// Writes a byte; returns whether the device acknowledges it.

@@ -1,8 +1,8 @@
 // Stores the requested interrupts by vector; the lowest vector has priority (data sheet, chapter 12).
 //
-// A peripheral requests a vector while its flag and its enable bit are both set. It withdraws the request
-// when either is cleared. A flag that was set earlier therefore requests its interrupt as soon as the enable
-// bit is set.
+// A peripheral requests a vector while its flag and its enable bit are both set. Clearing the flag or the
+// enable bit withdraws the request. A flag that was set earlier therefore requests its interrupt as soon as
+// the enable bit is set.
 #pragma once
 
 #include <array>

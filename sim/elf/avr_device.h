@@ -7,8 +7,8 @@
 
 namespace robosim {
 
-/// Returns the name for -mmcu: "atmega328p". Returns an empty string if the file lacks it: only avr-libc 2
-/// has a note in each chip's start-up code.
+/// Returns the name for -mmcu: "atmega328p". Returns an empty string if the file lacks the name, which is in
+/// a note of avr-libc 2's start-up code.
 std::string avr_device(const ElfFile& elf);
 
 }  // namespace robosim
