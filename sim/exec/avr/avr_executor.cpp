@@ -110,7 +110,7 @@ class AvrExecutor::Running final : public RunningChip {
   std::optional<avr::DrivenLines> lines_;  ///< unset without a listener
   avr::DebugPort* debugger_;               ///< null without a debugger
   avr::BackwardSlice* causes_;             ///< null if causes are not searched
-  robosim::avr::Chip*& chip_;              ///< the executor's copy of the pointer
+  robosim::avr::Chip*& chip_;              ///< the executor's pointer to the chip
 };
 
 class AvrExecutor::Firmware final : public ChipFirmware {

@@ -21,7 +21,7 @@ class AvrExecutor final : public ChipExecutor {
   AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image);
 
   // --- for tests
-  /// Runs waiting loops instead of skipping them (robosim::avr::Idle), from the next power-on on.
+  /// Runs waiting loops instead of skipping them (robosim::avr::Idle), from the next power-on.
   void run_waiting_loops();
   /// Returns the chip; null while the power is off.
   const robosim::avr::Chip* chip() const;

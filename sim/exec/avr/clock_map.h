@@ -11,7 +11,7 @@ using robosim::avr::Cycle;
 /// Converts times that the chip's own clock measures.
 class ClockMap {
  public:
-  /// Sets `began`, the time of the power-on, to cycle 0.
+  /// Maps cycle 0 to `began`, the time of the power-on.
   ClockMap(std::int64_t clock_hz, SimTime began) : clock_hz_(clock_hz), cycles_(clock_hz), began_(began) {}
 
   SimTime time_of(Cycle cycle) const {

@@ -165,7 +165,7 @@ SourceLine Diagnosis::place_of_check(const Undefined& found) const {
     for (SourceLine frame : debug_.frames(call.pc)) {
       if (is_core_file(frame.file) || frame.function.starts_with(kCheckPrefix)) continue;
       if (found.file.empty()) return frame;
-      // Uses the check's own line, because the optimiser may have moved the call.
+      // Uses the line that gcc passes to the check, because the optimiser may have moved the check's call.
       if (best.file.empty()) best = {frame.function, file_name(found.file), found.line};
       if (file_name(frame.file) != file_name(found.file)) continue;
       frame.line = found.line;

@@ -1,8 +1,8 @@
 // Finds the line of the sketch that has driven a pin. Works only while the chip reports the change.
 //
-//   an instruction writes to I/O      line of the instruction, or of the call that led there
+//   an instruction writes to I/O      line of the instruction; in the core, line of the innermost user call
 //   a timer starts a new duty cycle   line that wrote OCRnx, because the change comes at the end of a period
-//   a timer or handler of the core    no line, because it switches the pin by itself
+//   a timer or handler of the core    no line, because the timer or handler switches the pin by itself
 #pragma once
 
 #include <vector>

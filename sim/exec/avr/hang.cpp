@@ -37,7 +37,7 @@ const Symbol* serial_of(int vector, const Firmware& firmware) {
 // belong to Serial.
 std::optional<Stores> stores_of_serial(int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
   const ChipSpec& chip = *firmware.chip;
-  // Treats all addresses as changed by the USB handlers, whose state is in separate variables.
+  // Assumes that the USB handlers change all addresses, because their state is in separate variables.
   if (is_usb(vector, chip) && firmware.symbols.find("Serial")) return Stores(cpu.data.size(), true);
   const Symbol* const serial = serial_of(vector, firmware);
   if (!serial || serial->address < kAvrData) return std::nullopt;

@@ -41,7 +41,7 @@ void Machine::restore(const Saved& saved) {
 void Machine::look_at_heap(Cycle at) {
   if (!stack_.has_heap()) return;
   stack_.look();
-  // The event may be late, like all events that were due while no instruction ran.
+  // The event may be handled late, like all events that were due while no instruction ran.
   const Cycle missed = (chip_.cycle() - std::min(at, chip_.cycle())) / kLookEvery;
   chip_.chip().core().schedule(look_, at + (missed + 1) * kLookEvery);
 }

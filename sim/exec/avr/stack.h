@@ -29,7 +29,7 @@ class Stack {
   /// Returns whether the stack has reached the variables or the heap.
   bool has_overflown() const { return chip_.lowest_sp() + 1 < state_.heap_end; }
 
-  /// An instruction that has called code that is still running.
+  /// A call instruction whose callee has not returned yet.
   struct Call {
     std::uint32_t pc = 0;     ///< address of the call instruction
     bool by_pointer = false;  ///< the instruction is icall or eicall

@@ -293,7 +293,7 @@ void WatchedChip::stack_is_low() {
 }
 
 void WatchedChip::stack_pointer_written() {
-  // The stack pointer is whole when both halves are written, or when something is pushed.
+  // The stack pointer is complete after both halves are written, or on a push.
   const Cycle now = cycle();
   const bool whole = state_.pointer_written != 0 && now - state_.pointer_written <= kHalvesApart;
   state_.pointer_written = whole ? 0 : now;
@@ -323,8 +323,8 @@ const Symbol* WatchedChip::variable_of_stack(std::uint16_t at, bool is_in_use) c
   return below ? below : here;
 }
 
-/// Returns whether the new stack pointer was computed from the old one, as when a function reserves
-/// variables. Other values come from elsewhere, such as the stack of another task.
+/// Returns whether the new stack pointer was computed from the old one, as when a function reserves room for
+/// its variables. Otherwise the new one belongs to another stack, such as that of another task.
 bool WatchedChip::is_computed_from_itself() const {
   const auto& cpu = chip_.cpu();
   const std::uint32_t pc = cpu.last_pc();

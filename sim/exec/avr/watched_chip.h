@@ -73,9 +73,9 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     kDetectorTrap = 256
   };
   void set_trap(Trap trap, std::uint32_t pc);
-  /// Counts the executions of lines, through kLineTraps at their starts.
+  /// Counts the executions of lines, by a kLineTrap at the start of each line.
   void count(LineCounts& lines);
-  /// Counts rounds from the second on at each kLoopTrap. run_to() continues there unless the place has
+  /// Counts rounds from the second on at each kLoopTrap. run_to() does not return there unless the place has
   /// another trap.
   void count(LoopTimer<Cycle>& rounds) { rounds_ = &rounds; }
   /// Reports torn reads and writes as faults.
@@ -99,8 +99,8 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   std::uint16_t lowest_sp() const { return state_.lowest_sp; }
   /// Sets the end of variables and heap, below which the sketch's stack must not go.
   void set_stack_limit(std::uint16_t limit);
-  /// Return whether the sketch has loaded the current stack, as for a task, and the variable that contains
-  /// this stack; null = in the heap.
+  /// Return whether the current stack is one that the sketch has set up, such as a task's, and the variable
+  /// that contains this stack; null = in the heap.
   bool has_own_stack() const { return state_.own_stack; }
   const Symbol* own_stack_variable() const { return state_.own_variable; }
   /// Returns false between the writes of the stack pointer's two halves.
@@ -115,8 +115,8 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   Cycle sleep_cycles() const { return chip_.sleep_cycles(); }
   /// Returns the address at which the current or last handler interrupted the firmware.
   std::uint32_t interrupted_pc() const { return 2 * cpu().state.interrupted_pc; }
-  /// Return the interrupt number of that handler, as in avr-libc (`TIMER0_OVF_vect_num`), and the address of
-  /// its vector.
+  /// Return the interrupt number of the current or last handler, as in avr-libc (`TIMER0_OVF_vect_num`), and
+  /// the address of its vector.
   int vector() const { return cpu().state.vector; }
   std::uint32_t vector_address() const { return 2 * cpu().entry_of(cpu().state.vector); }
 
@@ -133,7 +133,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     bool off = false;
     std::uint16_t lowest_sp = 0;
     std::uint16_t stack_limit = 0;
-    bool own_stack = false;                ///< the sketch has loaded another stack, such as a task's
+    bool own_stack = false;                ///< the sketch uses a stack that it has set up, such as a task's
     const Symbol* own_variable = nullptr;  ///< the variable that contains this stack; null = in the heap
     std::uint16_t own_limit = 0;
     std::uint16_t pointer_before = 0;                 ///< stack pointer before its first half was written
@@ -153,7 +153,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
 
   /// Returns the cycle of the last watchdog reset; 0 = never.
   Cycle last_bite() const { return state_.last_bite; }
-  /// Notes that the chip has reset itself. The chip's environment calls this.
+  /// Notes that the chip has reset itself. Called by the chip's environment.
   void was_reset();
   std::vector<std::uint8_t> ram() const;
   /// Turns the power-on into a brown-out reset, before the chip has run. MCUSR reports a brown-out, and RAM

@@ -1,5 +1,5 @@
-// The interface that each target with an emulated chip implements. chip_executor.h has the common part of
-// such targets. All times here are those of the chip's own clock.
+// Declares the interface that each target with an emulated chip implements. chip_executor.h has the common
+// part of such targets. All times here are measured by the chip's own clock.
 #pragma once
 
 #include <any>
@@ -34,7 +34,7 @@ class RunningChip {
   /// Returns the activity, except its last_call. Costly, as are where_now() and sketch_line().
   virtual Activity activity() const = 0;
   virtual SourceLine where_now() const = 0;
-  /// Returns the sketch's line that is running, or whose call is running.
+  /// Returns the running line of the sketch; in a library, the line of the sketch that called it.
   virtual SourceLine sketch_line() const { return where_now(); }
   /// Returns the line of the sketch that is printing a byte. `before` is the line of the previous byte.
   virtual SourceLine printing(const SourceLine& before) const = 0;

@@ -1,5 +1,5 @@
-// The simulation's direct access to the board, bypassing firmware and robot. It is used for memory faults,
-// and for what verdicts report about pins.
+// Gives the simulation direct access to the board, bypassing firmware and robot. The simulation uses it to
+// inject memory faults, and to report in verdicts how pins were used.
 #pragma once
 
 #include <cstdint>

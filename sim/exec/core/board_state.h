@@ -76,7 +76,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// Drives a pin like set_drive(). A change of level is reported as an edge if the pin's edges are
   /// requested. Edges of PWM do not count.
   void set_drive_heard(Pin pin, const PinDrive& drive, SimTime t);
-  /// Turns on the receiver from `now` on; each byte lasts `byte_time`. 0 turns it off. Bytes sent before are
+  /// Turns on the receiver from `now` on; each byte lasts `byte_time`. 0 turns it off. Bytes sent earlier are
   /// lost.
   void listen(SimTime byte_time, SimTime now);
 

@@ -1,4 +1,4 @@
-// The board as the firmware's side sees it, by the firmware's own clock. Only this class converts between the
+// Gives executors the board, with all times by the firmware's own clock. Only this class converts between the
 // firmware's times and the world's. Executors and their parts use the firmware's clock only.
 #pragma once
 
@@ -13,7 +13,7 @@ class ClockedBoard final : public FirmwarePort {
  public:
   explicit ClockedBoard(BoardState& board) : board_(board) {}
 
-  // --- for executors; all times except the world's are the firmware's
+  // --- for executors; times are the firmware's unless the comment or name says the world's
   /// Begins a tick that ends at `end`, a time of the world. Returns `end` by the firmware's clock. If an
   /// instruction begins before `end` and ends after it, its effects appear in the world at `end`.
   SimTime begin_tick(SimTime end) {

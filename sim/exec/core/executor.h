@@ -30,7 +30,7 @@ using wire::Lateness;
 using wire::Resources;
 using wire::SourceLine;
 
-/// The last actions of the firmware, so that a verdict can name what it waits for.
+/// The last actions of the firmware, so that a verdict can name what the firmware waits for.
 struct Activity {
   SimTime last_call = 0;   ///< time of the last API call (on a chip: of the last I/O outside handlers)
   std::string call;        ///< the call as the sketch would write it: "digitalRead(2)"
@@ -90,7 +90,7 @@ class Executor {
     static const std::vector<DivisionByZero> none;
     return none;
   }
-  /// Returns the chip features used by the firmware since the first power-on that this executor lacks.
+  /// Returns the chip features that firmware has used since the first power-on, but that this executor lacks.
   virtual const std::vector<Lack>& lacks() const {
     static const std::vector<Lack> none;
     return none;
@@ -136,8 +136,8 @@ class Executor {
   /// Returns the line that printed the byte that is being sent. After trace_bytes(), call it for every byte.
   virtual SourceLine source_of(std::uint8_t byte) { return static_cast<void>(byte), source(); }
 
-  /// Prepares driving(). Takes effect at the next power-on. Returns false if lines are unknown, or not known
-  /// in time.
+  /// Prepares driving(). Takes effect at the next power-on. Returns false if lines are unknown, or are not
+  /// known while the drive is reported.
   virtual bool trace_drives() { return false; }
   /// Returns the line that drives a pin; empty if there is none. Call it while the drive is reported.
   virtual const SourceLine& driving(Pin pin, const PinDrive& drive) {
@@ -154,8 +154,9 @@ class Executor {
   /// Makes the firmware's clock too fast by this number of parts per million from `t` on, which must be now.
   /// The drift persists through power cycles.
   virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }
-  /// Lets a debugger halt the firmware, starting at the next power-on. run_until() does not return while it
-  /// is halted. `server` must outlive the executor's use. Throws InputError if debugging is impossible.
+  /// Lets a debugger halt the firmware, starting at the next power-on. run_until() does not return while the
+  /// firmware is halted. `server` must outlive the executor's use. Throws InputError if debugging is
+  /// impossible.
   virtual void debug_with(gdb::Server&) {
     throw InputError("attaching a debugger requires an emulated chip");
   }

@@ -1,12 +1,12 @@
 // Detects analogWrite() on a pin that no timer drives. Such a pin is LOW for values below 128, else HIGH.
 //   const byte motors[] = {5, 7};   for (byte m : motors) analogWrite(m, speed);      pin 7 has no PWM
 //
-// If the pin's number is a constant, the compiler's messages report it already (sim/build/pin_warnings.h).
-// This detector is for numbers from variables. A finding is a call with a value from 1 to 254; 0 and 255 work
-// as intended. To fix it, wire the part to a pin with PWM, or use SoftPWM.
+// If the pin's number is a constant, the compiler already reports the call (sim/build/pin_warnings.h). This
+// detector covers pin numbers from variables. A finding is a call with a value from 1 to 254; 0 and 255 work
+// as intended. To fix the sketch, wire the part to a pin with PWM, or use SoftPWM.
 //
 // Two detectors use this class: sim/exec/avr/detect/lost_pwm.h detects the function's call on the chip, and
-// sim/judge/lost_pwm.h the pin's level on the host.
+// sim/judge/lost_pwm.h detects the pin's level on the host.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
-// When a byte leaves the chip, finds the line of the sketch that printed it. A buffer between
-// HardwareSerial::write() and the UART preserves the order of bytes.
+// When a byte leaves the chip, finds the line of the sketch that printed it. Bytes leave in the order in
+// which they were passed to HardwareSerial::write(), although a buffer delays them.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ namespace robosim::exec {
 class WatchdogResets {
  public:
   static constexpr int kTooMany = 3;
-  static constexpr SimTime kRow = 10 * kSecond;  ///< longest time between two resets of a row
+  static constexpr SimTime kRow = 10 * kSecond;  ///< longest time between successive resets in a row
 
   /// Counts a reset; returns true if there are too many in a row.
   bool add(SimTime now) {

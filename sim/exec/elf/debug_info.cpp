@@ -16,7 +16,7 @@
 namespace robosim::exec {
 namespace {
 
-// No compiled program comes near these limits of nesting, rows of line tables, names, and links of a type.
+// Limits of nesting, links of a type, rows of line tables, and name lengths. Compiled programs need far less.
 constexpr int kDeepest = 256, kMostLinks = 64;
 constexpr std::size_t kMostRows = 300'000, kLongestName = 1000;
 

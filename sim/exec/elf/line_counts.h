@@ -25,7 +25,7 @@ class LineCounts {
   /// Adds `times` runs of the instruction at `address`, where a line begins.
   void ran(std::uint32_t address, std::uint64_t times = 1);
 
-  /// Returns lines "LINE COUNT FILE". A line's count is that of its most frequent instruction.
+  /// Returns lines "LINE COUNT FILE". A line's count is the count of its most frequent instruction.
   std::string text() const;
 
  private:

@@ -20,7 +20,7 @@ class ChipCode {
 };
 
 /// Returns the beginnings of loop()'s rounds: its calls, or the result of loop_marks_of() if it is inlined.
-/// For a program without setup() and loop(), returns those of the for (;;) in main().
+/// For a program without setup() and loop(), returns the beginnings of the rounds of the for (;;) in main().
 LoopMarks locate_loop(const ChipCode& code, const Symbols& symbols, const DebugInfo& debug);
 
 }  // namespace robosim::exec

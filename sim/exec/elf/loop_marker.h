@@ -1,19 +1,19 @@
-// Finds the instructions at which to count rounds of a program's endless loop. That is loop(), or the for
-// (;;) in a sketch's own main().
+// Finds the instructions at which to count rounds of a program's endless loop: of loop(), or of the for (;;)
+// in a sketch's own main().
 //
 // A round is a path through the loop's code and back. Inner loops share that code, and often even its first
 // instruction: `for (;;) { while (!ready) {} work(); }` jumps to the same place from two loops. Therefore an
 // instruction is chosen that runs exactly once in each round:
 //
-//   if loop() is inlined   one on each path over main()'s own code, and on no path that stays inside loop().
-//                          main()'s code is identified by its calls and branches, since the compiler may
-//                          attribute computations inside loop() to main(). Loops that never return to
-//                          main()'s code are a part of the round that they end
+//   if loop() is inlined   an instruction on each path through main()'s own code, and on no path that stays
+//                          inside loop(). main()'s code is identified by its calls and branches, since the
+//                          compiler may attribute computations inside loop() to main(). A loop that never
+//                          returns to main()'s code is not counted: it is a part of the last round
 //   otherwise              the head of the loop, if only one jump leads back to it, and no inner loop spans
 //                          the same source lines as the whole loop
 //
-// If there is no such instruction, nothing is counted: `if (a) { …; continue; }` and `while (a) { … }` may be
-// the same machine code, and only debug information distinguishes them.
+// If no such instruction is found, nothing is counted. Source lines are compared because `if (a) { …;
+// continue; }` and `while (a) { … }` may be the same machine code.
 #pragma once
 
 #include <cstdint>
@@ -39,11 +39,11 @@ struct LoopMarks {
 
 /// Returns whether an instruction belongs to loop().
 using Inside = std::function<bool(std::uint32_t)>;
-/// Returns an instruction's line in the function itself: for inlined code, that of the call. 0 = unknown.
+/// Returns an instruction's line in the function itself: for inlined code, the line of the call. 0 = unknown.
 using LineOf = std::function<int(std::uint32_t)>;
 
-/// Returns the marks of the endless loops of a function that begins at `entry`. With `inside`, these are
-/// loops that run instructions of loop(). Without, they are all loops that never end.
+/// Returns the marks of the endless loops of a function that begins at `entry`. With `inside`, these are the
+/// loops that run instructions of loop(). Without it, these are the loops that never end and have an effect.
 LoopMarks loop_marks_of(const Steps& function, std::uint32_t entry, const Inside& inside, const LineOf& line);
 
 }  // namespace robosim::exec

@@ -99,7 +99,7 @@ bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found, i
       const auto type = type_of(child);
       const Dwarf_Word offset = address - operations[0].number;
       if (type && offset < size_of(*type)) {
-        // A declaration may have an entry of its own, as for a static member.
+        // The declaration may have a separate entry, as for a static member.
         const char* const name =
             dwarf_attr_integrate(&child, DW_AT_name, &attribute) ? dwarf_formstring(&attribute) : nullptr;
         found = {name ? name : "", declaration_of(child), {}};

@@ -1,6 +1,6 @@
 // The connection to one debugger at a TCP port of this machine. It exchanges packets of the form "$BODY#SUM".
-// Each packet is answered by '+', until the debugger turns that off, since TCP is reliable ("Debugging with
-// GDB", appendix E, Remote Protocol).
+// A '+' acknowledges each packet. TCP is reliable, so the debugger can turn acknowledgements off ("Debugging
+// with GDB", appendix E, Remote Protocol).
 #pragma once
 
 #include <atomic>
@@ -30,7 +30,7 @@ class Connection {
   /// and returns nothing.
   std::optional<std::string> receive();
   void send(std::string_view body);
-  /// Turns off the answer '+' to packets.
+  /// Turns off acknowledgements.
   void trust() { trusted_ = true; }
 
   /// Returns whether the debugger has pressed Ctrl-C, or has disconnected, which closes the connection. Does

@@ -1,6 +1,6 @@
-// Reverse execution of a run that can be saved and restored. The run's driver stores snapshots. A halted
-// debug port leaves the run in order to go back. The driver then restores and repeats the run twice: first to
-// find the place where it must halt, then to halt there.
+// Supports reverse execution of a run that can be saved and restored. The run's driver stores snapshots. To
+// go back, a halted debug port leaves the run by an exception. The driver then restores and repeats the run
+// twice: first to find the place where it must halt, then to halt there.
 //
 //   gdb: bs, bc ──► DebugPort ── throws LeftRun ──► driver ── Search: look, restored, runs ──► DebugPort
 //                                                         ◄── found ──────────────────────────
@@ -36,7 +36,7 @@ struct Search {
   SimTime closely_from = 0;
 
   // --- look: finds the last place before `present` that has a breakpoint, or whose instruction changes
-  // watched bytes. A step finds the place of the previous instruction.
+  // watched bytes. A reverse step finds the place of the previous instruction.
   SimTime present = 0;
   bool steps = false;
   std::size_t depth = 0;  ///< depth of handlers; instructions in deeper handlers do not belong to the sketch
@@ -51,7 +51,7 @@ class History {
  public:
   /// Returns whether there are snapshots to go back to.
   virtual bool reaches_back() const = 0;
-  /// Returns whether the run is at its latest time, so that no earlier report lies ahead of it.
+  /// Returns whether the run is at its latest time, so that no reports about later times exist.
   virtual bool is_at_front() const = 0;
   /// Drops the snapshots, because the debugger has changed the state. A run from a snapshot would no longer
   /// reach the present state.

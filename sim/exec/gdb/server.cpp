@@ -140,7 +140,7 @@ std::string Server::query(Processor& processor, const std::string& packet) {
   return kUnknown;
 }
 
-/// Executes a write, unless the run has gone back: a different run must not follow reports already made.
+/// Executes a write. Refuses if the run has gone back, since the write would change times already reported.
 std::string Server::write(Processor& processor, const std::string& packet) {
   if (history_ && !history_->is_at_front()) return kRefused;
   const std::string said = write_to(processor, packet);

@@ -34,10 +34,10 @@ ShadowMemory::~ShadowMemory() { allow(memory_); }
 namespace {
 
 constexpr std::uintptr_t kShadowGrain = 8;
-// A function marks its frame before it uses the frame, even if the stack is about to overflow.
+// Bytes below a range that also get a shadow: a function marks its frame even if the stack then overflows.
 constexpr std::uintptr_t kMargin = 64 * 1024;
 
-/// Returns the number of holders of each shadow page. Neighbours in memory share pages of the shadow.
+/// Returns the number of holders of each shadow page. Neighbouring memory ranges may share a page.
 std::map<std::uintptr_t, int>& holders() {
   static std::map<std::uintptr_t, int> pages;
   return pages;
@@ -75,7 +75,7 @@ ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memor
       hold(at);
       pages_.push_back(at);
     }
-    // Clears the marks of an earlier holder, since a neighbour may share the page.
+    // Clears the marks of an earlier range here: a neighbouring range may have held the page meanwhile.
     const auto first = reinterpret_cast<std::uintptr_t>(range.begin) / kShadowGrain + offset;
     std::memset(reinterpret_cast<void*>(first), 0,
                 static_cast<std::size_t>(range.end - range.begin) / kShadowGrain);

@@ -100,8 +100,8 @@ scmp_arg_cmp has(unsigned number, std::uint32_t bits, std::uint32_t of) {
   return {number, SCMP_CMP_MASKED_EQ, of, bits};
 }
 
-/// Allows memory calls. RLIMIT_DATA counts only private memory, and no memory that grows downwards. The image
-/// is mapped from its sealed file. Pages that were written cannot be executed.
+/// Allows memory calls. Mappings must be private and must not grow downwards, since RLIMIT_DATA counts no
+/// others. The image is mapped from its sealed file. Pages that were written cannot be executed.
 void add_memory(Filter& filter) {
   constexpr std::uint32_t kUncounted =
       ~(MAP_NORESERVE | MAP_STACK | MAP_FIXED | MAP_FIXED_NOREPLACE | MAP_POPULATE | MAP_DENYWRITE);
@@ -113,7 +113,7 @@ void add_memory(Filter& filter) {
   filter.allow("mprotect", {has(2, 0, PROT_EXEC)});
   // Rejects names for memory. RE2's library (Debian 13) sets some, and tolerates kernels without them.
   filter.add(SCMP_ACT_ERRNO(EINVAL), "prctl", {is(0, PR_SET_VMA)});
-  // Other advice affects other processes: root can take pages away from the whole machine.
+  // Refuses other advice, which may affect other processes: root can take pages away from the whole machine.
   for (const std::uint32_t advice : {MADV_DONTNEED, MADV_FREE, MADV_HUGEPAGE})
     filter.allow("madvise", {is(2, advice)});
   for (const char* name : {"futex", "futex_time64"}) filter.allow(name, {has(1, FUTEX_WAKE, FUTEX_CMD_MASK)});
@@ -234,7 +234,7 @@ struct Subject {
   std::vector<std::string_view> beginnings;
 };
 
-/// Returns the subject of a call: that of the first prefix that matches the call's name.
+/// Returns the subject of a system call, by the first prefix in the table that matches the call's name.
 std::string_view subject_of(std::string_view call) {
   static const std::vector<Subject> subjects = {
       {"programs", {"exec"}},

@@ -20,9 +20,8 @@ enum ConfinedDescriptor : int {
   kFirstSealed = 8  ///< this and higher ones: images for this process, with fixed content and places
 };
 
-/// A key that some system calls have in registers that they do not use. Without it, the kernel refuses reads
-/// and writes of the first three descriptors above. It also refuses to put another file at kImageFd, and to
-/// end the process.
+/// A key in argument registers that a system call does not use. Without the key, the kernel refuses to read
+/// or write the first three descriptors above, to put another file at kImageFd, and to end the process.
 using CallKey = std::array<std::uint32_t, 2>;
 
 /// Returns why this kernel cannot confine processes, as a clause: "the kernel has no filter of system calls
@@ -43,7 +42,7 @@ void confine(const CallKey& key, bool has_grown);
 /// millisecond.
 void prepare_to_confine();
 constexpr std::uint64_t kConfinedMemory = 192
-                                          << 20;  ///< bytes of variables, heap and stacks beyond those in use
+                                          << 20;  ///< bytes of additional memory: variables, heap and stacks
 
 /// Call read() and write(); in a confined process, with the key.
 long keyed_read(int fd, void* data, std::size_t bytes);

@@ -1,4 +1,4 @@
-// A second stack for firmware, and the switch between it and the simulation.
+// Runs firmware on a second stack, and switches between this stack and the stack of the simulation.
 //
 // Uses Boost.Context's fcontext instead of its fiber class. That class unwinds an abandoned stack by an
 // exception. Exceptions must not reach firmware, which is compiled without them and may have crashed.

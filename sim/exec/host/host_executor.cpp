@@ -74,7 +74,7 @@ class HostExecutor::Instance final : public host::Host {
       cycle_detector_.begin();
     }
     state_.watched = watched;
-    // Uses the interrupts alone if the image counts how often blocks run: its state never repeats.
+    // If the image counts how often blocks run, its state never repeats: checks only the interrupts.
     if (wanted && image_.entry().counters) goes_round_ = !image_.entry().may_interrupt(true);
   }
   void has_called() { goes_round_ = false; }
@@ -83,7 +83,7 @@ class HostExecutor::Instance final : public host::Host {
     const bool waits = state_.waiting || (state_.polls && state_.polls_by_calls);
     return waits && !owner_.crash_ ? reached : owner_.clocked_.to_world(state_.last_call);
   }
-  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and there is no result yet
+  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and not found to loop
   bool hangs() const {
     return state_.stopped_by || goes_round_ || (state_.endless && !image_.entry().may_interrupt(false));
   }
@@ -98,7 +98,7 @@ class HostExecutor::Instance final : public host::Host {
     return !owner_.crash_;
   }
 
-  /// Runs firmware to the limit even if it only waits, since it may have been asleep for some time.
+  /// Runs firmware that only waits up to the limit, since it may have been left asleep for some time.
   void come_up() {
     if (!state_.polls || owner_.crash_) return;
     state_.called_up = true;
@@ -106,7 +106,7 @@ class HostExecutor::Instance final : public host::Host {
     state_.called_up = false;
   }
 
-  /// Returns whether the watchdog has reset the chip. This instance does not run any further then.
+  /// Returns whether the watchdog has reset the chip. If so, this instance no longer runs.
   bool bitten() const { return bitten_; }
 
   SourceLine place() const {
@@ -129,8 +129,8 @@ class HostExecutor::Instance final : public host::Host {
   // Functions of host::Host, called on the fiber.
   void yield() override { suspend(); }
   void block_begins(const std::uint8_t* stack) override {
-    // Checks interrupts again. At watch(), a handler may have been running. Or the I flag may have been clear
-    // for a moment to read a shared variable.
+    // Checks interrupts again: at watch(), a handler may have been running, or the sketch may have cleared
+    // the I flag for a moment to read a shared variable.
     const bool alive = image_.entry().may_interrupt(false);
     goes_round_ = !alive && cycle_detector_.sees(state_.place, from(stack));
     if (goes_round_ || alive) state_.watched = false;
@@ -295,7 +295,7 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
   if (refused && serve_call(*info, *static_cast<ucontext_t*>(context))) return;
   if (Instance* const self = running_) {
     const HostFault fault = describe(signal, *info, *static_cast<ucontext_t*>(context));
-    // Includes faults in our code that was called on the firmware's stack: its arguments were bad.
+    // Includes faults in Robosim's code on the firmware's stack: the firmware has passed bad arguments.
     const bool firmware = self->stack_.in_guard_before(fault.address) ||
                           self->stack_.contains(fault.stack_pointer) ||
                           !in_same_object(fault.pc, reinterpret_cast<const void*>(&Instance::on_fault));
@@ -308,7 +308,7 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
     if (const int sent = own_signal(*info, *static_cast<ucontext_t*>(context))) end_by_signal(sent);
     keyed_exit(kRefusedStatus);
   }
-  // The fault is not the firmware's: the instruction runs again, and the previous handler is called.
+  // Firmware did not cause the fault: restores the previous handler. The instruction then runs again.
   for (std::size_t i = 0; i < kFaults.size(); ++i)
     if (kFaults[i] == signal) sigaction(signal, &previous_handlers[i], nullptr);
 }

@@ -32,7 +32,7 @@ class HostExecutor final : public Executor {
   BoardProbe& probe() override { return board_; }
   /// Starts the firmware. Throws InputError if the image cannot be loaded.
   void power_on(SimTime t) override;
-  /// Prepares for confinement (confinement.h): opens files now, and runs programs only by `lines` later.
+  /// Prepares for confinement (confinement.h): opens files now, and later runs programs only through `lines`.
   /// `image` is the content of the image's file, if known. Call it before the process is confined.
   void prepare_for_confinement(AddressLines lines, std::shared_ptr<const ImageContent> image = nullptr);
   void power_off(SimTime t) override;

@@ -111,8 +111,8 @@ std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
 }
 
 // Loads an image in a confined process. The loader cannot open a file: it gets kImageFd, and closes it.
-// serve_call() makes the loader believe that each image is another file. Processes that load the same image
-// several times therefore need one copy of it, and share the memory of its code.
+// serve_call() makes the loader believe that each image is a different file. A process can therefore load one
+// copy of an image several times, and share the memory of its code.
 void* load_confined(const ImageFile& file) {
   static int loaded = 0;
   if (!keyed_dup(file.content->sealed().get(), kImageFd)) throw std::logic_error("an image is not sealed");
@@ -164,9 +164,9 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
   if (is_confined()) {
     handle_ = load_confined(file);
   } else {
-    // Uses a nameless copy, because the loader would return a file that is already loaded. The loader
-    // identifies files by identity and by the path below. Therefore the descriptor stays open while the image
-    // is loaded.
+    // Loads a nameless copy, because the loader would not load a file a second time. The loader identifies
+    // files by inode and by the path below. The descriptor stays open while the image is loaded, so that no
+    // other image gets the same path.
     copy_ = (file.content ? copy_in_memory(file.content->sealed()) : copy_in_memory(open_to_read(file.name)))
                 .first;
     handle_ = dlopen(fmt::format("/proc/self/fd/{}", copy_.get()).c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -237,7 +237,7 @@ SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const 
     if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};
-  // Skips instructions without a line: they have no folder either, so their owner is unknown.
+  // Skips instructions without a line: they have no folder either, which would show whose code they are.
   for (const SourceLine& frame : frames_of(offsets))
     if (frame.line > 0 && !is_own_file(frame.file)) return frame;
   return {};

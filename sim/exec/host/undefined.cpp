@@ -102,7 +102,7 @@ std::string number(const Type& type, std::uintptr_t handle) {
   return "number";
 }
 
-// Returns a remark if all bytes are FE, with which sim/build/target.cpp fills local variables.
+// Returns a remark if all bytes are FE, the value with which sim/build/target.cpp fills local variables.
 std::string if_never_set(const Type& type, std::uintptr_t handle) {
   constexpr std::uintptr_t kFilling = 0xFE;
   const int width = std::min(bits(type), 64);

@@ -1,5 +1,5 @@
-// Explains findings of gcc's UndefinedBehaviorSanitizer. gcc passes the name and the data of a handler. Both
-// are those of LLVM's compiler-rt (lib/ubsan/ubsan_handlers.h).
+// Explains findings of gcc's UndefinedBehaviorSanitizer. Names and data of gcc's handlers are as in LLVM's
+// compiler-rt (lib/ubsan/ubsan_handlers.h).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Routes the processor's loads and stores to peripheral registers, except those of flash and RAM. Each
+// Routes the processor's loads and stores to peripheral registers, except accesses to flash and RAM. Each
 // address is one register of one peripheral. Unmodelled accesses are recorded with the register's name.
 //
 // The bus needs no processor: tests run the functions of hal/stm32 against it.

@@ -5,8 +5,8 @@
 //   i, last        the running Step, and the previous Step
 //   left, end      cycles left until `end`, where run_to() should stop; end - left is the present cycle
 //   r, flags       the registers
-//   held           0, or the number of cycles subtracted from `left` and `end`. Then `left` is negative, and
-//                  the loop passes `leave` before each instruction, in an IT block and just after it
+//   held           0; or, in an IT block and just after it, the number of cycles subtracted from `left` and
+//                  `end`. `left` is then negative, so that the loop passes `leave` before each instruction
 #pragma once
 
 #include <cstring>
@@ -45,8 +45,8 @@
   }
 
 #define NOW (end - static_cast<Cycle>(left))
-// Stores the state that the rest of the processor may read during an instruction. RESUME_TIME loads the state
-// that the rest may change.
+// Stores the state that functions called by an instruction may read. RESUME_TIME loads the state that they
+// may have changed.
 #define PUT          \
   clock_.now = NOW;  \
   state_.pc = i->pc; \

@@ -1,7 +1,8 @@
 // Finds the sketch line that has driven a pin, while the chip reports the change.
 //
 //   cause                                  line
-//   an instruction writes to a register    line of the instruction, or of the jump that led out of the sketch
+//   an instruction writes to a register    line of the instruction; in the core, line of the last jump from
+//                                          user code, or else of the innermost user call
 //   a timer applies a new duty cycle       the line that last wrote TIMx_CCRy before the timer's update
 //   a timer or handler of the core         none
 #pragma once

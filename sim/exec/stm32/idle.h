@@ -5,8 +5,8 @@
 //   records    notes what one pass from a head stores, and how long the values that it reads from
 //              peripherals stay valid
 //   skips      skips the passes that end before the next event, and before a value read by the pass may
-//              change; requires that registers and RAM are as at the beginning of the pass. One of these
-//              passes is run, to reproduce everything that a pass leaves behind
+//              change; requires that registers and RAM are as at the beginning of the pass. The last of these
+//              passes runs, which reproduces all effects of a pass
 //
 // Skipping is exact: passes that begin with equal registers, RAM and peripherals have equal effects. Heads
 // are marked (Cpu), so other loops cost nothing. A head loses its mark if skipping does not pay off.
@@ -41,8 +41,8 @@ class Idle {
   bool is_recording() const { return recorded_ != nullptr; }
   /// Notes that `bytes` of RAM at `address` are about to change.
   void stores(std::uint32_t address, std::uint32_t bytes);
-  /// Notes a read from a peripheral whose value is valid before the cycle `until`. The present cycle means
-  /// unknown.
+  /// Notes a read from a peripheral whose value is valid before the cycle `until`. If `until` is the present
+  /// cycle, the end is unknown.
   void looks(Cycle until);
   /// Notes that a round of loop() begins.
   void round_began();

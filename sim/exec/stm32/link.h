@@ -1,5 +1,5 @@
-// Defines the state that the chip's peripherals share: the time, the interrupt controller, the board behind
-// the pins.
+// Defines the state that the chip's peripherals share: the time, the interrupt controller, and the board that
+// is connected to the pins.
 #pragma once
 
 #include <functional>

@@ -73,7 +73,7 @@ class Stm32Executor::Running final : public RunningChip {
   stm32::Machine machine_;
   std::optional<stm32::DrivenLines> lines_;  ///< unset without a listener
   stm32::DebugPort* debugger_;               ///< null without a debugger
-  stm32::Machine*& seen_;                    ///< the executor's copy of the pointer
+  stm32::Machine*& seen_;                    ///< the executor's pointer to the chip
 };
 
 class Stm32Executor::Firmware final : public ChipFirmware {

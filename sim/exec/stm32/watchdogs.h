@@ -5,7 +5,7 @@
 //          the counter is above the window
 //
 // New values of IWDG_PR and IWDG_RLR take effect at once, so IWDG_SR reads 0. LSI runs at exactly 40 kHz
-// (DS5319, table 25: 30 to 60 kHz). A write to WWDG_CR begins a whole count.
+// (DS5319, table 25: 30 to 60 kHz). After a write to WWDG_CR, the next count has its full duration.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"

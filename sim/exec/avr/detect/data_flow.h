@@ -23,7 +23,7 @@ std::vector<bool> without_interrupts(const robosim::avr::Cpu& cpu, std::uint32_t
 /// handlers call are not included.
 std::vector<bool> of_handlers(const robosim::avr::Cpu& cpu, std::uint32_t code_end);
 
-/// Tracks the registers that contain a value read from memory, unchanged or changed.
+/// Tracks the registers that contain a value read from memory, or a value computed from it.
 class ValueFlow {
  public:
   explicit ValueFlow(int reg) : read_(bit(reg)) {}

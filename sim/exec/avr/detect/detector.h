@@ -38,10 +38,10 @@ struct Program {
 /// Returns the current line of the sketch. Calls are expensive.
 using WhereNow = std::function<SourceLine()>;
 
-/// Collects the first few findings of a detector, one per place.
+/// Collects the first few findings of a detector, one per source line.
 class Sightings {
  public:
-  /// Adds a finding. If the place already has a finding of the same kind, increases that finding's count.
+  /// Adds a finding. If the same detector already has a finding at that line, increases its count.
   void add(Detected seen) {
     for (Detected& known : all_) {
       if (known.detector != seen.detector || known.where.file != seen.where.file ||

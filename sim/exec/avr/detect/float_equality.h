@@ -1,4 +1,4 @@
-// Detects comparisons by == or != of a float with a value that the float passes and never equals.
+// Detects a comparison (== or !=) of a float with a constant that the float passes but never equals.
 //
 //   while (angle != 90.0) angle += 0.7;      // 89.6, 90.3, …: the loop does not end
 //
@@ -7,8 +7,8 @@
 //
 //   - ran at least 10 times, with a constant on one side, and never found equal values;
 //   - found the other side both below and above the constant, which proves that the value has passed it;
-//   - if the constant is 0, found the value moving away from 0 in 20 consecutive comparisons. Skipping a step
-//     while an error is 0 is harmless.
+//   - if the constant is 0, found the value moving away from 0 in 20 consecutive comparisons. A sketch
+//     that skips a step while an error is 0 is harmless.
 //
 // A comparison that detects a change (x != last) is therefore not a finding. To fix the sketch, use >= or <=,
 // or fabs(a - b) < 0.5, or count in integers.
@@ -39,7 +39,7 @@ class FloatEquality final : public Detector {
     std::uint32_t pc = 0;
     std::uint32_t left = 0, right = 0;  ///< bits of the first compared floats
     bool left_varies = false, right_varies = false;
-    bool met = false;  ///< the floats were equal once, or must not be examined
+    bool met = false;  ///< the floats were equal once, or both vary, or one is not finite
     std::int64_t times = 0;
     float before = 0.0f;  ///< right - left in the last comparison
     bool has_passed = false;

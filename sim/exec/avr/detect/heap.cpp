@@ -12,7 +12,7 @@ constexpr SimTime kSettled = kSecond;
 constexpr std::size_t kMostGrowths = 4096;
 constexpr int kMostPieces = 1024;  // stops the search if the list was overwritten
 constexpr int kTimesInPieces = 3;
-// Smallest effect of a leak: rises and bytes in each third of a run.
+// Minimum for a leak: this number of rises, and of bytes, in each third of a run.
 constexpr int kThirds = 3, kTimesInThird = 3, kBytesInThird = 8;
 
 }  // namespace
@@ -36,8 +36,8 @@ std::uint16_t Heap::word(reg::Address at) const {
 
 void Heap::visited(std::uint32_t pc, Cycle) {
   if (asked_ && pc == asked_->returns_to && machine_.chip().sp() == asked_->sp) return answered();
-  // Ignores calls of malloc() by realloc(). Any other open request will never return, for example after a
-  // reset.
+  // Ignores calls of malloc() by realloc(). A new request replaces any other open request, which cannot
+  // return any more, for example after a reset.
   const bool is_within =
       asked_ && machine_.chip().sp() + machine_.chip().spec().return_address_bytes < asked_->sp;
   if (!is_within && (pc == malloc_ || pc == realloc_)) asked(word(kArgument[pc == realloc_ ? 1 : 0]));

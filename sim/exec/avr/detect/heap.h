@@ -1,7 +1,7 @@
 // Detects a heap that grows until it reaches the stack, a fragmented heap, and failed allocations.
 //
 //   log += String(position) + ' ';          each pass of loop() lengthens the text, and the heap
-//   Motor* m = new Motor(5);                in each pass, and never deleted
+//   Motor* m = new Motor(5);                runs in each pass; the object is never deleted
 //
 // The chip has 2 KB of RAM. Growth in each pass fills the RAM within a minute, although not in a short test
 // on the bench. Then malloc() fails, a String silently becomes empty, and `new` returns a null pointer.

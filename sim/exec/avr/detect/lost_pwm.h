@@ -1,6 +1,6 @@
 // Detects analogWrite() on a pin without PWM, on the chip (sim/exec/core/lost_pwm.h). When the function
 // starts, its arguments are in registers (avr-gcc's ABI: the pin in R24, the value in R22 and R23). Not
-// detected: inlined calls; the compiler inlines the only call in a sketch.
+// detected: inlined calls, such as the only call in a sketch.
 #pragma once
 
 #include <cstdint>

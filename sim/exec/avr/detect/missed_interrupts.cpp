@@ -97,7 +97,7 @@ void MissedInterrupts::ticks_lost(std::int64_t ticks, Cycle at) {
   // its RETI.
   const std::vector<std::uint32_t> jumps = machine_.chip().last_jumps();
   const bool handler = jumps.size() > 1 && cpu_.instruction(jumps[1] / 2).op == robosim::avr::Op::reti;
-  // For a handler of the core, uses the place in a function that the handler called.
+  // For a handler of the core, uses the last place in user code that the handler reached.
   SourceLine where = handler ? SourceLine{} : debug_.place(machine_.chip().interrupted_pc());
   for (std::size_t i = 1; handler && where.file.empty() && i < std::min(jumps.size(), kJumpsOfHandler); ++i)
     where = debug_.place(jumps[i]);

@@ -4,7 +4,7 @@
 // handler runs is lost:
 //
 //   an edge at a pin of attachInterrupt()   the encoder's count is too low, and the robot turns too far
-//   a received byte, after three others     the middle of a message is missing
+//   a fourth unread byte                    the middle of a message is missing
 //   an overflow of timer 0                  millis() loses 1.024 ms: delay() and timeouts take longer
 //
 // Counts the actual losses, with the place that delayed the handler: a section between noInterrupts() and

@@ -7,7 +7,7 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr std::size_t kFewest = 3, kMost = 64;  // open calls that are reported; examined
+constexpr std::size_t kFewest = 3, kMost = 64;  // open calls: fewest reported, most recorded
 
 }  // namespace
 

@@ -6,9 +6,9 @@
 // Such coincidences are rare. A finding therefore proves, step by step, that one is possible:
 //
 //   the program accesses two bytes of a number, or writes back a byte, while interrupts are on
-//   an enabled interrupt has a handler that would change the number if it ran there
+//   an enabled interrupt has a handler that would change the number at that point
 //   that handler ran within 50 µs, and changed the number
-//   for a number of several bytes, handlers have changed more than one of them in this run
+//   for a number of several bytes, handlers have changed at least two of the bytes in this run
 //
 // Accesses to a number are examined only after a handler has changed the number. Most numbers belong to the
 // main program alone, and observing each access takes time.
@@ -44,7 +44,7 @@ class RaceAnalysis {
   };
 
   /// Calls `show` with the byte addresses of accesses to a number, as soon as a handler has changed the
-  /// number. The caller of this class then calls visited() there.
+  /// number. The caller of this class must call visited() at these addresses.
   RaceAnalysis(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip,
                std::function<void(std::uint32_t pc)> show);
 

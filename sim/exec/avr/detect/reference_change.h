@@ -9,7 +9,8 @@
 // each conversion is exact. A finding is a sketch that
 //
 //   - changes the reference at least four times,
-//   - and at least three times reads a pin first after the change without reading it again within 50 ms.
+//   - and at least three times uses the first reading after the change: it does not read the pin again within
+//     50 ms.
 //
 // Sketches that discard a reading, average readings, or set the reference once in setup() are not reported.
 // To fix the sketch, discard one reading after a few milliseconds, or use one reference for everything.

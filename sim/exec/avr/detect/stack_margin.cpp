@@ -129,8 +129,8 @@ void StackMargin::left() {
   await_deeper();
 }
 
-/// Sets the stack depth at which look() is called: any depth greater than before. For the main program an
-/// equal depth is enough if known handlers were disabled at the deepest moment.
+/// Makes the chip call look() when the stack gets deeper than before. If known handlers were disabled at the
+/// main program's deepest moment, an equal depth is enough.
 void StackMargin::await_deeper() {
   int watch = 0;
   if (open_.empty()) {
@@ -138,7 +138,7 @@ void StackMargin::await_deeper() {
   } else {
     watch = open_.back().began - handlers_[static_cast<std::size_t>(open_.back().vector)].bytes;
   }
-  // WatchedChip also needs calls for new greatest depths.
+  // WatchedChip also needs a call whenever the stack is deeper than ever before.
   watch = std::clamp<int>(watch, machine_.chip().lowest_sp(), 0xFFFF);
   cpu_.state.sp_watch = static_cast<std::uint16_t>(watch);
 }

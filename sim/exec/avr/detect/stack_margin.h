@@ -1,6 +1,6 @@
 // Detects a stack that has too little room if an interrupt occurs at the wrong moment.
 //
-//   void report() { char line[120]; sprintf(line, …); … }     deepest call of loop(): leaves 20 bytes
+//   void report() { char line[120]; sprintf(line, …); … }     deepest call of loop(): leaves 20 bytes free
 //   ISR(TIMER1_COMPA_vect) { error = kp * read(); }           needs 40 bytes, at any time
 //
 //   variables | heap -> ...   20 ...  <- stack of the main program

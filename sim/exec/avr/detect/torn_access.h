@@ -1,6 +1,6 @@
 // Detects torn reads, torn writes and lost updates (detect/race_analysis.h) in the flashed sketch, without
-// ending the run. Beyond RaceAnalysis's limits, this detector misses numbers that the compiler accesses
-// through a pointer register. The compiler may do that in the flashed image only.
+// ending the run. In addition to the cases that RaceAnalysis misses, this detector misses numbers that the
+// compiler accesses through a pointer register. The compiler may do that only in the flashed image.
 #pragma once
 
 #include <string>

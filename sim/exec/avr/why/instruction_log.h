@@ -1,6 +1,7 @@
 // Records each executed instruction, with its accesses to data memory.
 //
-// Meanwhile the chip runs in single steps and does not skip waiting loops, with the same results.
+// While the log records, the chip runs in single steps and does not skip waiting loops. The results are the
+// same.
 #pragma once
 
 #include <cstdint>

@@ -78,9 +78,9 @@ void Branches::add_writes(const std::vector<std::uint32_t>& places, SkippedWrite
   add_bytes_by_pointer(places, skipped_writes);
 }
 
-/// Adds bytes that are written through unmoved pointers, or through pointers copied from unwritten registers.
+/// Adds bytes written through pointers that the path has not changed, or has copied from unchanged registers.
 void Branches::add_bytes_by_pointer(const std::vector<std::uint32_t>& places, SkippedWrites& skipped_writes) {
-  std::map<std::uint8_t, std::optional<std::uint8_t>> copied;  // sources by pointer; nothing = moved
+  std::map<std::uint8_t, std::optional<std::uint8_t>> copied;  // copied pair, by pointer; nothing = unknown
   for (const std::uint32_t at : places)
     for (const std::uint8_t pair : {kPointerX, kPointerY, kPointerZ}) {
       if ((writes_[at] & pair_of(pair)) == 0) continue;
