@@ -15,7 +15,7 @@ namespace robosim::exec::avr {
 
 class DrivenLines {
  public:
-  /// All arguments must outlive this object, which must outlive the chip's use.
+  /// All arguments must outlive this object. This object must outlive the chip's use.
   DrivenLines(WatchedChip& chip, const Stack& stack, const DebugInfo& debug);
   DrivenLines(const DrivenLines&) = delete;
   DrivenLines& operator=(const DrivenLines&) = delete;

@@ -24,7 +24,7 @@ class Machine final : BoardAdapter {
   void set_debug_port(DebugPort* port);
   /// Records each instruction in `log` from now on; null stops recording. `log` must outlive this object.
   void log_into(InstructionLog* log);
-  /// Reports each byte that the firmware prints to `bytes`, which must outlive this object.
+  /// Reports to `bytes` each byte that the firmware prints. `bytes` must outlive this object.
   void trace_bytes(TxProvenance& bytes);
   /// Sets millis() to `start` when main() starts.
   void set_clock(SimTime start);

@@ -38,7 +38,7 @@ class RunningChip {
   virtual SourceLine sketch_line() const { return where_now(); }
   /// Returns the line of the sketch that is printing a byte. `before` is the line of the previous byte.
   virtual SourceLine printing(const SourceLine& before) const = 0;
-  /// Reports each byte that the firmware prints to `bytes`, which outlives this chip.
+  /// Reports to `bytes` each byte that the firmware prints. `bytes` outlives this chip.
   virtual void trace_bytes(TxProvenance& bytes) = 0;
   /// See Executor::driving().
   virtual const SourceLine& driving(Pin pin, const PinDrive& drive) const {

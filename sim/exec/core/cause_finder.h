@@ -49,7 +49,7 @@ class CauseFinder {
   /// Starts a new search for the reason why the firmware was at its place at `t`.
   virtual void ask_place(SimTime t) = 0;
   /// Follows values back to the beginning of the record. `adjoins`: the record ends where the previously
-  /// followed one begins.
+  /// followed record begins.
   virtual void follow(bool adjoins) = 0;
   /// Returns the addresses of followed bytes that were written before the record, the nearest first.
   virtual std::vector<std::uint16_t> open_bytes() const = 0;

@@ -151,8 +151,8 @@ class Executor {
 
   /// Returns whether the firmware uses the board's EEPROM, so that scripts can corrupt and trace it.
   virtual bool has_boards_eeprom() const { return false; }
-  /// Makes the firmware's clock too fast by this number of parts per million from `t` on, which must be now.
-  /// The drift persists through power cycles.
+  /// Makes the firmware's clock too fast by `ppm` parts per million from `t` on, which must be now. The drift
+  /// persists through power cycles.
   virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }
   /// Lets a debugger halt the firmware, starting at the next power-on. run_until() does not return while the
   /// firmware is halted. `server` must outlive the executor's use. Throws InputError if debugging is

@@ -10,8 +10,7 @@ namespace robosim::exec {
 
 class FirmwareClock {
  public:
-  /// Makes the firmware's clock too fast by this number of parts per million from `world` on. The clock does
-  /// not jump.
+  /// Makes the firmware's clock too fast by `ppm` parts per million from `world` on. The clock does not jump.
   void drift(int ppm, SimTime world) {
     firmware_0_ = to_firmware(world);
     world_0_ = world;

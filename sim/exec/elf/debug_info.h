@@ -66,7 +66,7 @@ class DebugInfo {
   /// Returns the variable that contains this address; empty if none is known.
   Variable variable_at(std::uint32_t address) const;
 
-  /// Returns where lines begin, except those of core files.
+  /// Returns the addresses where lines begin, except lines of core files.
   std::vector<CodeLine> lines() const;
 
  private:

@@ -25,9 +25,9 @@ namespace robosim::exec {
 
 /// An instruction, reduced to its effect on the order of execution.
 struct Step {
-  std::vector<std::uint32_t> next;  ///< possible next instructions in the function; calls return
+  std::vector<std::uint32_t> next;  ///< possible next instructions in the function, also after a call
   enum class Kind { other, jump, call_or_branch };
-  Kind kind = Kind::other;  ///< jump: has no other effect
+  Kind kind = Kind::other;  ///< `jump`: has no effect except the jump
 };
 using Steps = std::map<std::uint32_t, Step>;  ///< indexed by address
 

@@ -39,9 +39,9 @@ struct Search {
   // watched bytes. A reverse step finds the place of the previous instruction.
   SimTime present = 0;
   bool steps = false;
-  std::size_t depth = 0;  ///< depth of handlers; instructions in deeper handlers do not belong to the sketch
+  std::size_t depth = 0;  ///< number of open handlers; a step ignores instructions in further handlers
   std::optional<Place> found;
-  std::optional<Place> before;  ///< the result before `found`
+  std::optional<Place> before;  ///< the result at an earlier time than `found`
 
   // --- seek
   Place target;

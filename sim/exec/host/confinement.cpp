@@ -35,7 +35,7 @@ constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProc
 
 /// Size in bytes of the kernel's signal sets.
 constexpr std::size_t kSignalSet = 8;
-/// Limit of the address space, with room for pages that are only read. Their page tables take memory, too.
+/// Limit of the address space, since page tables take memory, too. Leaves room for pages that are only read.
 constexpr rlim_t kConfinedAddresses = kConfinedMemory + (512 << 20);
 /// Size of the process's first stack, which RLIMIT_DATA does not count.
 constexpr rlim_t kConfinedStack = 8 << 20;
@@ -140,8 +140,8 @@ void add_descriptors(Filter& filter) {
   filter.add(SCMP_ACT_ERRNO(EBADF), "close", {{0, SCMP_CMP_GE, kFirstSealed, 0}});
 }
 
-/// Allows the process to send itself signals, and to end, only with the key. A sketch that tries either is
-/// detected and reported, and does not stop the process.
+/// Allows signals to the process itself, and the end of the process, but both only with the key. Attempts by
+/// a sketch are reported, and do not stop the process.
 void add_signals(Filter& filter) {
   filter.allow("kill", {is(0, kProcessHere), is(3, kKeyHere), is(4, kOtherKeyHere)});
   filter.allow("exit_group", {is(3, kKeyHere), is(4, kOtherKeyHere)});
@@ -312,8 +312,8 @@ void prepare_to_confine() {
   ensure_signal_stack();
   static const Descriptor statm = open_statm();
   memory_when_prepared = memory_in_use(statm);
-  // Makes libfmt bind symbols that it binds at first use, such as memchr() for texts of 32 bytes and more.
-  // Otherwise each process would look them up again in all libraries.
+  // Makes libfmt bind its lazily bound symbols now, such as memchr() for texts of at least 32 bytes.
+  // Otherwise each process would look them up in all libraries.
   static const std::string bound = fmt::format("so that it has formatted {} text: {}", 1, kImageName);
   if (why_not_confined().empty()) filter_for_all();
 }

@@ -1,4 +1,4 @@
-// Records the first lines, by time, where firmware divided by zero.
+// Records the first few lines where firmware divided by zero, sorted by time.
 #pragma once
 
 #include <cstddef>

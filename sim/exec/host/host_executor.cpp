@@ -98,7 +98,7 @@ class HostExecutor::Instance final : public host::Host {
     return !owner_.crash_;
   }
 
-  /// Runs firmware that only waits up to the limit, since it may have been left asleep for some time.
+  /// If firmware only waits, runs it up to the limit, since it may have been left asleep for some time.
   void come_up() {
     if (!state_.polls || owner_.crash_) return;
     state_.called_up = true;

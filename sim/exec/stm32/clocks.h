@@ -53,8 +53,7 @@ class Clocks final : public Peripheral {
   /// Returns the frequency of the RTC's clock; 0 if this clock is off (7.3.9).
   std::uint32_t rtc_hz() const;
   bool resets_backup_domain() const { return state_.backup & 1u << 16; }
-  /// Returns the processor's frequency. FLASH_ACR sets the wait states; a real chip fails with too few of
-  /// them.
+  /// Returns the processor's frequency. Ignores FLASH_ACR; a real chip fails with too few wait states.
   std::uint32_t hz() const;
 
  private:

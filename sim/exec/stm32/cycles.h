@@ -8,9 +8,9 @@
 //   MUL 1, MLA and MLS 2, UMULL and SMULL 4, UMLAL and SMLAL 6     SDIV, UDIV 7
 //   MSR, MRS, CPS 2             DMB, DSB, ISB 4                     WFI, WFE 1
 //
-// The manual gives ranges for P (1 to 3), long multiplications and divisions (2 to 12, by the operands). Here
-// P is 2 and the other durations are as listed. Consecutive loads overlap on the chip; here they do not.
-// Flash wait states are not counted: the prefetch buffer hides most of them.
+// The manual gives ranges for P (1 to 3), for long multiplications, and for divisions (2 to 12, depending on
+// the operands). Here P is 2 and the other durations are as listed. Consecutive loads overlap on the chip;
+// here they do not. Flash wait states are not counted: the prefetch buffer hides most of them.
 #pragma once
 
 #include <cstdint>

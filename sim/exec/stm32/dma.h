@@ -1,8 +1,8 @@
 // Models DMA1 (RM0008 13): seven channels that move items between memory and peripherals.
 //
 // A peripheral's request is served at once and takes no processor time. A memory-to-memory transfer takes 5
-// cycles for each item (AN2548, 3.3). Its items arrive in two steps: at half and at the end of the transfer.
-// If several requests are pending, the request with the highest priority is served first.
+// cycles for each item (AN2548, 3.3). Its items arrive in two steps: halfway through and at the end of the
+// transfer. If several requests are pending, the request with the highest priority is served first.
 #pragma once
 
 #include "sim/exec/stm32/peripheral.h"
