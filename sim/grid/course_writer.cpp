@@ -13,7 +13,7 @@ namespace {
 
 std::string angle_text(double rad) {
   const std::string degrees = fmt::format("{} deg", std::round(rad * 180.0 / std::numbers::pi * 1e9) / 1e9);
-  // A billionth of a degree is 1e-9 m at a radius of 60 m.
+  // Rounding to a billionth of a degree moves a point 60 m from the centre by at most 1e-9 m.
   const auto read = parse_quantity(degrees, Dimension::angle);
   return std::fabs(*read - rad) < 2e-11 ? degrees : fmt::format("{} rad", rad);
 }
@@ -23,7 +23,7 @@ std::string colour_text(const Colour& colour) {
                      colour.hue == Hue::grey ? fmt::format(" {} %", 100.0 * colour.black) : "");
 }
 
-// Returns the keys of a paint that differ from `usual`, each after `between`.
+// Returns the keys of a paint that differ from `usual`, each preceded by `between`.
 std::string paint_text(const Course& course, int number, const Paint& usual, const char* between) {
   if (number == 0) return "";
   const Paint& paint = course.paints[static_cast<std::size_t>(number) - 1];

@@ -19,7 +19,7 @@ namespace robosim::grid {
 /// blue (ITU-R BT.709). Transparent pixels are blended over white.
 class FloorImage {
  public:
-  /// Maximum number of a picture's pixels, which use 4 bytes each, and of a file's bytes.
+  /// Upper limits for the size of a picture. Each pixel uses 4 bytes of memory.
   static constexpr std::size_t kMostPixels = 50'000'000;
   static constexpr std::size_t kMostFile_bytes = std::size_t{32} << 20;
 

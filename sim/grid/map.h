@@ -142,9 +142,9 @@ struct Map {
   Vec2 centre(CellAt c) const { return {(c.x + 0.5) * cell_m, (height - 1 - c.y + 0.5) * cell_m}; }
 };
 
-/// Maximum number of a map's columns or rows, and of its cells.
+/// Maximum number of columns, and of rows.
 constexpr int kMaxSide = 100'000;
-constexpr std::size_t kMaxCells = 64'000'000;  ///< a command and its runner use 3 bytes per cell
+constexpr std::size_t kMaxCells = 64'000'000;  ///< maximum of a map; a command and its runner use 3 bytes per cell
 /// Maximum number of cells of a map without rows, so that a short file cannot use much memory.
 constexpr std::size_t kMaxBareCells = 4'000'000;
 
@@ -188,8 +188,8 @@ inline bool blocks_line(const Map& map, CellAt c, Direction d) {
   return is_line(map.at(ahead(next, d))) && line_neighbours(map, c) == 1u << static_cast<int>(reversed(d));
 }
 
-/// Returns whether a line ends on this line cell, which makes the cell a station. Such a cell has no
-/// neighbouring line, or line on one side only and no obstacle on the opposite side.
+/// Returns whether a line ends on this line cell, which makes the cell a station. Such a cell has at most one
+/// neighbouring line cell. If it has one, no obstacle is on the opposite side.
 inline bool is_dead_end(const Map& map, CellAt c) {
   const unsigned lines = line_neighbours(map, c);
   if (lines == 0) return true;

@@ -43,7 +43,7 @@ class Walk {
 
  private:
   // Walks depth first and takes the rightmost way first. On a tree, v1 meets the stations in the same order.
-  // Drops ways to cells that were reached in the meantime, so that cycles end.
+  // Skips cells that have been reached in the meantime, so that the walk ends despite cycles.
   void explore(const Start& start) {
     struct Way {
       CellAt to;

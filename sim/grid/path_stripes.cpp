@@ -15,8 +15,8 @@ struct Unpainted {
   double to;
 };
 
-// Returns the unpainted intervals. `half_widths` contains half the paint's width of each piece, which is the
-// length of paint beyond a stripe's end.
+// Returns the unpainted intervals. `half_widths` contains half the paint's width for each piece: paint
+// extends this far beyond a stripe's end.
 std::vector<Unpainted> gaps_of(const Path& path, const std::vector<double>& half_widths) {
   std::vector<Unpainted> gaps;
   double along = 0.0;

@@ -1,5 +1,5 @@
-// Parameters of a map with a spread, such as slope = { value = "15 deg", spread = "2 deg" }. A different
-// value is drawn for each seed.
+// Map parameters that have a spread, such as slope = { value = "15 deg", spread = "2 deg" }. A different
+// value is sampled for each seed.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace robosim::grid {
 
-/// The seed and profile for which values are drawn.
+/// The seed and profile for which values are sampled.
 struct Draw {
   std::uint64_t seed = 0;
   Profile profile = Profile::ideal;  ///< `ideal` draws nothing and uses the file's values
-  bool* differs = nullptr;           ///< set to true if another seed would draw another value; may be null
+  bool* differs = nullptr;           ///< set to true if another seed would give another value; may be null
 };
 
 /// Reads the parameters of one table; `table` is its name, such as "[[hill]] 2".
@@ -23,7 +23,7 @@ class SampledParameters {
  public:
   SampledParameters(Draw draw, std::string table) : draw_(draw), table_(std::move(table)) {}
 
-  /// Returns the value drawn for the seed. `key` distinguishes the parameters of a table.
+  /// Returns the value sampled for the seed. `key` distinguishes the parameters of a table.
   double drawn(const Parameter& number, const std::string& key) const {
     if (draw_.profile == Profile::ideal) return number.value;
     if (draw_.differs && number.in(draw_.profile).spread != 0.0) *draw_.differs = true;

@@ -32,9 +32,10 @@ struct Shape {
   }
 };
 
-/// Reads a shape from a table. The place is `at`, or `along`, `path`, `away` and `side`. The size is `size`
-/// and `angle`, or `radius`. Messages contain `name`, as in "[[NAME]]" and "a NAME". `course` contains the
-/// paths read before. `length`, if not null, receives a rectangle's length and its spread. Throws InputError.
+/// Reads a shape from a table. The keys of its place are either `at`, or `along`, `path`, `away` and `side`.
+/// The keys of its size are either `size` and `angle`, or `radius`. Messages contain `name`, as in "[[NAME]]"
+/// and "a NAME". `course` contains the paths read before. `length`, if not null, receives a rectangle's
+/// length and its spread. Throws InputError.
 Shape read_shape(TableReader& table, const Course& course, const char* name, const SampledParameters& figures,
                  Parameter* length = nullptr);
 

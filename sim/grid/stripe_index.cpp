@@ -8,7 +8,7 @@
 namespace robosim::grid {
 namespace {
 
-// Rounding must never hide a stripe that is exactly within reach.
+// Added to the reach, so that rounding never hides a stripe at exactly that distance.
 constexpr double kSlack = 1e-9;  // m
 
 struct Box {
@@ -80,7 +80,7 @@ StripeIndex::StripeIndex(const Map& map, std::span<const Stripe> stripes, double
   if (total >= kEmpty || stripes.size() >= kEmpty)
     throw InputError({map.file}, "the map has too much line to drive on; robosim classic can still walk it");
 
-  // Converts the counts to ends. Filling from the back then turns the ends into beginnings.
+  // Converts the counts to end positions. Filling each slot from its end then leaves its beginning.
   std::uint32_t end = 0;
   for (std::uint32_t& slot : first_) slot = end += slot;
   first_.push_back(end);

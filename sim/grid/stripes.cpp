@@ -93,8 +93,8 @@ class Builder {
         stripes_.push_back({a, b, centre, r, painted});
     };
 
-    // Half of the arc is next to each leg, and is painted where that leg is. At distance t from the corner,
-    // the arc is r - sqrt(r^2 - (r-t)^2) away from the leg.
+    // Each half of the arc is painted where the leg next to it is painted. At distance t from the corner, the
+    // arc is r - sqrt(r^2 - (r-t)^2) away from the leg.
     const auto at = [&](const Leg& leg, const Leg& other, double t) {
       const double side = r - std::sqrt(std::max(r * r - (r - t) * (r - t), 0.0));
       return leg.point(t) + heading(other.d) * side;

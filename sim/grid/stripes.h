@@ -1,5 +1,5 @@
 // The painted lines of a map as geometry: segments between centres of line cells, and arcs where `corner`
-// rounds a bend. The floor's reflectance and the cross-track error are both measured against them.
+// rounds a bend. The floor's reflectance and the cross-track error are computed from these stripes.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Stripe {
   Vec2 b;               ///< the other end
   Vec2 centre;          ///< of the arc's circle
   double radius = 0.0;  ///< of the arc; 0 = a straight segment
-  /// False across gap cells, where the line is invisible and still counts as line. A gap is as long as its
+  /// False across gap cells, where the line is invisible but still counts as line. A gap is as long as its
   /// cells: neighbouring stripes end line/2 earlier, since paint reaches line/2 beyond a stripe's end.
   bool painted = true;
   std::uint8_t paint = 0;  ///< index in paints_of()
