@@ -169,7 +169,7 @@ std::string for_want_of_power(const Evidence& e) {
   return text.empty() ? "" : "; " + text;
 }
 
-// Returns further causes to append to a sentence.
+// Returns clauses with further causes, to append to a sentence.
 std::string causes(const Evidence& e) {
   const std::string power = for_want_of_power(e);
   if (e.verdict == Verdict::lost || e.verdict == Verdict::reached) return power;

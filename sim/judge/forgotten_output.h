@@ -8,9 +8,9 @@
 // built-in LED of an Uno R3, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines. A
 // Nano and many clones have no amplifier.
 //
-// A finding is a pin that was an input with its pull-up on and never an output. The run must continue for 0.1
-// s or more after that. The pin is wired to a motor, driver, LED, buzzer, servo, fan, stepper, seven-segment
-// digit or shift register.
+// A finding is a pin whose pull-up was switched on, and which was never an output. The run must continue for
+// 0.1 s or more after the pull-up was switched on. The pin is wired to a motor, driver, LED, buzzer, servo,
+// fan, stepper, seven-segment digit or shift register.
 //
 // A sketch may write HIGH before it sets the pin to OUTPUT, to avoid a short LOW: this is not reported. To
 // fix a finding, call pinMode(pin, OUTPUT) in setup(), or set the pin's bit in DDRx.

@@ -214,7 +214,7 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
   const Pose& pose = body.pose();
   if (!origin_) origin_ = pose.position;
   if (may_depart(pose)) {
-    // Restarts the clock of each lap, except when the body returns to the start.
+    // Restarts the clock of each lap, unless half of it is done: the body is then returning to the start.
     for (Lap* lap : {&forwards_, &backwards_})
       if (2 * lap->next < loop_.size()) lap->began = t;
   }

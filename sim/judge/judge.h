@@ -16,7 +16,7 @@ constexpr double kStuckMove = 1e-3;                    ///< m
 constexpr double kStuckTurnSine = 0.0174524064372835;  ///< sin 1 degree
 constexpr double kSamePlace = 0.1;  ///< m, radius within which a robot counts as being in one place
 constexpr SimTime kSilentAfter = 2 * kSecond;  ///< without an API call
-/// The longest pause between pulses of a motor that still counts as driven.
+/// A motor still counts as driven during pauses of up to this length between pulses.
 constexpr SimTime kPulsePause = 200 * kMillisecond;
 
 /// The judge's input in each tick.

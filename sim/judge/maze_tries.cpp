@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeft = 0.01;            // m from the start, at which a try begins
 constexpr double kAtStart = 0.05;         // m from the start, within which the robot is on the start
-constexpr double kByHand = 0.02;          // m in a tick: the least manual move
+constexpr double kByHand = 0.02;          // m in a tick: a larger move is a manual move
 constexpr SimTime kStopped = kSecond;     // at rest on the disc
 constexpr double kOffForStopping = 10.0;  // s
 

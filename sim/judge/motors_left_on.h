@@ -1,13 +1,12 @@
 // Finds a sketch that stops steering without stopping its motors, which keep their last commands.
 //
-//   if (millis() - seen_at > 300) { running = false; Serial.println("lost"); }      // and the robot drives
-//                                                                                   on
+//   if (millis() - seen_at > 300) { running = false; Serial.println("lost"); }  // and the robot drives on
 //
-// The fault shows only when the robot loses its line: when someone touches a wheel, or the floor is dirty. A
-// finding is a robot whose wheels have turned a metre without a line, as in the verdict `lost`. For at least
-// the last half metre, the motor commands were unchanged and no floor sensor was read. The sketch was not
-// waiting in a call, which BlindDriving would find. To fix a finding, stop or brake the motors wherever
-// steering ends.
+// The fault shows only when the robot loses its line, as when someone touches a wheel or the floor is dirty.
+// A finding is a robot whose wheels have turned a metre without a line, as in the verdict `lost`. For at
+// least the last half metre, the motor commands were unchanged and no floor sensor was read. The sketch was
+// not waiting in a call, which BlindDriving would find. To fix a finding, stop or brake the motors wherever
+// the sketch stops steering.
 //
 // Not detected: sensors on a shift register, or read by interrupts; a robot that meets a line by chance.
 #pragma once

@@ -35,7 +35,7 @@ using wire::Metrics;
 
 /// A hint on what to examine next.
 struct NextStep {
-  /// The means of examination: a run on the host, watching the run, or a script.
+  /// How to examine it: run on the host, watch the run, or write a script.
   enum class By { none, host, watching, script };
   std::string text;  ///< empty if the verdict is clear enough
   By by = By::none;
@@ -49,7 +49,7 @@ struct Decisive {
   SimTime t = 0;
   std::string text;            ///< "the robot left the line near column 20, row 4"; empty = none
   bool motors = false;         ///< requests an explanation of the motor commands
-  bool place = false;          ///< requests an explanation of the firmware's place
+  bool place = false;          ///< requests an explanation of where the firmware is
   SimTime off_since = kNever;  ///< time since which the motors are off; kNever = they were driven at the end
 };
 
@@ -70,7 +70,7 @@ struct Outcome {
   wire::Usage usage;
   std::vector<wire::RunEvent> events;  ///< the last few events
   std::string serial;                  ///< the firmware's output, up to kSerialKept bytes
-  std::string shown;                   ///< reports of parts, one per line, up to kShownKept bytes and a line
+  std::string shown;                   ///< reports of parts, one per line; complete up to kShownKept bytes
   Pose end;                            ///< the robot's pose
   std::uint64_t eeprom_writes = 0;     ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;

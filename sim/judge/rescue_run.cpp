@@ -204,7 +204,7 @@ void RescueRun::arrive(std::size_t step, Events& events) {
   const bool is_end = step + 1 == steps_.size();
   if ((!steps_[step].checkpoint && !is_end) || step <= checkpoint_) return;
   const int each = std::max(kTilePoints - kTileLess * lacks_here_, 0);
-  // The start tile has separate points.
+  // Excludes tile 0: the start tile has its own points.
   const auto tiles = static_cast<int>(step - std::max<std::size_t>(counted_to_, 1) + 1);
   if (each > 0) count("tile", each, tiles, events);
   counted_to_ = step + 1;

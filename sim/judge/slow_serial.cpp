@@ -12,7 +12,7 @@ constexpr int kMostAsked = 200;  // finding a sketch's activity is slow
 constexpr int kFewWaits = 10;
 constexpr double kOfItsTime = 0.3;
 
-constexpr SimTime kSendingNow = 10 * kMillisecond;  // more than a byte at 1200 baud
+constexpr SimTime kSendingNow = 10 * kMillisecond;  // longer than a byte takes at 1200 baud
 constexpr const char* kCallsThatWait[] = {"print", "write", "flush", "Serial.write", "Serial.flush"};
 
 bool is_of_serial(const std::string& call) {

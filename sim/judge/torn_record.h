@@ -3,7 +3,7 @@
 //   EEPROM.put(0, laps);   // an int: two bytes, 3.4 ms each. From 255 (FF 00) to 256 (00 01), it is 0 in
 //                          // between. setup() reads 0 if the power was cut just then
 //
-// A finding is a number of two to four bytes, written by one line, of which
+// A finding is a number of two to four bytes, written by one source line, of which
 //
 //   - at least two bytes changed at once, over an older record that was not completely erased. A cut between
 //     them leaves neither the old nor the new number;
