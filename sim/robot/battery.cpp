@@ -13,7 +13,7 @@ constexpr BatteryKind kKinds[] = {
     {"li-ion", 0.03, {4.172, 4.040, 3.929, 3.830, 3.749, 3.662, 3.627, 3.600, 3.548, 3.459, 3.180}},
     {"nimh", 0.03, {1.40, 1.32, 1.29, 1.27, 1.26, 1.25, 1.24, 1.23, 1.21, 1.17, 1.00}},
     {"alkaline", 0.2, {1.60, 1.50, 1.42, 1.36, 1.31, 1.27, 1.24, 1.20, 1.16, 1.10, 0.90}}};
-constexpr double kCollapse = 0.02;  // share of charge below 0 % over which the voltage collapses
+constexpr double kCollapse = 0.02;  // the voltage falls to 0 V at a charge of -kCollapse
 constexpr double kPerMah = 3.6;     // A s
 constexpr int kMostPieces = 4;  // number of linear pieces of the current as a function of voltage, plus one
 

@@ -18,8 +18,8 @@
 // makers' discharge curves at 0.2 C. Without `resistance`, each cell has a typical value of its kind. This
 // value is not measured, and is the same at any charge.
 //
-// Not modelled: recovery after load, temperature, and the cut-off of a protection circuit. Current that flows
-// back into the battery requires motors with an inductance.
+// Not modelled: recovery after load, temperature, and the cut-off of a protection circuit. Current flows back
+// into the battery only if the motors have an inductance.
 #pragma once
 
 #include "sim/base/config.h"
@@ -46,7 +46,7 @@ struct Battery {
 /// Reads [battery]. Throws InputError.
 Battery read_battery(const ConfigValue& table);
 
-/// One robot's battery, with its drawn parameters.
+/// One robot's battery, with its sampled parameters.
 struct Cells {
   const BatteryKind* kind = nullptr;
   double cells = 0.0, ohms = 0.0, capacity_as = 0.0, board_amps = 0.0;

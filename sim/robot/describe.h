@@ -48,7 +48,7 @@ struct Summary {
 
 Summary describe(const Description&);
 
-/// Returns the body parameters of one robot. In the profile `typical`, they are drawn from (seed, number).
+/// Returns the body parameters of one robot. In the profile `typical`, they are sampled from (seed, number).
 world::BodyParams body_params(const Description&, std::uint64_t seed, Profile, std::uint32_t number = 0);
 
 }  // namespace robosim::robot

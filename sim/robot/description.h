@@ -45,12 +45,12 @@ struct Chassis {
                          ///< plate of the outline's shape
   Parameter load_share;  ///< 0..1, share of the weight on the driven wheels
   Parameter track;       ///< m, between the two wheels' contact points
-  Parameter wheel;       ///< m, a wheel's diameter; drawn for each wheel
+  Parameter wheel;       ///< m, a wheel's diameter; sampled for each wheel
   Parameter wheel_inertia;  ///< kg m2 of a wheel with its tyre
   Parameter grip;           ///< coefficient of friction between tyre and floor
   Parameter rolling;        ///< force / weight of tyres and caster
   Parameter wall_friction;  ///< coefficient of friction between outline and wall
-  Parameter caster;         ///< m ahead of the axle; negative = behind it; 0 = the usual place
+  Parameter caster;         ///< m ahead of the axle; negative = behind it; 0 = the default place
   Parameter caster_radius;  ///< m
   Parameter height;         ///< m, of the centre of mass; 0 = loads do not shift
   Parameter wheelbase;  ///< m, of four wheels, or of wheels equivalent to tracks; 0 = two wheels and a caster
@@ -64,14 +64,14 @@ struct Chassis {
 /// [motors]: both motors with their gears. sim/world/body.h has the formulas for these parameters.
 struct Motors {
   Parameter voltage;          ///< V, to which the next four values refer
-  Parameter no_load;          ///< rad/s at the wheel, drawn for each motor
-  Parameter no_load_current;  ///< A: friction in motor and gear; drawn for each motor
-  Parameter stall_torque;     ///< N m at the wheel, drawn for each motor
-  Parameter stall_current;    ///< A, drawn for each motor
-  Parameter static_friction;  ///< friction at rest / friction while turning, at least 1; drawn for each motor
+  Parameter no_load;          ///< rad/s at the wheel, sampled for each motor
+  Parameter no_load_current;  ///< A: friction in motor and gear; sampled for each motor
+  Parameter stall_torque;     ///< N m at the wheel, sampled for each motor
+  Parameter stall_current;    ///< A, sampled for each motor
+  Parameter static_friction;  ///< friction at rest / while turning, at least 1; sampled for each motor
   Parameter gear;             ///< motor turns per turn of the wheel
   Parameter rotor_inertia;    ///< kg m2 of the motor's rotor
-  Parameter inductance;       ///< H of the winding, drawn for each motor; 0 = negligible
+  Parameter inductance;       ///< H of the winding, sampled for each motor; 0 = negligible
   Parameter supply;           ///< V of the battery
 };
 
@@ -160,9 +160,9 @@ struct SourceText {
 };
 
 struct Description {
-  std::string name;  ///< the file's stem; if the board is replaced, with @ and the board's name
+  std::string name;  ///< the file's stem; if the board is replaced, with @ and the new board's name
   std::filesystem::path file;
-  std::string sha256;  ///< of the bytes of the file and its bases, and of "@" and a replaced board's name
+  std::string sha256;  ///< hash of the file and its bases; also of "@" and a replacement board's name
   const BoardSpec* board = nullptr;
   Budget budget;
   Chassis chassis;

@@ -29,8 +29,8 @@ struct Register {
   friend bool operator==(const Register&, const Register&) = default;
 };
 
-/// Returns the wire at output `q` of register number `index`; `q` may exceed the register, and then continues
-/// in the next register.
+/// Returns the wire at output `q` of register number `index`. If `q` exceeds the register, the count
+/// continues in the next register.
 constexpr Pin output_pin(int index, int q) {
   return static_cast<Pin>(kMaxPins + kRegisterOutputs * index + q);
 }
@@ -50,7 +50,7 @@ class Netlist {
     snapshots.add(state_);
   }
 
-  /// Returns the drive of a wire. An output of a shift register is not driven while it is switched off.
+  /// Returns the drive of a wire. A shift register that is switched off does not drive its outputs.
   const PinDrive& drive(Pin pin) const {
     return is_output(pin) ? state_.outputs[index_of(pin)] : board_.drive(pin);
   }

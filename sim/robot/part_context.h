@@ -17,7 +17,7 @@
 
 namespace robosim::robot {
 
-/// Draws the parameters and the noise of one robot from (seed, number, part name). In the profile `ideal`,
+/// Samples the parameters and the noise of one robot from (seed, number, part name). In the profile `ideal`,
 /// every parameter has the file's value, and there is no noise.
 class ParameterSampler {
  public:

@@ -128,7 +128,7 @@ struct Robot::Impl {
   const Description& description;
   world::Body& body;
   const ParameterSampler sampler;
-  Cells cells;  // empty without [battery]; values drawn for this robot
+  Cells cells;  // empty without [battery]; values sampled for this robot
   SnapshotRegistry snapshots;
   View view;
   Netlist netlist;

@@ -72,7 +72,7 @@ class Robot {
   /// a command has changed.
   bool end_tick(SimTime t);
   /// Returns whether both steps would do nothing in further ticks, so that only begin_idle_tick() is needed.
-  /// This ends when anything touches the body, firmware accesses the board, or a script acts.
+  /// The idle state ends when anything touches the body, firmware accesses the board, or a script acts.
   bool idles() const;
   void begin_idle_tick(SimTime t);
 
@@ -101,7 +101,7 @@ class Robot {
   /// Switches the board's supply off or on: parts that share it lose their state.
   void power(bool on, SimTime t);
 
-  /// Returns the voltage of a healthy battery ([motors] supply, as drawn for this robot).
+  /// Returns the voltage of a healthy battery ([motors] supply, as sampled for this robot).
   double battery() const;
   /// Fixes the battery's voltage, which affects the motors and the parts that measure it. nullopt restores
   /// the healthy voltage; a [battery] then sags and discharges by itself.

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kLongestLine = 200;
 constexpr std::size_t kMostLines = 100;            // waiting to be reported, one in each tick
-constexpr SimTime kLineEnds = 200 * kMillisecond;  // without another byte
+constexpr SimTime kLineEnds = 200 * kMillisecond;  // after the last byte, if no line feed follows
 
 constexpr FaultKind kBluetoothFaults[] = {
     {Failure::ok, "works again"},

@@ -5,7 +5,7 @@
 //   F     = downforce g u^2         half on each wheel, added to [chassis] downforce
 //
 // u is integrated tick by tick, implicitly: u += (s - u) dt / (spin_up + dt). sim/world/body.h has the effect
-// on grip and rolling resistance. Source: thrust and suction of a fan grow with the square of its speed.
+// on grip and rolling resistance. The thrust and suction of a fan grow with the square of its speed.
 //
 // Not modelled: the fan's current from the battery, and the resulting slowdown; a controller (ESC) that needs
 // servo pulses; leaks on an uneven floor.

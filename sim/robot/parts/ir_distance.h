@@ -4,9 +4,9 @@
 //   d     0    30   40   50   60   80   100  150  200  300  400  500  600  700  800 mm
 //   V     1.2  2.2  2.65 2.95 3.1  2.75 2.3  1.65 1.3  0.94 0.74 0.6  0.51 0.45 0.4
 //
-// The voltage is linear between these points (data sheet E4-A00201EN: 2.3 V at 100 mm, 0.4 V at 800 mm, the
-// rest read off its figure 2, white paper). Below 60 mm the voltage falls again, so that a very near object
-// looks far. Beyond 800 mm the voltage is inversely proportional to the distance.
+// The voltage is linear between these points. Data sheet E4-A00201EN states 2.3 V at 100 mm and 0.4 V at
+// 800 mm; the other points are from its figure 2, for white paper. Below 60 mm the voltage falls again, so
+// that a very near object looks far. Beyond 800 mm the voltage is inversely proportional to the distance.
 //
 // A measurement takes 38.3 ms. The output keeps the result during the next measurement, and is 0 V before the
 // first result. The distance d is measured along a ray from the robot's place at the end of the measurement.

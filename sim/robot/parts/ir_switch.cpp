@@ -3,7 +3,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr double kLetsGo = 1.1;  // of the range
+constexpr double kLetsGo = 1.1;  // relative to the range
 
 constexpr FaultKind kIrSwitchFaults[] = {
     {Failure::ok, "works again"},

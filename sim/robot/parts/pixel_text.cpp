@@ -126,7 +126,7 @@ class Reader {
       spaces = 0;
     }
     if (std::count_if(line.text.begin(), line.text.end(), is_letter) < 2) return std::nullopt;
-    for (int at = x - kAdvance * scale; at >= 0; at -= kAdvance * scale) {  // "-12"
+    for (int at = x - kAdvance * scale; at >= 0; at -= kAdvance * scale) {  // extends "12" to "-12"
       const auto letter = letter_at(at, y, scale);
       if (!letter || *letter == ' ') break;
       line.text.insert(line.text.begin(), *letter);

@@ -7,9 +7,9 @@
 //   data    ----< b1  >< b2  >< b3  >----   set for the whole bit; low between messages
 //   clock   _______/‾‾\__/‾‾\__/‾‾\______   rises in the middle of each bit
 //
-// A message sent during another message follows that message after one bit time. 1 ms per bit is the rating
-// of 433 MHz modules for hobbyists (1 to 2 kbit/s). The fault `noisy` inverts bits. Not modelled: range,
-// other senders and damaged preambles.
+// A message sent during another message follows that message after one bit time. The default of 1 ms per
+// bit suits 433 MHz modules for hobbyists (1 to 2 kbit/s). The fault `noisy` inverts bits. Not modelled:
+// range, other senders and damaged preambles.
 #pragma once
 
 #include "sim/base/noise.h"

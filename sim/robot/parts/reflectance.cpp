@@ -26,7 +26,7 @@ constexpr Light kLight[] = {{0.0005, 0.64}, {0.001, 0.83}, {0.002, 0.99}, {0.002
                             {0.004, 0.89},  {0.005, 0.78}, {0.006, 0.66}, {0.008, 0.48},  {0.010, 0.36},
                             {0.012, 0.27},  {0.015, 0.20}, {0.020, 0.14}, {0.030, 0.085}};
 
-// The footprint relative to the height, if the file has no footprint. All elements of a part share one value.
+// The default footprint, relative to the height. All elements of a part share one value.
 // Measured edges suggest values of 0.3 and 0.97 (docs/explanation/fidelity.md).
 constexpr Parameter kSpot{2.0, 0.0, Spread{0.6, 0.36}};
 constexpr Parameter kDarkNoise{1.0, 0.0, Spread{0.4, 0.0}};

@@ -75,7 +75,7 @@ class ReflectanceSpec final : public PartSpec {
   std::vector<SensorPlace> sensors() const override;
 };
 
-/// The drawn parameters of one element of one robot.
+/// The sampled parameters of one element of one robot.
 struct ElementFigures {
   ElementFigures(const ReflectanceSpec&, const ReflectanceSpec::Element&, const ParameterSampler&);
 

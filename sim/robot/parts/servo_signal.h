@@ -15,8 +15,8 @@ namespace robosim::robot {
 /// The state of the wire, as a copyable value.
 class ServoSignal {
  public:
-  /// Handles a change of the drive at `t`. Returns the length of the pulse that ends with the change, or of
-  /// the pulses from now on.
+  /// Handles a change of the drive at `t`. Returns the length of the pulse that ends with the change. If PWM
+  /// makes the pulses, returns the length of the pulses from now on.
   std::optional<SimTime> change(const PinDrive& drive, SimTime t) {
     const bool output = drive.mode == PinMode::output && !drive.tone_hz;
     const bool high = output && !drive.pwm && drive.level;

@@ -10,7 +10,7 @@
 namespace robosim::robot {
 namespace {
 
-// A register after another register. The part of the chain's first register simulates the whole chain.
+// A register other than the first of a chain. The part of the first register simulates the whole chain.
 class ChainedRegister final : public Part {
  public:
   void register_with(PartRegistry&) override {}

@@ -8,7 +8,7 @@
 // A picture is reported when it has changed and then stayed for 50 ms: "212 lit in 0,0 to 63,15: Lap 2|12.4
 // s". The report contains the number of lit pixels, the rectangle that they fill (x and y of two corners),
 // and any text (pixel_text.h). Mirroring (segment remap, COM direction) is ignored: the picture is reported
-// as with both set, as libraries set them.
+// as if both were set, since libraries set both.
 //
 // Inverse display only inverts the pixels. Not modelled: scrolling, contrast, the start line.
 #pragma once

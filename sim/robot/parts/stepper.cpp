@@ -48,7 +48,7 @@ void StepperPart::register_with(PartRegistry& registry) {
   registry.breakable.push_back(this);
 }
 
-// Returns the direction of the field for the 3 x 3 sums of opposite coils: IN1 - IN3, IN2 - IN4.
+// Returns the direction of the field for the 3 x 3 differences of opposite coils: IN1 - IN3, IN2 - IN4.
 int StepperPart::field() const {
   const auto on = [this](std::size_t coil) {
     return high_share(context_.netlist.drive(spec_.coils[coil])) >= 0.5 ? 1 : 0;

@@ -1,12 +1,12 @@
 // type = "tcs34725": a light-to-digital converter with red, green, blue and clear channels (TAOS data sheet
-// TAOS135). The sensor looks down at the floor next to its own white LED.
+// TAOS135). The sensor and its own white LED look down at the floor.
 //
 //   command byte   0x80 | register; the next byte belongs to the next register, regardless of bit 5, since
 //                  libraries read words without that bit
 //   integration    2.4 ms (256 - ATIME); at most 1024 counts per 2.4 ms, or 65535
 //   counts         full scale x gain (1, 4, 16, 60) x share
-//   share          red 0.36, green 0.36, blue 0.28 of 0.008 on white, and of 1/10 of that on black; in
-//                  between by the colour's reflectance (grid/colour.h); clear is their sum
+//   share          on white 0.008 x (red 0.36, green 0.36, blue 0.28), on black a tenth; on other colours
+//                  in between, by their reflectance (grid/colour.h); clear is the sum of the three
 //
 // The shares are estimated for a breakout board a few millimetres above paper. The sensor integrates while
 // PON and AEN are set (ENABLE = 3); the end of each integration sets AVALID. Not modelled: interrupts,

@@ -10,8 +10,8 @@
 // The servo coasts from 50 ms after the last pulse.
 //
 // Sources: FS90R (Feetech; Pololu product 2820): stop at 1.5 ms, dead band of 45 us to each side since 2014,
-// counter-clockwise above, full speed at some 0.5 ms from stop. Parallax 900-00008: full speed at 0.2 ms from
-// stop, almost no dead band.
+// longer pulses turn counter-clockwise, full speed at some 0.5 ms from stop. Parallax 900-00008: full speed
+// at 0.2 ms from stop, almost no dead band.
 #pragma once
 
 #include "sim/robot/part_reader.h"
