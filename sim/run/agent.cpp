@@ -282,7 +282,7 @@ inline std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
   return progress_.contest() ? verdict_of_rules(verdict, end) : verdict;
 }
 
-// A function of its own, since most ticks need no stack frame for it.
+// Kept separate, since ticks that do not call it need no stack frame.
 bool Agent::pass_places(SimTime end) { return undisturbed_tick(end, true); }
 
 bool Agent::evaluate_in_full(SimTime end) {

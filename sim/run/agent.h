@@ -59,13 +59,13 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// happened since world or judge could last observe the robot.
   bool run_firmware(SimTime end);
   /// Steps 1 to 3 for the tick at `t`. Returns the time until which these steps have no work. `wakes` is the
-  /// result for the previous tick; 0 = unknown.
+  /// result of the previous call; 0 = unknown.
   SimTime step_or_sleep(SimTime t, SimTime wakes);
   /// Step 4: goal and judge examine the world at `end`. Returns whether there is a verdict: the agent is then
   /// finished.
   bool evaluate(SimTime end);
 
-  // --- turns of several ticks, apart from all others ---
+  // --- turns of several ticks, for a robot far from all others ---
   /// A report that is delayed until all agents have reached its time.
   struct Untold {
     SimTime tick;  ///< beginning of the report's tick
@@ -84,16 +84,16 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // --- ticks of a robot at rest (rest_optimization.cpp) ---
   /// Returns the time until which the agent rests; `end` if it does not rest. In ticks that begin before that
-  /// time, act() (apart from parts) and evaluate() would only repeat their results. This is true as long as
+  /// time, act() (without the parts) and evaluate() would only repeat their results. This is true as long as
   /// the world is still and nothing happens. Call it directly after evaluate() at `end`.
   SimTime rests_until(SimTime end) const;
-  /// Step 1 in a tick of rest.
+  /// Performs step 1 in a tick of rest.
   void begin_rest(SimTime t) {
     if (board_detectors_) board_detectors_->booted(player_.boots());
     robot_.begin_tick(t);
   }
   bool has_crashed() const { return crash_.has_value(); }
-  /// Step 4 at the end of a tick of rest.
+  /// Performs step 4 at the end of a tick of rest.
   void rest(SimTime end);
   /// Updates the state after ticks of rest, as if all of them had been evaluated. Call it before anything
   /// else happens at `t`.
@@ -137,7 +137,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     std::int64_t off_line_ticks = 0;
     bool sees_line = true;
     double line_side = 0.0;  ///< last value of Robot::line_side() that was not small
-    double steered = 0.0;    ///< running mean of the steering then, -2..2; above 0: towards the line
+    double steered = 0.0;    ///< mean steering when line_side was updated, -2..2; above 0: towards the line
     int collisions_told = 0;
     SimTime senses_at = 0;   ///< no sensor is examined before this time
     SimTime reports_at = 0;  ///< no periodic work before this time: see is_undisturbed()
@@ -280,7 +280,7 @@ inline bool Agent::is_undisturbed(SimTime end) const {
          body_.collisions() == state_.collisions_told;
 }
 
-// Most ticks are undisturbed. Firmware that hangs is detected in the others.
+// Most ticks are undisturbed. The other ticks detect firmware that hangs.
 [[gnu::always_inline]] inline bool Agent::evaluate(SimTime end) {
   if (!is_undisturbed(end)) return evaluate_in_full(end);
   const bool checks_progress = !progress_.passes_by(body_);

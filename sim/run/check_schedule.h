@@ -16,11 +16,11 @@ constexpr int kSideCheckEvery = 10;               ///< ticks between two checks 
 /// The checks that are due at the end of a tick.
 struct DueChecks {
   bool at_sensors, aside;
-  int next;  ///< number of ticks until the next one
+  int next;  ///< number of ticks until the next check
 };
 
-/// The checks by the tick's number in kRestSpan. This is a table, because it is read in every third tick.
-/// Calculating several remainders would take longer than the checks.
+/// The checks by the tick's number in kRestSpan. A table is used, since it is read in every third tick, and
+/// calculating several remainders would take longer than the checks.
 constexpr auto kCheckSchedule = [] {
   std::array<DueChecks, kRestSpan / kTick> looks{};
   static_assert(looks.size() % kSensorCheckEvery == 0 && looks.size() % kSideCheckEvery == 0);

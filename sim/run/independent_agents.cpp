@@ -1,4 +1,4 @@
-// Runs robots that are apart from all others in turns of several ticks (simulation.h).
+// Runs robots in turns of several ticks while they are far from all others (simulation.h).
 #include <algorithm>
 #include <tuple>
 
@@ -60,7 +60,7 @@ void Simulation::Impl::take_turn(std::size_t number, SimTime t, SimTime end) {
     if (setup.reached) setup.reached->store(t, std::memory_order_relaxed);
     wakes = agent.step_or_sleep(t, wakes);
     world.step_alone(number);
-    goes_on = agent.finished() || look_of(agent, t + kTick) || !agent.finished();  // false: it finished last
+    goes_on = agent.finished() || look_of(agent, t + kTick) || !agent.finished();  // false: all have finished
   }
   agent.tell_later(nullptr);
 }

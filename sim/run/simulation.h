@@ -9,9 +9,9 @@
 // All agents perform a step, in the order of their numbers, before the next step begins. An effect of one
 // agent on another in a tick is therefore visible in the next tick.
 //
-// Robots too far from all others to affect any of them take turns of several ticks. The result is the same,
-// and the processor's caches are used better. The order is the same for every executor, and does not depend
-// on wall time, threads or listeners.
+// A robot that is too far from all others to affect them runs several ticks in one turn. The result is the
+// same, and the processor's caches are used better. The order of turns is the same for every executor, and
+// does not depend on wall time, threads or listeners.
 #pragma once
 
 #include <array>

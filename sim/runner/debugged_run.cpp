@@ -13,7 +13,7 @@ using exec::gdb::Place;
 using exec::gdb::Search;
 
 constexpr SimTime kStretch = 10 * kMillisecond;  // time between two checks whether a snapshot is due
-constexpr SimTime kClose = 2 * kTick;            // a place's tick begins at most this long before the place
+constexpr SimTime kClose = 2 * kTick;            // a Place's tick begins at most this long before Place::t
 
 }  // namespace
 
@@ -31,7 +31,7 @@ DebuggedRun::DebuggedRun(const run::Setup& setup, exec::gdb::Server& server)
     static_cast<void>(simulation_.save());
     server_.go_back_in(*this);
   } catch (const InputError&) {
-    // gdb itself reports that it cannot go back.
+    // Ignored: without a history, gdb itself reports that it cannot go back.
   }
 }
 

@@ -44,7 +44,7 @@ class EventBatcher {
     waiting_.add_volts(agent, t, pin, name, volts);
     look();
   }
-  /// Returns whether such an event of that pin at that time can be appended to the waiting events unchanged.
+  /// Returns whether an event of this pin at `t` can be appended to the waiting events unchanged.
   bool follows(int agent, SimTime t, Pin pin) const { return waiting_.follows(agent, t, pin); }
   /// Announces that the robot's pins will have sources, and adds one source.
   void sources(int agent) { waiting_.add_sources(agent); }

@@ -33,7 +33,7 @@ class EventEncoder final : public run::Listener {
   void byte_received(std::uint8_t byte, SimTime t) override;
   void byte_sent(std::uint8_t byte, SimTime t) override;
 
-  /// Send what has been held back: the sketch's incomplete line, and the columns.
+  /// Send buffered output: the sketch's incomplete line, and the columns.
   void flush_serial(SimTime t);
   void flush_columns();
 
@@ -67,8 +67,8 @@ class EventEncoder final : public run::Listener {
   EventBatcher* const batcher_;  ///< null = events and columns are passed on directly
   const bool wants_columns_, wants_pins_, wants_inputs_;
   const bool hears_pins_;               ///< if false, pins need no work
-  EventBatcher* quick_pins_ = nullptr;  ///< set if it gets all events, without sources
-  EventBatcher* const quick_inputs_;    ///< set if it gets all events
+  EventBatcher* quick_pins_ = nullptr;  ///< the batcher, if it gets all pin events, without sources
+  EventBatcher* const quick_inputs_;    ///< the batcher, if it gets all input events
   std::string line_;
   std::optional<wire::RunColumns> columns_;
   std::optional<wire::SourceNumbers> sources_;  ///< for columns made by the client

@@ -1,7 +1,7 @@
 // A run that branches (wire::Ways). The common part runs once, and each way continues in a copy of the
 // process. The copy has all state: chip, world, detectors, and line counts.
 //
-//   this process:  power-on ────────────► parts ──── the first way ────► its result, with the others'
+//   this process:  power-on ────────────► split ──── the first way ────► its result, with the others'
 //                                           │ fork
 //                                           ├──────── the second way ────► its result
 //                                           └ …
@@ -15,7 +15,7 @@ namespace robosim::runner {
 
 /// Runs the ways of the request one after the other, in order. The request must have ways. `in_copy` is
 /// called first in each copy; if it is empty, this process cannot be copied, because host firmware is
-/// confined. Each way writes its counters if the request asks for them. Throws InputError if such a run
+/// confined. Each way writes its counters if the request asks for them. Throws InputError if the run
 /// cannot branch, or a way's script is invalid.
 wire::RunResult run_all_branches(RequestedRun& run, const wire::RunRequest& request,
                                  const std::function<void()>& in_copy);

@@ -9,8 +9,8 @@
 namespace robosim::runner {
 
 class SandboxProxy;
-/// Passes all lines in both directions through `proxy` from now on. It must outlive the process's use of
-/// lines.
+/// Passes all lines in both directions through `proxy` from now on. `proxy` must outlive all use of the
+/// functions below.
 void route_through(const SandboxProxy& proxy);
 
 /// Writes one line, with its line feed. Ends the process if the client has disconnected.

@@ -1,6 +1,5 @@
-// Instantiates libfmt from its own headers, like its src/format.cc. This is for programs that link libfmt
-// statically where only the shared one is installed. It works for versions 9 and 10; CMakeLists.txt checks
-// that.
+// Instantiates libfmt from its own headers, like its src/format.cc. For programs that link libfmt statically
+// where only the shared library is installed. Works for versions 9 and 10; CMakeLists.txt checks the version.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

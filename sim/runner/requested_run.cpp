@@ -49,7 +49,7 @@ run::Mission errand_of(const wire::AgentRequest& asked, const grid::Map& map) {
   return mission;
 }
 
-/// Throws an error with the name of the robot that it is about.
+/// Throws `error` again, with the name of the robot in its message.
 [[noreturn]] void blame(const std::string& robot, const InputError& error) {
   throw InputError(error.place(), fmt::format("robot {}: {}", robot, error.message()));
 }
@@ -174,7 +174,7 @@ judge::Outcome RequestedRun::inquire() const {
 
 std::vector<judge::Outcome> RequestedRun::simulate() const {
   if (request_.why) return {inquire()};
-  // If the run went back, counters and outside observers would count parts twice. A client cannot go back.
+  // If the run went back, counters and observers would count some ticks twice. A client cannot go back.
   const bool may_go_back =
       !request_.interactive && !request_.detect && request_.counters.empty() && !request_.source_ns;
   if (debugger_ && may_go_back) return {DebuggedRun(setup_, *debugger_).go()};

@@ -68,9 +68,9 @@ class RequestedRun {
   /// Lets `server` halt the first robot's chip, and go back if that is possible. `server` outlives this
   /// object.
   void debug_with(exec::gdb::Server& server);
-  /// Returns the set-up, for settings outside the request: what may interrupt the run, and what drives it.
+  /// Returns the set-up, for settings outside the request, such as the controller of the run.
   run::Setup& setup() { return setup_; }
-  /// Sends what has been held back: incomplete lines of sketches, and columns.
+  /// Sends buffered output: incomplete lines of sketches, and columns.
   void flush(SimTime t);
 
   /// Runs to the end. Call it only once. Reads no more files.

@@ -35,7 +35,7 @@ class SandboxProxy {
   /// In the run's process: closes all descriptors except those of exec::ConfinedDescriptor and those in
   /// `kept`. `kept` has the images' sealed descriptors (ImageContent::sealed()), in ascending order.
   void enter(const std::vector<int>& kept);
-  /// Confines this process for ever, if that is possible (sim/exec/host/confinement.h).
+  /// Confines this process permanently, if that is possible (sim/exec/host/confinement.h).
   void confine(bool has_grown) const;
   /// Sends a line to the client immediately.
   void tell(const std::string& line) const;
@@ -81,7 +81,7 @@ class SandboxProxy {
   void send(char what, const std::string& text) const;
 
   bool take(std::string& taken, const Ask& ask, const wire::Id& id, Told& told);
-  /// Writes `text` to the run. Sets `told.found` if the watch ends the run before it has read the text.
+  /// Writes `text` to the run. Sets `told.found` if the watch ends the run before the text is read.
   void hand(const Pipe& pipe, std::string_view text, Told& told);
   /// Handles the batches before number `end`. Returns false if `end` is impossible.
   bool take_batches(std::size_t end, const wire::Id& id);

@@ -167,7 +167,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
                 return proxy->ask(kAskLines, text_of(agent, offsets));
               },
               ahead.images.at(agents[agent].image).content);
-    // The chips of a fleet were created after the fork, and so was a map that was not read ahead.
+    // Memory may have grown since the fork by a fleet's chips, or by a map that was not read ahead.
     const bool has_grown = !request.agents.empty() || !ahead.map;
     if (exec::why_not_confined().empty()) proxy->confine(has_grown);
   }
@@ -190,7 +190,7 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   } catch (const std::exception& error) {
     const std::string fault = system_error_of(error);
     if (!fault.empty() && exec::is_confined())
-      exec::keyed_exit(exec::kNoMemoryStatus);  // all other resources were acquired before
+      exec::keyed_exit(exec::kNoMemoryStatus);  // only memory is still acquired this late
     if (!fault.empty()) return wire::ErrorAnswer{"tool", fault};
     return wire::ErrorAnswer{"internal", error.what()};
   }
@@ -222,8 +222,8 @@ bool was_refused(const Ending& ending) {
   return ending.signal == SIGSYS || ending.status == exec::kRefusedStatus;
 }
 
-// Waits for the end of a process that has closed its pipes. Returns nothing if the process does not end soon.
-// In that case it had no right to close them.
+// Waits for the end of a process that has closed its pipes. Returns nothing if the process does not end soon:
+// firmware has then closed them.
 std::optional<Ending> end_of(Child& run) {
   for (int wait_us = 50, waited_us = 0; !run.has_ended();
        waited_us += wait_us, wait_us = std::min(2 * wait_us, 10'000)) {

@@ -24,7 +24,7 @@ class Shared {
   Shared(const Shared&) = delete;
   Shared& operator=(const Shared&) = delete;
 
-  /// Removes the object from this process for ever: nothing in the process can write to it any more. Other
+  /// Removes the object from this process permanently: nothing in the process can write to it any more. Other
   /// processes still have it.
   void leave() const { ::munmap(value_, sizeof(T)); }
 

@@ -23,7 +23,7 @@ constexpr SimTime kBlind = 20 * kMillisecond;    // shortest time without a read
 constexpr SimTime kLongestGap = 500 * kMillisecond;
 constexpr int kMostGoingBack = 12, kMostStepByStep = 4, kMostForRegisters = 2;
 constexpr std::size_t kMostLinks = 9, kMostOfStopping = 6, kMostLines = 10, kFewLines = 6;
-constexpr SimTime kStillOff = 150 * kMillisecond;  // after the motors were switched off
+constexpr SimTime kStillOff = 150 * kMillisecond;  // from the motors' switch-off to the traced time
 constexpr SimTime kLongBefore = 300 * kMillisecond;
 constexpr double kSameCommand = 0.02;
 constexpr SimTime kOffForLong = 300 * kMillisecond;
@@ -53,7 +53,7 @@ void add_line(std::vector<wire::SourceLine>& lines, const wire::SourceLine& line
   if (!there && lines.size() < most) lines.push_back(line);
 }
 
-/// Returns whether a step happened long before `t`, when the sketch began, or by a variable's declaration.
+/// Returns whether a step happened long before `t` or while the sketch began, or is a variable's declaration.
 bool is_before(const CauseStep& step, SimTime t) {
   return step.t + kLongBefore < t || step.kind == Kind::keeps || step.where.function == "setup" ||
          step.where.function.starts_with("_");
@@ -199,7 +199,7 @@ Inquiry::Steps Inquiry::trace(SimTime t, SimTime until, Ask ask) {
     if (times >= kMostStepByStep && from > 0) give_up_what_changes(from);
     found = go_back(from, times < kMostForRegisters);
   }
-  if (!found) causes_.close();  // otherwise earlier writes are possible
+  if (!found) causes_.close();  // the run has been searched back to its beginning
   return causes_.steps();
 }
 
@@ -256,8 +256,7 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
   return chain;
 }
 
-/// Adds the reasons why the robot stopped: what switched the motors off, and what did not switch them on
-/// again.
+/// Adds the reasons why the robot stopped: why the motors were switched off, and why they stayed off.
 void Inquiry::tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>& chain) {
   const SimTime asked = std::min(t + kStillOff, end - kTick);
   const Steps steps =
