@@ -144,7 +144,7 @@ struct Map {
 
 /// Maximum number of columns, and of rows.
 constexpr int kMaxSide = 100'000;
-constexpr std::size_t kMaxCells = 64'000'000;  ///< maximum of a map; a command and its runner use 3 bytes per cell
+constexpr std::size_t kMaxCells = 64'000'000;  ///< of a map; a command and its runner use 3 bytes per cell
 /// Maximum number of cells of a map without rows, so that a short file cannot use much memory.
 constexpr std::size_t kMaxBareCells = 4'000'000;
 

@@ -280,7 +280,7 @@ inline bool Agent::is_undisturbed(SimTime end) const {
          body_.collisions() == state_.collisions_told;
 }
 
-// Most ticks are undisturbed. The other ticks detect firmware that hangs.
+// Evaluates most ticks only in part. Evaluates silent firmware in full, so that a hang is detected.
 [[gnu::always_inline]] inline bool Agent::evaluate(SimTime end) {
   if (!is_undisturbed(end)) return evaluate_in_full(end);
   const bool checks_progress = !progress_.passes_by(body_);
