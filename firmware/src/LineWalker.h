@@ -15,23 +15,23 @@
 //
 // Landmarks.
 //   arm       an outer sensor gets dark while more of the row is dark than a line alone can cover.
-//             The sensor stays dark for the width of a line; the arm leaves at the middle of that.
+//             The sensor stays dark for the width of a line. The arm's centre line is halfway.
 //   ahead     whether a line is under the row once the row is past the arms.
 //   bend      one arm and nothing ahead. The robot rolls on until its axle is over the corner, and turns.
-//   junction  two or more ways on. The robot rolls on until its axle is over the junction.
+//   junction  two or more lines lead on. The robot rolls on until its axle is over the junction.
 //   end       no sensor is dark, and the line was not lost to a side. The robot rolls on until its axle is
 //             over the end. If a line reappears before that, the robot has crossed a gap.
 //   blocked   the bumper is pressed. The robot stops and waits. After patience_ms it backs up a little.
-//             Near the last landmark or corner it backs up onto that place: if it turned in between, its
-//             sensors would be beyond that place and find no line.
+//             Near the last landmark or corner, it backs up onto that place instead. If it turned where it
+//             is, its sensors would be past that place and find no line.
 //
 // The robot follows smooth bends with a radius of 150 mm to 1 m. It treats tighter bends as corners, or
 // follows them. At about 130 mm it may confuse the two cases, and lose the line.
 //
 // Position. The wheels measure the distance (ds) and the turn: (left - right) / track. The heading is stored
-// as quarter turns and a remaining angle. Lines run along quarters, so a remaining angle of less than 0.15
-// rad decays with ds / 150 mm. Differences between the wheels therefore do not accumulate. A junction lies on
-// the line by which the robot leaves it.
+// as quarter turns and a remaining angle. Lines run at multiples of a quarter turn, so a remaining angle of
+// less than 0.15 rad decays with ds / 150 mm. Differences between the wheels therefore do not accumulate.
+// When the robot leaves a landmark along a line, the coordinate across the line is set to the landmark's.
 //
 // follow(), leave() and begin() return when they are done.
 //
@@ -145,7 +145,7 @@ class LineWalkerOf {
   bool blocked_ = false;
   bool from_line_ = false;  ///< began in the middle of a line, and has met no landmark yet
   nav::Heading start_heading_ = 0;
-  // Kind and position of the last landmark. From nearby, the robot backs up onto the landmark.
+  // Kind and position of the last landmark or corner. If blocked nearby, the robot backs up onto it.
   Passed passed_ = Passed::nothing;
   float passed_at_ = 0;
   nav::Heading passed_heading_ = 0;  ///< heading on arrival at the corner

@@ -9,15 +9,15 @@ namespace line_walker {
 static constexpr float kQuarter = 1.5707963f;
 static constexpr float kFadeBelow = 0.15f;    // angle below which the remaining angle decays, rad
 static constexpr float kFadeMm = 150;         // decay constant of the remaining angle, as a distance
-static constexpr float kMostBehind = 6;       // maximum lag that a wheel catches up, mm
+static constexpr float kMostBehind = 6;       // maximum lag that the speed control corrects, mm
 static constexpr float kSearch = 0.6f;        // search range on either side of a line's expected angle, rad
 static constexpr float kArmNear = 0.35f;      // tolerance around a quarter turn while looking round, rad
 static constexpr float kTurnedEarly = 0.05f;  // angle that the robot still turns while braking, rad
-static constexpr float kCreepFrom = 3;        // distance before the end of a roll, mm
+static constexpr float kCreepFrom = 3;        // distance from the end of a roll at which creeping begins, mm
 static constexpr float kEndMm = 12;           // distance without a line after which the line may have ended
-static constexpr float kSideMm = 150;         // distance for which a line lost to a side is sought
+static constexpr float kSideMm = 150;         // search distance for a line lost to a side
 static constexpr float kBackUpMm = 35;
-static constexpr float kNearMm = 40;  // beyond sensors_ahead: after a turn there, the line is out of reach
+static constexpr float kNearMm = 40;  // added to sensors_ahead; nearer, the robot backs up onto a landmark
 static constexpr float kLoopNear = 100, kLoopLeast = 500;  // tolerance and minimum length of a loop, mm
 static constexpr int16_t kTurnLead = 300;  // a turn brakes this far before the middle, 0.001 pitches
 // Sum of all sensor values. A line alone gives 2100, or 2700 at 38 degrees.

@@ -67,7 +67,7 @@ class PathFollower {
     uint8_t end_tenths = 12;     ///< distance without a line after which the line has ended
     uint8_t past_tenths = 4;     ///< from there until the axle is over the line's end
     uint8_t branch_tenths = 10;  ///< from a branch's far edge until the axle is over its middle: the sensors'
-                                 ///< distance from the axle, less half a line's width, less the way to stop
+                                 ///< distance from the axle, less half a line's width, less braking distance
     uint16_t width_ms = 70;      ///< time for one width until the first branch has been measured
   };
 

@@ -17,7 +17,7 @@ const uint16_t WHITE_STEPS = 75;  // steps on white after which the line may hav
 // Distance to roll until the axle is over the arm, in tenths of a line's width (20 mm): the sensors' 60 mm,
 // less half a width, the third of a width already driven, and the stopping distance.
 const uint16_t ROLL_TENTHS = 20;
-const uint16_t ROUND_TENTHS = 35;  // tenths of a quarter turn; a later line is the first one again
+const uint16_t ROUND_TENTHS = 35;  // tenths of a quarter turn; a line found later is the first one again
 const uint8_t SIDE_STEPS = 4;      // debounce time of a dark side sensor
 const uint8_t LEFT = 1, RIGHT = 2;
 
@@ -42,7 +42,7 @@ Landmark PonyWalker::begin() {
   lost_ = false;
   left_at_ = millis();
   if (!pony_.middle() && !turnToLine(1, 6 * quarter_)) return landmark(LandmarkKind::lost);
-  // Turns fully and records the quarters that have a line.
+  // Turns a full circle and records the quarters that have a line.
   const uint16_t start = pony_.now();
   arms_ = 1;
   bool was_dark = true;

@@ -8,7 +8,7 @@ namespace nav {
 
 namespace detail {
 
-/// Nodes still to be settled, the nearest first: a binary heap that also stores each node's position in it.
+/// A binary heap of the nodes still to be settled, the nearest first. Also stores each node's heap position.
 template <class Id, class Cost>
 class NodeHeap {
  public:
@@ -117,12 +117,12 @@ Plan dijkstra(const Network& network, typename Network::Id from, typename Networ
   return Plan::no_way;
 }
 
-/// Finds the next node on the path of least cost, with 17 bits per junction, to fit a chip. Stations need no
-/// memory, since they are only at the ends of paths. The network must count its junctions, by row() and
+/// Finds the next node on the path of least cost, with 17 bits of memory per junction. Stations need none,
+/// since they are only at the ends of paths. The network must count its junctions, by row() and
 /// junctions(), as FixedNetwork does.
 ///
-/// The search runs from the destination to the robot's node; the last node before that is the next node. Sums
-/// stay below 2^16: if the lines are too long for that, all costs are halved until the sums fit.
+/// The search runs from the destination to the robot's node. The last node before the robot's is the result.
+/// Sums stay below 2^16: if the lines are too long for that, all costs are halved until the sums fit.
 template <uint8_t kJunctions>
 class DijkstraNext {
  public:

@@ -13,9 +13,9 @@
 // The scan can begin anywhere. If it begins at the end of a line, that end is station 1 and the root of the
 // graph. Elsewhere the first node that the robot meets is the root, and its arm of arrival is explored last.
 //
-// An obstacle is recorded beyond an arm. If the robot meets it from the other side, too, it is also recorded
-// beyond an arm of the node there. The part in between stays unknown. If the robot later comes along the line
-// from the other end, the arm is open again.
+// An obstacle is recorded beyond an arm. If the robot also meets it from the other side, it is recorded
+// beyond an arm of that side's node, too. The line between the two arms stays unknown. If the robot later
+// arrives at a blocked arm along its line, the arm is open again.
 //
 //   nav::Explorer<MyWalker, MyNetwork> explorer(walker, network);
 //   while (explorer.step()) showProgress();

@@ -38,7 +38,7 @@ namespace nav {
 
 enum class Plan : uint8_t {
   found,
-  no_way,        ///< both nodes exist; the path stays empty, as in the cases below
+  no_way,        ///< no open lines connect the nodes; the path stays empty, as in the cases below
   unknown_node,  ///< `from` or `to` is not a node of the network
   no_room,       ///< the path or the work memory is too small for the network
   not_a_tree,    ///< the planner requires a tree

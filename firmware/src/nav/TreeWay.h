@@ -119,7 +119,7 @@ Plan intervals(const Network& network, typename Network::Id* end) {
   return Plan::found;
 }
 
-/// Interval routing: goes up until the destination is a descendant, then down through the child above it.
+/// Interval routing: goes up until the destination is a descendant, then down through its ancestors.
 /// `end` is the result of intervals().
 template <class Network, class Path>
 Plan intervalWay(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
