@@ -59,8 +59,8 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
 }
 
 /// Returns the code of the input that ADMUX and ADCSRB select. `pin_volts(channel)` returns the volts at an
-/// analog input, scaled as if the supply were nominal. If the supply has dropped to `supply_share()`, these
-/// volts suit a reference that drops with it. They are too high for a constant reference. `held` receives the
+/// analog input, scaled as if the supply were nominal. So these volts match a reference that drops
+/// with the supply. For a constant reference they are multiplied by `supply_share()`. `held` receives the
 /// volts on the converter's capacitor, at the same scale.
 template <typename SupplyShare, typename PinVolts>
 uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,

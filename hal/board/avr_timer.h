@@ -6,9 +6,9 @@
 //   period              TOP + 1 ticks, or 2 TOP if the timer counts up and down (phase correct)
 //   fast PWM            high for OCR + 1 of TOP + 1 ticks
 //   phase correct PWM   high for OCR of TOP ticks
-//   COM = 1             toggles at each match: high half the time, one match per period. In PWM modes only
-//                       OCnA toggles, and only if TOP can be set (not by ICRn in the two modes that count
-//                       up and down)
+//   COM = 1             toggles at each match: high half the time, one match per period. In PWM modes,
+//                       only OCnA toggles. TOP must be OCRnA, or with a single slope it may be
+//                       ICRn
 #pragma once
 
 #include <stdint.h>
@@ -92,8 +92,8 @@ constexpr int64_t period_of(const Counting& how, int64_t top) {
 /// Returns COM of channel 0 (A), 1 (B) or 2 (C) in TCCRnA; 0 if the pin belongs to the port.
 constexpr uint8_t connection(uint8_t control_a, int channel) { return control_a >> (6 - 2 * channel) & 3; }
 
-/// Returns whether COM of a channel connects its pin to the timer, while DDRx makes the pin an output. In PWM
-/// modes, COM = 1 connects only OCnA, and only in some modes.
+/// Returns whether COM of a channel connects its pin, if DDRx makes the pin an output. In PWM modes, COM = 1
+/// connects only OCnA, and only in some modes (see above).
 constexpr bool drives_pin(const Counting& how, uint8_t com, int channel) {
   return com != 1 ? com != 0
                   : how.kind != Counting::Kind::pwm ||

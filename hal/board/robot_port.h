@@ -110,8 +110,8 @@ class RobotPort {
   /// Sets the only watcher, which does not influence the run.
   virtual void watch_inputs(InputWatcher& watcher) = 0;
   /// Schedules an edge: `pin` has `level` from `at` on, a time within the next tick. Interrupts and polling
-  /// emulators detect the edge. The pin's source must agree with it. Per pin, times must not decrease. There
-  /// is no edge if the pin already has that level.
+  /// emulators detect the edge. The pin's source must return the same level. Per pin, times must not
+  /// decrease. There is no edge if the pin already has that level.
   virtual void schedule_edge(Pin pin, bool level, SimTime at) = 0;
   /// Returns whether an edge on `pin` would be noticed without a read (an interrupt is attached, or a chip's
   /// input register must follow). Sources that are costly to evaluate call this first.

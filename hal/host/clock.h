@@ -25,7 +25,7 @@ extern const BoardSpec* board_spec;
 extern Host* executor;
 /// The time of the next action: the limit, or an earlier interrupt.
 extern SimTime deadline;
-/// Equals `deadline`, except while blocks are observed: each then calls block_at_deadline() before this time.
+/// The real deadline while blocks are observed. `deadline` is then earlier, so that each block is reported.
 extern SimTime watched_deadline;
 
 /// Serves due interrupts, yields at the limit, and sets the next deadline.
@@ -65,7 +65,7 @@ inline void be_late_if_due() {
 }
 
 /// Waits until `time`, and serves interrupts at their exact times. Ends later only if a handler takes longer.
-/// Its cost does not depend on the duration.
+/// The cost of this call does not depend on the duration.
 void wait_long(SimTime time);
 inline void wait_until(SimTime time) {
   if (time >= deadline) return wait_long(time);

@@ -33,7 +33,7 @@ constexpr int kInit = 60;  ///< init() in wiring.c, counted in its disassembly
 constexpr int kPinMode = 73;       ///< 70 output, 77 input
 constexpr int kDigitalWrite = 73;  ///< 93 on a pin with PWM
 constexpr int kDigitalRead = 74;   ///< 94 on a pin with PWM
-constexpr int kTimerPin = 20;      ///< added to both on a pin with PWM
+constexpr int kTimerPin = 20;      ///< added to digitalWrite() and digitalRead() on a pin with PWM
 constexpr int kShiftOutBit = 170;  ///< per bit: M 244, less one digitalWrite
 constexpr int kShiftInBit = 104;   ///< per bit: M 251, less one digitalWrite and one digitalRead
 
@@ -49,7 +49,7 @@ constexpr int kMillis = 19;
 constexpr int kMicros = 55;
 constexpr int kDelayEnd = 85;   ///< delay(10) took 160,154 cycles, 69 of them in the first call of micros()
 constexpr int kDelayPoll = 30;  ///< one round of delay()'s loop, without its micros()
-constexpr int kPulseWait = 11;  ///< a round of pulseIn's loops that wait for the pulse: timeouts come early
+constexpr int kPulseWait = 11;  ///< one round before the pulse; the core assumes 16, so timeouts come early
 constexpr int kPulseLoop = 16;  ///< one round of the loop that measures the pulse
 
 // Interrupts (M)

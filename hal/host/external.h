@@ -1,5 +1,5 @@
-// External interrupts (datasheet, chapter 13): INTn and pin change interrupts. A Blue Pill has one per pin.
-// Pins without an INTn can interrupt only if their number is passed to attachInterrupt().
+// External interrupts (datasheet, chapter 13): INTn and pin change interrupts. On a Blue Pill
+// every pin can interrupt. A pin without an INTn does so only if passed to attachInterrupt().
 #pragma once
 
 #include <stdint.h>

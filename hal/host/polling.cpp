@@ -14,8 +14,8 @@ ROBOSIM_CLOCKWORK Polling polling;
 namespace {
 
 constexpr int kPatience = 6;
-constexpr int kMostBlocks = 300, kMostVisits = 70;  // in a look, and at its place
-constexpr int kFarAway = 32;                        // blocks after which it must be another loop
+constexpr int kMostBlocks = 300, kMostVisits = 70;  // blocks in a look, visits to its place
+constexpr int kFarAway = 32;                        // blocks after which this must be another loop
 constexpr int kLongestWait = 64;                    // deadlines; there are about two per millisecond
 
 SimTime earlier(SimTime a, SimTime b) { return a < b ? a : b; }

@@ -3,9 +3,9 @@
 // repeats the same round with the same length. All rounds that certainly fit into this time are skipped,
 // except the last; the result is the same as running them.
 //
-// A look begins at a deadline: from then on each basic block calls look_at_block(). It ends when rounds have
-// been skipped, when it takes too long, or at a call without note_question(). Looks become rarer while they
-// have no success.
+// A look begins at a deadline: from then on each basic block calls look_at_block(). The look ends when
+// rounds have been skipped, when it takes too long, or at a call without note_question(). Looks become rarer
+// while they skip nothing.
 #pragma once
 
 #include <stdint.h>
@@ -21,17 +21,17 @@ namespace host ROBOSIM_WITHIN {
 struct Polling {
   static constexpr int kMostPoints = 6;
 
-  bool on = false;     ///< a look is in progress: `deadline` has always passed, `until` is the real one
+  bool on = false;     ///< a look is in progress: `deadline` has always passed, `until` is the real deadline
   bool known = false;  ///< the executor has stored the state at `place`
   bool going = false;  ///< a round began at `since`
   bool take = false;   ///< the state must be stored, not compared
   bool same = false;   ///< result of the comparison
-  bool clock = false;  ///< the round reads the counts of Timer 0's interrupt,
-  bool pins = false;   ///< or reads pins,
+  bool clock = false;  ///< the round reads the counts of Timer 0's interrupt
+  bool pins = false;   ///< the round reads pins
   bool once = false;   ///< the round passes `place` only once
-  bool calls = false;  ///< or makes any call
+  bool calls = false;  ///< the round makes a call
   bool again = false;  ///< interrupted: the next block starts another look, even if work is due
-  bool sure = false;   ///< the state repeats after `length`: all answers have been equal since then
+  bool sure = false;   ///< a round has shown that the state repeats after `length`; all answers are unchanged
   int patience = 0;    ///< number of calls that may still interrupt a look before looks become rarer
   int wait = 0,
       left = 0;  ///< deadlines from a failed look to the next; how many of them remain
@@ -45,8 +45,8 @@ struct Polling {
   SimTime at[kMostPoints] = {};
   int points = 0, reads = 0;
   SimTime promised = kNever;  ///< until when pins surely keep their values
-  uint64_t millis = 0;        ///< in the round of `length`: the count,
-  PinSet high, low;           ///< and the levels of pins
+  uint64_t millis = 0;        ///< in the round of `length`: the count that millis() returns
+  PinSet high, low;           ///< in that round: pins that were read as high, and as low
 };
 extern Polling polling;
 

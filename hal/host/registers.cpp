@@ -351,7 +351,7 @@ void robosim_write8(robosim_register address, uint8_t value) {
   host::begin_access(address, 1, __builtin_return_address(0));
   host::write(address, value);
   host::refresh_deadline();
-  // Serves a timer's flag that was raised by init()'s PWM, before the sketch's next statement.
+  // Before the sketch's next statement, serves a timer's flag that init()'s PWM has raised.
   if (address >= host::reg::kTimsk0 && address <= host::reg::kTimsk2) host::spend(0);
 }
 

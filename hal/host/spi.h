@@ -1,6 +1,6 @@
 // The serial peripheral interface as master (datasheet, chapter 19). A byte takes 8 bits of 4, 16, 64 or 128
-// cycles, or half of that with SPI2X. Single bits are not simulated: the received byte is all ones or zeros,
-// MISO's level at the end. The port still drives MOSI and SCK. SS is read when SPCR or SPDR is written.
+// cycles, or half of that with SPI2X. Single bits are not simulated: the received byte is all ones or all
+// zeros, as MISO's last level. The port still drives MOSI and SCK. SS is read when SPCR or SPDR is written.
 #pragma once
 
 #include <stdint.h>

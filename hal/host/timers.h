@@ -84,7 +84,7 @@ class Timer {
   bool drives(int channel) const;
   /// Returns how a channel drives its pin.
   PinDrive drive(int channel) const;
-  /// For a channel with PWM: return its level at a time since the last register write, and the time of its
+  /// For a channel with PWM: return its level at a time after the last register write, and the time of its
   /// next change; kNever if there is none.
   bool level(int channel, SimTime at) const { return level_at(channel, tick_at(at)); }
   ROBOSIM_RARE SimTime next_edge(int channel, SimTime after) const;
@@ -199,7 +199,7 @@ class Timer {
   int32_t prescaler_ = 0;  ///< 0 = stopped
   // How the counter runs until the next turn:
   static constexpr int64_t kNoTick = INT64_MAX, kLongAgo = INT64_MIN;
-  bool dual_slope_ = false, strays_ = false;  ///< strays_: the count is beyond the registers' TOP
+  bool dual_slope_ = false, strays_ = false;  ///< strays_: the count is above the registers' TOP
   int64_t top_, period_;
   int64_t pin_top_ = 0xFF;                         ///< TOP according to the registers, for duty cycles
   SimTime lasts_ = 0;                              ///< upper limit of the duration of a period

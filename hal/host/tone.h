@@ -1,4 +1,4 @@
-// tone(): Timer 2 toggles one pin. As in the AVR core, analogWrite() then has no Timer 2 (pins 3 and 11).
+// tone(): Timer 2 toggles one pin. As in the AVR core, analogWrite() has no PWM on pins 3 and 11 meanwhile.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -11,7 +11,7 @@ namespace host ROBOSIM_WITHIN {
 extern SimTime tone_end;
 /// Returns whether a tone plays.
 bool sounds();
-/// Return the level of the tone's pin at a time since the level's last change, and when it changes next.
+/// Return the level of the tone's pin at a time after its last change, and the time of its next change.
 bool tone_level(SimTime at);
 SimTime next_tone_edge(SimTime after);
 /// Ends the tone. Call it when tone_end has passed.

@@ -45,7 +45,7 @@ namespace {
 void tell_until(SimTime limit) {
   for_each_followed([limit](Pin pin) {
     SimTime& next = next_edges[pin];
-    // Flags record at most two edges; of all later ones only the last one matters, except to a timer.
+    // A timer needs every edge. For interrupt flags, the first two edges and the last level are enough.
     const bool timed = places[pin].counted_by >= 0 || places[pin].captured_by >= 0;
     for (int told = 0; (timed || told < 2) && next <= limit; ++told) {
       hear_level(pin, level_at(pin, next), next);

@@ -24,7 +24,7 @@ inline void sync_waves() {
 /// Toggling pins whose edges have a listener.
 extern PinSet followed;
 void follow_anew();
-/// Updates the waves. Call it after a change that moves edges, or after one pin starts or stops toggling.
+/// Updates the waves. Call it after a change that moves edges, or after a pin starts or stops toggling.
 inline void refresh_waves() {
   if (followed.any()) follow_anew();
 }

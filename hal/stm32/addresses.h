@@ -47,8 +47,8 @@ constexpr uint32_t kDma1En = 1u << 0, kCrcUnitEn = 1u << 6;
 constexpr uint32_t kAfioEn = 1u << 0, kIopaEn = 1u << 2, kIopbEn = 1u << 3, kIopcEn = 1u << 4,
                    kAdc1En = 1u << 9, kTim1En = 1u << 11, kUsart1En = 1u << 14;
 constexpr uint32_t kTim2En = 1u << 0, kTim3En = 1u << 1, kTim4En = 1u << 2;
-/// Returns a peripheral's bit in RCC_APB1ENR or RCC_APB2ENR, and in RCC_APB1RSTR or RCC_APB2RSTR (7.3.3,
-/// 7.3.4): the peripheral's place on its bus, in units of 0x400 bytes.
+/// clock_bit() returns a peripheral's bit in RCC_APBnENR and RCC_APBnRSTR (7.3.3, 7.3.4), where n is its bus:
+/// the peripheral's offset on the bus, in units of 0x400 bytes.
 constexpr bool behind_apb2(Address address) { return address >= 0x40010000; }
 constexpr uint32_t clock_bit(Address address) { return 1u << ((address & 0xFFFF) / 0x400); }
 

@@ -29,8 +29,8 @@ void start_systick() {
 
 void sleep_for(uint32_t us) {
   at(kRccApb1Enr) |= kTim2En;
-  // One pulse of `us` microseconds (RM0008 15.3.10). UG loads the prescaler; URS prevents that from causing
-  // an interrupt.
+  // One pulse of `us` microseconds (RM0008 15.3.10). UG loads the prescaler; URS prevents the interrupt
+  // that UG would cause.
   at(kTim2 + kTimCr1) = kUrs | kOpm;
   at(kTim2 + kTimPsc) = kCyclesPerMicro - 1;
   at(kTim2 + kTimArr) = us;

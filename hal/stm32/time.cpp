@@ -12,8 +12,8 @@ constexpr uint32_t kCyclesPerMilli = F_CPU / 1000u;
 /// The maximum time to begin and end a sleep: some 400 cycles.
 constexpr uint32_t kSleepUs = 400u / kCyclesPerMicro + 1u;
 
-/// Waits by the counter alone, for callers with interrupts off, for whom micros() stops after a
-/// millisecond.
+/// Waits by SysTick's counter alone. With interrupts off, micros() would stop after a millisecond at
+/// most.
 void spin(uint32_t us) {
   uint32_t last = load(kStkVal), cycles = 0;
   while (us > 0) {
