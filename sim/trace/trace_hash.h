@@ -23,7 +23,7 @@ class TraceHash {
   TraceHash& operator=(const TraceHash& other);
   ~TraceHash();
 
-  /// Adds the pose at the end of a tick. It is called once per tick, so the hash needs no time for it.
+  /// Adds the pose at the end of a tick. Call it once per tick: the hash does not include its time.
   void pose(const Pose& pose) {
     static_assert(sizeof pose == kPoseWords * sizeof(std::uint64_t), "two Vec2 and nothing between");
     std::memcpy(take(kPoseWords), &pose, sizeof pose);

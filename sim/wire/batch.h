@@ -14,7 +14,7 @@
 //        the duty cycle, a double; with tone its frequency, with source its number (four bytes each)
 //   'l'  a level that was read; `other` is 0 or 1
 //   'v'  volts that were read, a double
-//   'b'  a byte, instead of the pin; `other` is 1 if the firmware sent it, 0 if it received it
+//   'b'  a serial byte, in the place of the pin; `other` is 1 if the firmware sent it, 0 if it received it
 //   'd'  announces that the robot's pins have sources; precedes everything else
 //   'c'  a source, numbered from 1; pin is the length of the function's name, `other` that of the file's, and
 //        the number is the line. Then the names
@@ -103,8 +103,8 @@ class BatchWriter {
     end(memory, put(put_head(at(memory), 'v', agent, pin, 0, step_to(t_ns)), volts));
   }
   void add_byte(int agent, std::int64_t t_ns, std::uint8_t value, bool sent);
-  /// Returns whether a pin, level or volts event of that pin, at that time, needs no extra record before it.
-  /// Most need none.
+  /// Returns whether a pin, level or volts event of that pin, at that time, needs no 't' or 'n' before it.
+  /// Most events need none.
   bool follows(int agent, std::int64_t t_ns, std::uint8_t pin) const {
     return is_named(number_of(agent, pin)) && is_near(t_ns);
   }

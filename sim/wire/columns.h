@@ -38,7 +38,7 @@ void fields(V& v, Same<V, ColumnSpec>& c) {
   v("order", c.order, "1: the differences of neighbours are kept; 2: the differences of these");
 }
 
-/// The rows of one stream that follow those in its previous Rows.
+/// The rows that were added to one stream since its previous Rows.
 struct Rows {
   std::string stream;               ///< "samples", "pin D5", "volts A0"
   std::int64_t count = 0;           ///< number of rows

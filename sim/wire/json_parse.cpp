@@ -107,7 +107,7 @@ class PlainJson {
     return p != first;
   }
 
-  // Leaves -0 and 007 to the other parser.
+  // Leaves -0 and 007 to nlohmann's parser.
   bool read_number(Json& value) {
     const char* last = at_;
     const bool negative = *last == '-';

@@ -1,8 +1,8 @@
 // Reads messages from JSON by their fields (fields.h), with checks. Include only in .cpp files: nlohmann's
 // header is slow to compile.
 //
-// Input may be hostile. The reader neither copies undescribed parts nor descends into them, so that no
-// nesting is too deep. It reports a number out of range, a missing key or a value of another kind in one
+// Input may be hostile. The reader neither copies undescribed parts nor descends into them, so deep
+// nesting does no harm. A number out of range, a missing key, or a value of the wrong type is reported in one
 // sentence.
 #pragma once
 
@@ -108,7 +108,7 @@ class JsonReader {
     return found == object_.end() ? nullptr : &*found;
   }
 
-  /// Throws BadValue for unknown keys. Of several choices, requires exactly one.
+  /// Throws BadValue for unknown keys. If there are choices, requires exactly one.
   void finish() const;
 
   template <class T>

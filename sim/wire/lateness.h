@@ -1,4 +1,4 @@
-// Describes a delay of a sketch, as if its code took longer; if negative, less time.
+// Describes a delay of a sketch, as if its code took longer. A negative delay shortens the next delay().
 #pragma once
 
 #include <cstdint>

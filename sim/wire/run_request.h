@@ -63,8 +63,8 @@ void fields(V& v, Same<V, AgentRequest>& a) {
 
 /// The point at which a run branches, to continue in several ways from the same state.
 struct Ways {
-  std::int64_t at_ns = 0;            ///< from power-on, if `after` is empty; a multiple of 1 ms
-  std::string after;                 ///< a text that the sketch sends
+  std::int64_t at_ns = 0;            ///< time since power-on, unless `after` is given; a multiple of 1 ms
+  std::string after;                 ///< the run branches when the sketch has sent this text, if not empty
   std::vector<std::string> scripts;  ///< one per way
 };
 

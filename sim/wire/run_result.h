@@ -110,7 +110,7 @@ struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
   std::int64_t ram_bytes = 0;        ///< variables
   std::int64_t stack_bytes_max = 0;  ///< the maximum in use, including handlers
-  std::int64_t loops = 0;            ///< passes of loop(); 0 = unknown, as are the next two
+  std::int64_t loops = 0;            ///< passes of loop(); 0 = this and the next two are unknown
   double loop_us_max = 0.0;          ///< longest time from one beginning of loop() to the next, or to now
   double loop_us_mean = 0.0;
   double interrupt_share = 0.0;  ///< share of the time in interrupt handlers: 0..1
@@ -273,7 +273,7 @@ struct RunResult {
   std::string verdict;  ///< "reached", "lost", …
   std::string why;      ///< one sentence
   std::string next;     ///< the suggested next step; may be empty
-  std::string next_by;  ///< means of that step: a run on the "host", "watching" or a "script"; else empty
+  std::string next_by;  ///< how to take that step: "host" (a run there), "watching" or "script"; else empty
   int status = 0;       ///< exit status of the verdict
   double time_s = 0.0;
   Metrics metrics;

@@ -31,7 +31,7 @@ struct Open {
   bool black = false;
   bool order = false;
   bool sides = false;
-  bool distance = false;  ///< distance between two sensors
+  bool distance = false;  ///< the distance between two sensors (Ways::close)
 };
 
 struct RobotDraft {

@@ -56,7 +56,7 @@ const char* kind_of(const Pins& sensors) {
   return "digital";
 }
 
-// Distance between two elements, and from the axle to the elements ahead, as in the stock robots.
+// Distance between two elements, and from the axle forward to the elements, as in the stock robots.
 struct Layout {
   const char* pitch;
   const char* ahead;
