@@ -89,8 +89,8 @@ std::string shown(const Evidence& evidence, Pin pin) {
   return "pin " + (name[0] == 'D' ? name.substr(1) : name);
 }
 
-// Asks what is connected to the two-wire bus if it is used. Wire pulls its two pins up, and never reads them
-// as pins.
+// Asks what is connected to the two-wire bus if it is used. Wire only pulls the bus's pins up, and never
+// reads them as pins.
 void ask_for_the_bus(Evidence& evidence, RobotDraft& draft) {
   const TwiSpec& bus = evidence.board().chip->twi;
   if (bus.address == 0) return;

@@ -1,5 +1,5 @@
-// Guesses motor shields and devices on the two-wire bus. A library receives only a number, which determines
-// the wiring.
+// Guesses motor shields and devices on the two-wire bus. The library receives only the number of a motor
+// or an address, which determines the wiring.
 #include <fmt/format.h>
 
 #include <algorithm>
