@@ -155,8 +155,8 @@ void fields(V& v, Same<V, ScorePart>& p) {
 struct Metrics {
   double distance_m = 0.0;          ///< path of the axle's centre
   std::vector<double> laps_s;       ///< duration of each lap, on a loop
-  double cross_track_rms_mm = 0.0;  ///< reflectance sensors' midpoint to the nearest centre line
-  double cross_track_max_mm = 0.0;  ///< like the RMS, without the first 0.5 s
+  double cross_track_rms_mm = 0.0;  ///< sensors' midpoint to nearest centre line, after the first 0.5 s
+  double cross_track_max_mm = 0.0;  ///< maximum of this distance, also after the first 0.5 s
   double off_line_s = 0.0;          ///< time with no sensor over a line
   int collisions = 0;
   double energy_j = 0.0;              ///< drawn by the motors
