@@ -1,5 +1,5 @@
-# Arduino libraries and sketches as CMake targets for a chip: the common part of avr_firmware.cmake and
-# stm32_firmware.cmake.
+# Builds Arduino libraries and sketches for a chip as CMake targets. avr_firmware.cmake and stm32_firmware.cmake include
+# this file.
 #
 #   robosim_arduino_library(LineKit FOLDER firmware)
 #   robosim_arduino_sketch(PidFollower FOLDER firmware/examples/PidFollower LIBRARIES LineKit BOARDS uno nano)

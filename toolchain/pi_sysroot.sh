@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# toolchain/pi_sysroot.sh arm64|armhf [FOLDER]: unpacks into FOLDER that architecture's libraries that Robosim and
-# its tests link, for pi64.cmake and pi32.cmake. These are the groups [host], [test], [avr] and [stm32] of
-# packages.txt, with their dependencies. FOLDER is build/ARCHITECTURE-sysroot by default. The system's own packages
+# toolchain/pi_sysroot.sh arm64|armhf [FOLDER]: unpacks the libraries that Robosim and its tests link, for this
+# architecture, into FOLDER. pi64.cmake and pi32.cmake use them. These are the groups [host], [test], [avr] and [stm32]
+# of packages.txt, with their dependencies. FOLDER is build/ARCHITECTURE-sysroot by default. The system's own packages
 # and lists stay unchanged. About 60 MB are downloaded.
 set -euo pipefail
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs the tests of a built preset. Prints a progress line, and each failure with its output and the command to repeat
-# it. Then prints the skipped tests with their reasons, and the totals. The complete output is saved in
-# build/PRESET/tests.log. `toolchain/run_tests.sh PRESET [CTEST-ARGUMENTS]`: options such as -V or -N, which concern
-# ctest's output, print ctest's own output. Status: ctest's; 130 after Ctrl-C.
+# Runs the tests of a built preset: `toolchain/run_tests.sh PRESET [CTEST-ARGUMENTS]`. Prints a progress line, and each
+# failure with its output and the command to repeat it. Then prints the skipped tests with their reasons, and the
+# totals. Saves the complete output in build/PRESET/tests.log. With options about ctest's output, such as -V or -N,
+# prints ctest's own output. Status: ctest's; 130 after Ctrl-C.
 set -uo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." || exit
 

@@ -5,5 +5,5 @@ if(NOT EXISTS ${emscripten})
 endif()
 include(${emscripten})
 
-# Node versions other than Debian's do not find Debian's modules. Emscripten needs one of these, acorn.
+# Node versions other than Debian's do not find Debian's modules. Emscripten needs one of these modules, acorn.
 set(CMAKE_CXX_LINKER_LAUNCHER ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs)

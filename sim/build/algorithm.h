@@ -8,7 +8,7 @@
 
 namespace robosim::build {
 
-/// A shared object that is deleted together with this object.
+/// The compiled shared object, in a folder that the destructor removes.
 class Algorithm {
  public:
   /// Compiles `source`. Throws InputError if the file is missing, CompileError with the compiler's messages,

@@ -88,7 +88,7 @@ class Build {
     return linked;
   }
 
-  /// Runs the commands in sandboxes. Of the outputs of other commands, they can read only `objects`.
+  /// Runs the commands in sandboxes. They can read no outputs of other commands except `objects`.
   std::vector<CommandResult> run_walled(std::vector<Command> commands,
                                         const std::vector<fs::path>& objects = {}) const {
     std::vector<fs::path> read = read_by_all(toolchain_, shared_);
@@ -103,8 +103,8 @@ class Build {
     return readable(toolchain_, sketch_.folder, result.output);
   }
 
-  /// Calls `fail`, which throws. May retry as for an AVR, since a library may then declare names that the
-  /// sketch needs.
+  /// Calls `fail`, which throws. If libraries are used, may instead request a retry that compiles as for an
+  /// AVR, because a library may then declare names that the sketch needs.
   template <typename Fail>
   void fail_or_try_as_avr(Fail fail, bool about_library = false) const {
     if (libraries_.empty() || toolchain_.target.as_avr.empty() || toolchain_.registers == Registers::as_avr)
@@ -116,8 +116,8 @@ class Build {
     }
   }
 
-  /// Throws an error, or a reason to retry. Other registers may help a library, or a program that stores a
-  /// register's address.
+  /// Throws an error, or a RetryReason. Another kind of registers may suit a library, or a program that
+  /// stores a register's address.
   void fail_or_try_again(const std::string& messages) const {
     const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
     if (objects && messages.find(kRegisterClass) != std::string::npos) throw RetryReason{Registers::memory};

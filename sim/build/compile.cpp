@@ -322,9 +322,8 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
   if (toolchain.sanitize) append(words, toolchain.target.sanitizer.link);
   append(words, toolchain.core.machine);
   if (toolchain.target.chip) {
-    add_prefix_maps(words, toolchain, places);  // link-time optimisation writes the debug information
-    // Since gcc 10, the compiler writes the path from the linker's folder to the compiler's folder before a
-    // name.
+    add_prefix_maps(words, toolchain, places);  // for debug information of link-time optimisation
+    // Since gcc 10, names begin with the relative path from the linker's folder to the compiler's folder.
     std::error_code error;
     for (const auto& [folder, name] : places) {
       const std::string way = fs::canonical(folder, error).lexically_relative(fs::canonical(work)).string();

@@ -41,8 +41,8 @@ void check_object(const Toolchain& toolchain, const Unit& unit, const std::files
 /// Returns whether the unit is compiled to assembly first. The assembly is then changed (assembly.h), and
 /// assemble_command writes the object to another folder. Other units are compiled to `object` directly.
 bool through_assembly(const Toolchain& toolchain, const Unit& unit);
-/// Returns where the compiler writes the assembly of such a unit. changed_assembly() returns where the
-/// changed assembly is written.
+/// Returns where the compiler writes the assembly of a unit that is compiled to assembly first.
+/// changed_assembly() returns where the changed assembly is written.
 std::filesystem::path compiled_assembly(const std::filesystem::path& object);
 std::filesystem::path changed_assembly(const std::filesystem::path& object);
 /// Returns whether the unit's lines are counted. gcov's notes are then in `object` + ".gcno". notes_name()
@@ -77,7 +77,7 @@ Command product_command(const Target& target, const Product& product, const std:
 std::vector<std::filesystem::path> read_by_all(const Toolchain& toolchain,
                                                std::vector<std::filesystem::path> read);
 
-/// Returns as text everything above that affects a result. The text is part of every cache key.
+/// Returns a text of all options and versions that affect a result. The text is part of every cache key.
 std::string recipe(const Toolchain& toolchain);
 
 /// Returns the files in a compiler's dependency list. Relative paths are below `folder`.

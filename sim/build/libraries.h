@@ -37,14 +37,14 @@ std::vector<std::filesystem::path> library_folders(const std::filesystem::path& 
 /// Finds libraries in folders, in the given order. A folder may contain libraries, or be a library.
 class LibraryFinder {
  public:
-  /// `stand_ins` is a folder of libraries that replace libraries of the same names, even missing ones. It may
-  /// be empty.
+  /// `stand_ins`: a folder of libraries that replace libraries of the same names, even if those are not
+  /// installed. It may be empty.
   explicit LibraryFinder(std::vector<std::filesystem::path> folders,
                          const std::filesystem::path& stand_ins = {});
 
   /// Returns the library that has `header` in its include folder; null if no library has it. Within one
-  /// folder, a library with the header's name wins. Then follow a library whose name begins with that name
-  /// ("Servo-master"), and the first library by name.
+  /// folder, prefers the library with the header's name. The next choice is a library whose name begins with
+  /// the header's name ("Servo-master"), then the first library in alphabetical order.
   ///
   /// A stand-in replaces a library that has the same name in library.properties. If that file has no name,
   /// the library's folder must have the header's name.

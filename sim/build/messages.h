@@ -31,7 +31,8 @@ void check_seen(const std::filesystem::path& sketch, const Place& place, const s
 /// Removes names of this machine's folders from a text, so that users recognise the places.
 std::string without_folders(const Toolchain& toolchain, const std::filesystem::path& sketch,
                             std::string text);
-/// Also removes these names from the compiler's messages, and indents lines that the compiler did not begin.
+/// Removes the folders' names from the compiler's messages, and indents lines that the compiler did not
+/// begin.
 std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch,
                      const std::string& messages);
 

@@ -111,7 +111,7 @@ double processor_s_of(pid_t process) {
 struct Idleness {
   bool look(pid_t process, int most_s) {
     static const bool can_tell = std::ifstream(list_of_children(::getpid())).is_open();
-    constexpr double kBusyMachine = 20.0;  // a program that works gets at least this fraction of a processor
+    constexpr double kBusyMachine = 20.0;  // a working program gets at least 1/20 of a processor
     double now_s = processor_s_of(process);
     bool is_runnable = process_state(process) == 'R';
     for (const pid_t one : descendants(process)) {

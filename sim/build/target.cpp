@@ -9,8 +9,8 @@ namespace robosim::build {
 namespace {
 
 constexpr const char* kExports = "{ global: robosim_image; local: *; };\n";
-// Precedes the default script, so that constructors are removed from .init_array, in the order of their
-// priority. Destructors are stored separately and never run: firmware on a microcontroller never ends.
+// Inserted before the default script, to move constructors from .init_array to a section of Robosim, sorted
+// by priority. Destructors are stored separately and never run: firmware on a microcontroller never ends.
 constexpr const char* kSections = R"(SECTIONS
 {
   robosim_init_array : ALIGN(8)

@@ -1,11 +1,11 @@
-// Selects the warnings of gcc that are shown by default: those that are not a matter of style.
+// Selects the gcc warnings that are shown by default: all except warnings about style.
 #pragma once
 
 #include <string>
 
 namespace robosim::build {
 
-/// Returns gcc's messages without those of -Wparentheses and -Wempty-body on correct code:
+/// Removes -Wparentheses and -Wempty-body warnings about correct code from gcc's messages:
 ///
 ///   shown      if (x = 1)           if (400 < x < 600)         if (x);
 ///   removed    a & 0xF8 | 1         a && b || c                if (x) LOG("a");  with a macro that is empty

@@ -59,7 +59,7 @@ Carrier fit_to_target(const Choice& own, const std::string& target, const Descri
   carrier.robot.path = fitted.robot;
   carrier.robot.name = parse_robot_name(fitted.robot).board.empty() ? parse_robot_name(robot.name).robot
                                                                     : robot_with_board(robot.name, board);
-  // Shows the name that the user has typed: for a file, that is a name without a board.
+  // Shows the name that the user has typed. For a file, this is the path without a board.
   const std::string alone = parse_robot_name(robot.name).robot;
   carrier.announcement =
       alone.find('.') == alone.npos

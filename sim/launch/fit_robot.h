@@ -34,8 +34,8 @@ struct Carrier {
 };
 /// Returns the robot on the board that its project specifies.
 Carrier on_its_board(const Choice& robot, const Describe& describe);
-/// Returns the robot on that board if the board has the chip, and otherwise on another board. Throws
-/// InputError if no board of the target has all pins that the robot uses.
+/// Returns the robot on its project's board if that board has a chip of the target, and otherwise on another
+/// board. Throws InputError if no board of the target has all pins that the robot uses.
 Carrier fit_to_target(const Choice& robot, const std::string& target, const Describe& describe);
 
 /// Returns a robot's board.

@@ -55,7 +55,8 @@ void check_path(const std::string& what, const std::string& path) {
   throw InputError({path, 0, 0}, "no such file (a " + what + " with / or . in its name is a path)");
 }
 
-/// Returns the beginning of a file. Returns nothing for any other path, since a pipe would wait for a writer.
+/// Returns the beginning of a file. Returns nothing unless the file is regular: a read from a pipe would
+/// block.
 std::string beginning_of(const fs::path& path) try {
   const Descriptor file = open_to_read(path);
   char buffer[4096];

@@ -20,8 +20,8 @@ void check_folder(const SketchChoice& sketch);
 /// folder.
 void check_robot(const SketchChoice& sketch, const Choice& robot);
 
-/// Returns the chip target of a launch without a target: the target of a finished image, or else of the
-/// robot's board.
+/// Returns the chip target of a launch without a target: the target of the finished image, or else the target
+/// of the robot's board.
 std::string chip_target(const Launch& launch, const Describe& describe);
 
 }  // namespace robosim::launch

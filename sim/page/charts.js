@@ -1,4 +1,4 @@
-// Draws curves over time, all in one time span. The mouse wheel zooms the span, and drags scrub.
+// Draws curves over time, all in one time span. The mouse wheel zooms the span, and dragging scrubs.
 
 import { seen, series, style } from './colours.js';
 import { extent, indexAt, valueAt } from './run.js';

@@ -124,7 +124,7 @@ export class FloorPicture {
     ctx.fill(this.dark);
     this.drawAreas(floor, false);
     ctx.fillStyle = style(paint);
-    ctx.lineCap = ctx.lineJoin = 'round';  // as in the simulation: all within half a line's width
+    ctx.lineCap = ctx.lineJoin = 'round';  // as in the simulation, which paints up to half a width from the path
     for (const { path, width, colour = style(paint), worn } of this.lines) {
       ctx.lineWidth = width;
       ctx.strokeStyle = colour;
@@ -337,7 +337,7 @@ export class FloorPicture {
     }
   }
 
-  /** Draws the changes of the world by scripts. */
+  /** Draws the changes that scripts make to the world. */
   drawChanges(t) {
     const { ctx, run } = this;
     const now = (run.changes ?? []).filter(({ from, to }) => from <= t && t < to);

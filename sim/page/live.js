@@ -148,7 +148,7 @@ export class LiveRun extends Run {
   }
 }
 
-/** Sends play and pause as requests to the run. The run stops if the user looks back. */
+/** Sends play and pause as requests to the run. Stops following the run when the user looks back. */
 export class LivePlayer extends Player {
   constructor(run) {
     super(run);

@@ -14,7 +14,7 @@ export function indexAt(times, t) {
   return low;
 }
 
-const extents = new WeakMap();  // a cache: an hour's values take milliseconds, in every frame
+const extents = new WeakMap();  // caches results: an hour's values would take milliseconds in every frame
 
 /** Returns the minimum and maximum of the values and 0. */
 export function extent(values) {
@@ -203,7 +203,7 @@ export function runOf({ header, streams }, number = 0) {
   return run;
 }
 
-/** Returns the changes of the world by scripts, each { verb, argument, from, to } in seconds. An obstacle has a
+/** Returns the changes that scripts make to the world, each { verb, argument, from, to } in seconds. An obstacle has a
  *  `disc`, and `moves` if it moves. A shut door, paint and bare floor have a `box`. A light has `on`. */
 export function changesBy(notes) {
   const all = [];

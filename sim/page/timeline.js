@@ -1,4 +1,4 @@
-// Shows the whole run on one line: the cross-track error, and a mark for each event. Drags scrub.
+// Shows the whole run on one line: the cross-track error, and a mark for each event. Dragging scrubs.
 
 import { drawMark, MARKS, style } from './colours.js';
 import { extent } from './run.js';

@@ -1,5 +1,5 @@
-// The visible part of the floor, and its scale. Drags, the mouse wheel and pinches change both. Floor in mm,
-// y north; screen in CSS pixels, y down.
+// The visible part of the floor, and its scale. Dragging, the mouse wheel and pinching change both. Floor in
+// mm, y north; screen in CSS pixels, y down.
 
 const LEAST_PX_PER_MM = 0.005, MOST_PX_PER_MM = 20;
 const MARGIN_PX = 12, SCALE_PX = 40;  // the scale and the trail's colours are below the floor
@@ -28,7 +28,7 @@ export class View {
   fit() {
     const { x, y, width, height } = this.area;
     const free = this.height - 2 * MARGIN_PX - SCALE_PX;
-    this.scale = Math.max(Math.min((this.width - 2 * MARGIN_PX) / width, free / height), LEAST_PX_PER_MM);  // may be hidden
+    this.scale = Math.max(Math.min((this.width - 2 * MARGIN_PX) / width, free / height), LEAST_PX_PER_MM);  // a hidden canvas has no size
     this.x = x + width / 2;
     this.y = y + height / 2 - SCALE_PX / 2 / this.scale;
     this.fits = true;

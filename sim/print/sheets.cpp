@@ -10,7 +10,7 @@
 namespace robosim::print {
 namespace {
 
-constexpr double kWorthLooking = 20'000.0;  // sheets; with more, not each is examined
+constexpr double kWorthLooking = 20'000.0;  // sheets; larger floors are rejected without examining each sheet
 
 Sheets divided(const grid::Map& map, const Shapes& shapes, Paper paper, double margin, bool dark_floor) {
   Sheets sheets;

@@ -20,7 +20,7 @@ class CompressedStream {
 
   /// Adds rows. Throws wire::BadValue if the rows do not match the earlier ones.
   void add(const wire::Rows& rows);
-  /// Starts thinning ahead of thin(), a little with each added row, so that thin() has less to do.
+  /// Begins to thin before thin() is called, a little with each added row, so that thin() has less to do.
   void prepare_to_thin(std::int64_t span_ns);
   /// Reduces all present and later rows to the last row in each span. The first column must be t_ns.
   void thin(std::int64_t span_ns);

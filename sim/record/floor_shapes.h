@@ -56,7 +56,7 @@ struct FloorShapes {
   std::vector<Rectangle> walls;                  ///< joined along rows
   std::vector<std::array<double, 2>> obstacles;  ///< centres of cells
   std::vector<Light> lights;                     ///< in the order of their numbers
-  std::vector<std::array<double, 2>> junctions;  ///< reachable junctions with three or four ways
+  std::vector<std::array<double, 2>> junctions;  ///< reachable junctions with three or four arms
 };
 
 template <class V>

@@ -1,4 +1,4 @@
-// Writes pictures of a run as .png: rsvg-convert (Debian) renders those of record_svg.h.
+// Writes pictures of a run as .png: renders the pictures of record_svg.h with rsvg-convert (Debian).
 #pragma once
 
 #include <string>

@@ -15,8 +15,7 @@ struct Sweep {
   Pose at(SimTime t) const;
 };
 
-/// A lift and tilt at constant speed in the time `way`, and back equally fast. The robot is level again at
-/// `end`.
+/// Lifts the robot and tilts it at constant speed during `way`, and levels it equally fast before `end`.
 struct Tilt {
   SimTime began, way, end;
   double angle;  ///< rad

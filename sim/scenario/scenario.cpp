@@ -92,7 +92,7 @@ void parse_paint(ScriptLine& line, Action& action) {
   action.duration = line.optional_duration();
 }
 
-/// Parses one of two words. `what` names the thing that has this state.
+/// Parses one of two words. `what` names the object that has this state.
 void parse_state(ScriptLine& line, Action& action, const char* what, const char* one, const char* other) {
   action.part = line.take(fmt::format("{} or {}", one, other).c_str()).text;
   if (action.part != one && action.part != other)

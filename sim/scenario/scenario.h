@@ -83,11 +83,11 @@ struct Action {
   std::optional<SimTime> duration;  ///< undone after it: press, lift, cover, obstacle, fault, power
 };
 
-/// Returns the subject of an action; otherwise empty. A later action on the same subject cancels the end of
-/// this action.
+/// Returns the subject of an action; empty if it has no subject. A later action on the same subject cancels
+/// the end of this action.
 std::string subject_of(const Action& action);
-/// Returns the part that a finger presses or covers; otherwise empty. It stays pressed until the last finger
-/// leaves.
+/// Returns the part that an action presses or covers with a finger; empty for other actions. The part stays
+/// pressed until the last finger leaves.
 std::string finger_of(const Action& action);
 
 struct Step {

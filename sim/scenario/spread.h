@@ -17,7 +17,7 @@ using Share = std::function<double(std::size_t n)>;
 bool has_spread(const std::string& word);
 
 /// Returns the word with the drawn numbers: "14,3" for "12+-2,3". `first`: the index of the word's first
-/// number; set to the next word's. Throws InputError, at `place`.
+/// number; set to the index of the next word's first number. Throws InputError, at `place`.
 std::string with_shares(const std::string& word, const Share& share, std::size_t& first, const Place& place);
 
 }  // namespace robosim::scenario

@@ -24,7 +24,7 @@ class WorldChanges {
   void clear_obstacle(const std::string& cell);
   /// Runs paint, erase, door or light.
   wire::ScriptActed perform(const Action& action);
-  /// Undoes such an action.
+  /// Undoes paint, erase, door or light.
   wire::ScriptActed undo(const Action& action);
   /// Moves moving obstacles to their places at `t`.
   void act(SimTime t) {

@@ -48,7 +48,7 @@ fs::path place_of(const HeldFolder& folder, const std::string& name) {
   return has_ending(name, ".ino") ? fs::path(name).stem() / name : fs::path(name);
 }
 
-// Writes by handles, so that no link leads out of the folder, whenever it appears.
+// Writes through folder handles, so that no link leads out, even if it appears during the write.
 void write_below(const HeldFolder& folder, const fs::path& place, const Offered& offered) {
   const auto foreign = [&] {
     return InputError(offered.name + " exists, but is not a regular file of this folder");

@@ -33,8 +33,8 @@ constexpr std::size_t kLongestPage = 64u << 20;  // bytes
 
 constexpr const char* kFolders = "robosim-serve-";
 
-/// Locks a folder until the descriptor is closed, also by a kill. Returns a closed descriptor if another
-/// server has locked the folder.
+/// Locks a folder until the descriptor is closed or the process is killed. Returns a closed descriptor if
+/// another server has locked the folder.
 Descriptor hold(const fs::path& folder) {
   Descriptor held(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (held.is_open() && ::flock(held.get(), LOCK_EX | LOCK_NB) != 0) held.close();
@@ -74,7 +74,7 @@ PageFolder::PageFolder() {
   const fs::path place = fs::temp_directory_path();
   remove_abandoned(place);
   struct stat info {};
-  do {  // before the lock, another server may consider the folder abandoned
+  do {  // another server may remove the folder before it is locked
     std::string name = (place / fmt::format("{}XXXXXX", kFolders)).string();
     if (!::mkdtemp(name.data()))
       throw InputError({name}, std::string("cannot create the folder: ") + std::strerror(errno));

@@ -26,7 +26,7 @@ struct RunForm {
   std::uint64_t seed = 1;
   double for_s = 60.0;                         ///< simulated time, 0.001 to 3600
   std::string goal;                            ///< "" = the map's
-  std::string script;                          ///< with several robots: for those without their own script
+  std::string script;                          ///< with several robots: of those that `scripts` does not name
   std::map<std::string, std::string> scripts;  ///< with several robots: their scripts by name
 };
 
@@ -72,7 +72,7 @@ class JobManager {
 
   /// Prepares a run for watching, and returns its number. Stores at most kKept unwatched runs.
   int prepare(const RunForm& form);
-  enum class Said { lines, text };  ///< whole lines of JSON from the run; its output for the user
+  enum class Said { lines, text };  ///< lines: whole lines of JSON from the run; text: output for the user
   using Tell = std::function<bool(Said, const std::string&)>;
   /// Runs a prepared run like run(), but in step with the clock, and accepts requests. Returns nullopt if the
   /// run was not prepared, or was already watched.

@@ -1,6 +1,6 @@
-// Limits the time in which a client must send a request, and the length of its head. The HTTP library limits
-// only the time between two bytes, so a client with rare bytes would occupy a thread. The library limits the
-// length of a header, but not the number of headers.
+// Limits the time in which a client must send a request, and the length of the request's head. The HTTP
+// library limits only the time between two bytes, so a client that sends bytes slowly would occupy a thread.
+// The library limits the length of a header, but not the number of headers.
 #pragma once
 
 #include <sys/types.h>

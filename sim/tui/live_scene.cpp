@@ -117,7 +117,7 @@ void LiveScene::choose_window(int columns, int rows) {
   if (window.columns == now.columns && window.rows == now.rows && window.dot_m == now.dot_m) return;
   const Vec2 top_left = now.columns ? now.top_left : window.top_left;
   floor_.look_at(window);
-  // Moving the window also draws the trail, which look_at() cleared.
+  // Looks outside the map, so that move_window() redraws the trail, which look_at() has cleared.
   Window nowhere = window;
   nowhere.top_left = {-1.0, -1.0};
   floor_.look_at(nowhere);

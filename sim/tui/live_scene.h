@@ -46,7 +46,7 @@ class LiveScene {
   void move_window(Vec2 top_left);
   Vec2 to_world(double forward_m, double left_m) const;
   std::vector<Mark> marks() const;
-  /// Returns whether a reading is a line sensor's level. Other readings are numbers, or on and off.
+  /// Returns whether a reading is a line sensor's level. Other readings are numbers, or on/off states.
   bool is_level(const std::string& reading) const;
   /// Returns the unit of a numeric reading, or null for other readings.
   const std::string* unit_of(const std::string& reading) const;

@@ -63,7 +63,7 @@ class Screen {
   bool has_keys() const { return has_keys_; }
   /// Writes the changes since the previous frame.
   void show(const Frame& frame);
-  /// Waits at most `timeout_ms` for a key. Returns `none` after that, after a signal, and after a resize.
+  /// Waits at most `timeout_ms` for a key. Returns `none` on a timeout, a signal or a resize.
   Key wait_key(int timeout_ms);
   /// Waits for a key, including letters. Returns `end` once there is no keyboard any more.
   Press wait_press(int timeout_ms);

@@ -103,8 +103,8 @@ endif()
 set(CPACK_DEBIAN_PACKAGE_SECTION electronics)
 set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "")
 
-# Packages that compile sketches. ROBOSIM_PORTABLE links the libraries statically, so that one package serves both
-# Debian 12 and 13.
+# The command's package depends on the packages that compile sketches. ROBOSIM_PORTABLE links the libraries statically,
+# so that one package serves both Debian 12 and 13.
 set(CPACK_DEBIAN_HOST_PACKAGE_NAME robosim)
 set(CPACK_DEBIAN_HOST_DESCRIPTION "Firmware test harness for line-follower robots
  Takes an Arduino sketch as it is, lets it drive a simulated robot over a floor drawn as text, and judges the run.")

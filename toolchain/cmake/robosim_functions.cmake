@@ -7,8 +7,8 @@
 #
 #   robosim_add_test(NAME SOURCES file... [SKETCH folder | IMAGE file.elf] [TARGETS host avr stm32])
 #     Adds a GoogleTest of firmware, linked with robosim::testing (#include <robosim/testing.h>), and registers each
-#     test with ctest. The sketch or image is the test's ROBOSIM_SKETCH, and AllTargets() are these TARGETS; by
-#     default, all available targets.
+#     test with ctest. The sketch or image is the test's ROBOSIM_SKETCH. AllTargets() returns TARGETS; by default,
+#     all available targets.
 include_guard(GLOBAL)
 
 function(robosim_add_sketch name)

@@ -44,7 +44,7 @@ def stage(document, name, source, pages):
             return match[0]
         target = posixpath.normpath(posixpath.join(posixpath.dirname(name), path))
         if not (source / target).is_file():
-            return text if (source / target).is_dir() else match[0]  # the strict build reports the latter
+            return text if (source / target).is_dir() else match[0]  # strict mkdocs reports a missing target
         shown = target.lstrip(".") + ".txt"  # mkdocs skips hidden folders
         (pages / shown).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(source / target, pages / shown)

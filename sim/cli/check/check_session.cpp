@@ -107,8 +107,8 @@ double simulated_s(const SweepPlan& plan) {
   return sum_s;
 }
 
-/// Limits the total simulated time of the checks that an untrusted sketch brings. An emulated Uno needs 100 s
-/// for it.
+/// Limits the total simulated time of the checks that an untrusted sketch brings. Emulating an Uno for this
+/// time takes 100 s.
 constexpr double kMostSimulated_s = 3600.0;
 
 analysis::Demand demand_of(const Check& check) {

@@ -15,8 +15,8 @@ namespace robosim::cli {
 
 class CheckSession {
  public:
-  /// `untrusted`: the sketches come from strangers. They run only on chips. Their own checks may only name
-  /// files in the sketch's folder.
+  /// `untrusted`: the sketches come from strangers. They run only on chips, and their own checks may name
+  /// only files in the sketch's folder.
   explicit CheckSession(SweepPlanner& planner, bool untrusted = false)
       : planner_(planner), untrusted_(untrusted) {}
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Flags of `run` and `sweep`: their keys are the flags' names without the hyphens.
+/// Describe flags of `run` and `sweep`. A flag's key is its name without the hyphens.
 enum class Kind { value, list, yes_or_no };
 enum class Text { plain, name_or_path, path, sent };
 struct Flag {

@@ -1,4 +1,4 @@
-// `robosim test`: runs the checks of one sketch or of many, all through one pool.
+// `robosim test`: runs the checks of one or more sketches through one pool.
 #pragma once
 
 #include "sim/cli/arguments.h"

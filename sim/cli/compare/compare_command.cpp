@@ -40,8 +40,8 @@ class CompareCommand {
     compared.sketch = title();
     const std::vector<Histories> histories = run_lanes(seed, compared);
     std::vector<Found> found = compare_with(0, histories, compared);
-    // A difference from a target that lacks a feature reveals nothing about the others, so they are compared,
-    // too.
+    // If the first target lacks a feature, its differences reveal nothing about the other targets. Therefore
+    // also compares the second target with the later targets.
     if (lacks_something(compared.target_runs[0]))
       for (Found& one : compare_with(1, histories, compared)) found.push_back(std::move(one));
     // Finds the earliest difference that is neither chance nor due to a missing feature.

@@ -40,12 +40,12 @@ struct Edge {
   int ppm = 0;                  ///< error of the clock …
   std::int64_t from_ns = 0;     ///< … from this time on
   analysis::Difference itself;  ///< sides[0]: unchanged; sides[1]: with that clock
-  bool does_as_other = true;    ///< with that clock; false: it differs from itself in a similar way
+  bool does_as_other = true;    ///< false: with that clock, differs from itself similarly
   /// If both targets ran with many clocks: the number of clocks, and of runs that behaved like the other
   /// target.
   int clocks = 0, as_other = 0;
-  /// If a tick of the host's clock decides: the values of lateness with which the sketch on the host behaves
-  /// like each target. At least one of them is the unchanged lateness.
+  /// If a tick of the host's clock decides: for each target, the lateness with which the sketch on the host
+  /// behaves like it. At least one of them is the unchanged lateness.
   std::array<std::vector<wire::Lateness>, 2> late;
 
   bool is_of_tick() const { return !late[0].empty() || !late[1].empty(); }

@@ -40,9 +40,9 @@ std::vector<Edge> JitterProbe::find(const Compared& compared, const Pair& pair) 
   return find_of_ticks(compared, pair);
 }
 
-/// Finds a clock for each side with which it behaves like the other side. One side, but not both, may instead
-/// differ from itself in a similar way. A behaviour of only one target, such as a race of its interrupts, is
-/// not chance.
+/// Finds, for each side, a clock with which this side behaves like the other side. On one of the sides, a
+/// clock with which it differs from itself in a similar way is enough. A behaviour of only one target, such
+/// as a race of its interrupts, is not chance.
 std::vector<Edge> JitterProbe::find_of_clocks(const Compared& compared, const Pair& pair) {
   std::vector<Edge> edges;
   bool there = false;
@@ -130,12 +130,13 @@ std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::si
   return found;
 }
 
-/// Finds out whether one program on the host, delayed by a fraction of a millisecond, shows both behaviours.
-/// Then the targets are not the cause. If a wrong clock also shows both, find_of_clocks() handles that case.
+/// Finds out whether one program on the host shows both behaviours if it is delayed by a fraction of a
+/// millisecond. Then the targets are not the cause. If a wrong clock also shows both behaviours,
+/// find_of_clocks() handles the case.
 std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pair& pair) {
   TargetRun* host = nullptr;
   std::array<bool, 2> done{};
-  std::size_t as = 0;  // the side whose lateness the host has at first
+  std::size_t as = 0;  // the side whose lateness the host starts with
   for (std::size_t side = 0; side < 2; ++side)
     if (pair.target_runs[side]->is_on_host(pair.robot))
       host = pair.target_runs[side], done[side] = true, as = side;
@@ -144,14 +145,14 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
   progress_.say("checking whether the host does both when slightly later …");
   const analysis::Difference& difference = *compared.difference;
   const bool drives = analysis::is_of_driving(difference);
-  // Later output is compared again, with the host equally late.
+  // Checks output only for a short time: behind_tick() compares later output, with the host equally late.
   const std::int64_t behind_ns = drives || pair.target_runs[as] != host ? analysis::kBehindEdge_ns : kSoon_ns;
   ObservedRobot observed = observed_robot_of(compared, as, pair);
   std::array<std::vector<wire::Lateness>, 2> late{observed.late, observed.late};
   std::array<analysis::History, 2> ways{*pair.histories[0], *pair.histories[1]};
   std::optional<analysis::Difference> itself;
-  // A run with one behaviour must not resemble the other behaviour. Lines that come slightly closer may be a
-  // stream, which resembles many others.
+  // A run that shows one behaviour must clearly differ from the run that shows the other behaviour. Otherwise
+  // a stream of similar lines would match both.
   const auto look = [&] {
     const analysis::History run = observer_.run(*host, observed);
     for (std::size_t side = 0; side < 2; ++side) {

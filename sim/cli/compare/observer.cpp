@@ -9,8 +9,8 @@
 namespace robosim::cli {
 namespace {
 
-// Distances beyond which a robot is off the line: of its axle from the straight line, and of its sensors'
-// middle from the line with bends.
+// A robot is off the line if both distances are exceeded: of its axle from the line with square corners, and
+// of its sensors' midpoint from the line with its bends.
 constexpr double kOff_cells = 0.75, kOff_mm = 50.0;
 
 }  // namespace

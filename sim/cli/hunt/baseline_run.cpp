@@ -43,7 +43,7 @@ bool Hunt::find_baseline() {
   std::vector<std::optional<wire::RunResult>> results;
   if (!campaign_.run(test_cases, results)) return false;
   if (std::none_of(results.begin(), results.end(), reached)) {
-    // Gives robots that are still on their way more time.
+    // Gives more time to robots that have not arrived yet.
     std::vector<TestCase> slow;
     for (std::size_t i = 0; i < test_cases.size(); ++i)
       if (results[i] && results[i]->verdict == "timeout" && results[i]->metrics.distance_m > kMoved_m) {

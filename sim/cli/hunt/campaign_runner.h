@@ -36,7 +36,7 @@ class CampaignRunner {
   /// Returns the names of the dropped maps, for which the sketch is apparently not meant.
   const std::vector<std::string>& left_maps() const { return left_maps_; }
 
-  /// Returns the script of a test case: the user's script, then the test case's own.
+  /// Returns the script of a test case: the user's script, followed by the test case's script.
   std::string script_of(const TestCase& test_case) const { return script_ + script_text(test_case, space_); }
   /// Returns the request of a test case. Writes the map and robot that belong to it to `folder`, as
   /// world.map and robot.toml.

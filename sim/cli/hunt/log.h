@@ -38,8 +38,8 @@ struct HuntPart {
 /// belong together.
 std::vector<HuntPart> read_parts(const std::vector<std::string>& folders, const std::string& from);
 
-/// Replaces the shard of a folder with merged parts. Such a folder has no runs of its own, and cannot be
-/// resumed.
+/// The `part` of a folder with merged parts, instead of a shard. Such a folder has no runs of its own, and
+/// cannot be resumed.
 inline constexpr const char* kMerged = "merged";
 
 class HuntLog {

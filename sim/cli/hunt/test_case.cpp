@@ -91,7 +91,7 @@ TestCase pair(const HuntSpace& space, const RandomSource& rng) {
     if (hears(space) && chance(rng, 80)) draw_talk(test_case, space, rng);
     if (test_case.differential == Differential::host && chance(rng, hears(space) ? 15 : 60))
       draw_late_stimuli(test_case, space, rng);
-    // If anything takes a millisecond longer, a power cut splits a text at another place.
+    // Removes power cuts: on the host and on a chip, a cut splits a text at different places.
     if (test_case.differential == Differential::host)
       std::erase_if(test_case.stimuli, [](const Stimulus& stimulus) { return stimulus.kind == kPowerOff; });
     if (test_case.differential == Differential::clock) draw_clock(test_case, space, rng);

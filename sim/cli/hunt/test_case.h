@@ -130,13 +130,14 @@ struct Noted {
 };
 
 /// Draws a test case for each run, determined by the run's number and the hunt's seed. Half of the test cases
-/// are variations of a noted one. A fifth of these branch from it: they are equal up to the noted moment, and
-/// then have another stimulus. On a chip, the last test cases of a whole round all branch from one moment.
+/// vary a noted test case. A fifth of these branch from the noted test case: they are equal up to the noted
+/// moment, and then have another stimulus. On a chip, the last test cases of a whole round all branch from
+/// one moment.
 std::vector<TestCase> draw_round(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
                                  const std::vector<std::uint64_t>& runs);
 inline constexpr std::size_t kRound = 12, kFamily = 3;  ///< numbers of test cases
 
-/// Draws this number of test cases without stimuli, each on another network similar to the map.
+/// Draws `count` test cases without stimuli, each on another network similar to the map.
 std::vector<TestCase> networks_like(const HuntSpace& space, std::size_t map, std::uint64_t seed,
                                     std::size_t count);
 

@@ -34,7 +34,7 @@ class Replays {
       const bool kept = std::isalnum(static_cast<unsigned char>(c)) != 0;
       if (kept || (!name.empty() && name.back() != '-')) name += kept ? c : '-';
     }
-    if (!names_.insert(name).second) name += fmt::format("-row-{}", number + 1);  // "a b" and "a-b"
+    if (!names_.insert(name).second) name += fmt::format("-row-{}", number + 1);  // "a b" equals "a-b"
     fs::create_directories(beside_ / folder_);
     const fs::path file = beside_ / folder_ / (name + ".html");
     write_file(file, record::page_of(recording));

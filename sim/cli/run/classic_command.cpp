@@ -21,8 +21,8 @@ namespace {
 
 using cells::Ending;
 
-// Returns a limit well above a scan's two moves for each line cell, and some for the ends. With noise, the
-// robot may get lost.
+// Returns a limit far above the moves of a scan: two for each line cell, and a few at the ends of lines. With
+// noise, the robot may get lost.
 std::uint64_t enough_moves(const grid::Map& map) { return 100 * map.cells.size() + 100'000; }
 
 // Records moves if they must be printed, and forwards them.

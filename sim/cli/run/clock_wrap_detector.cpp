@@ -29,14 +29,14 @@ constexpr std::int64_t kMicrosWrap = (std::int64_t{1} << 32) * 1'000;
 // If the clock is lower by this amount, neither millis() nor micros() wraps during the run, and
 // millis() % 1000 is unchanged.
 constexpr std::int64_t kLower = 2000 * kSecond;
-// Values other than a wrap that change a clock's length: one more digit and one more bit, also of the
-// seconds.
+// Clock values at which a number becomes longer without a wrap: by a decimal digit (of milliseconds and
+// seconds), or by a bit.
 struct Step {
-  std::int64_t to, beside;  ///< a clock higher or lower by this passes no such value
+  std::int64_t to, beside;  ///< a clock that differs by `beside` passes no such value
 };
 constexpr Step kSteps[] = {{10'000 * kSecond, 1000 * kSecond}, {16'777'216 * kMillisecond, -1000 * kSecond}};
-// Number of clocks that pass no such value. Each normally diverts a robot whose path depends on a
-// microsecond.
+// Number of other clocks to try, which pass no such value. If the robot's path depends on a microsecond, each
+// clock usually changes the path.
 constexpr int kOtherClocks = 6;
 constexpr std::int64_t kApart = 1000 * kSecond;
 constexpr std::size_t kMostMoments = 6;
@@ -133,8 +133,8 @@ bool prints_clock(const Look& look, std::int64_t clock) {
   return false;
 }
 
-/// Returns whether the sketch's behaviour also changes without a wrap: with another clock, or with a clock
-/// that has one more digit or bit. One more microsecond is enough for that. Then a change after a wrap proves
+/// Returns whether the behaviour also changes without a wrap: with another clock, or with a clock that gains
+/// a digit or bit. A difference of one microsecond can cause such a change. A change after a wrap then proves
 /// nothing. `usual`: the run with `clock`, which passes no such value.
 bool is_touchy(client::Runner& runner, const wire::RunRequest& request, const Look& usual, std::int64_t clock,
                std::int64_t moment) {

@@ -6,16 +6,16 @@
 // minutes. If `next` is computed just before the wrap, it may wrap as well, and the deadline passes at once.
 // Or `next` does not wrap: then millis() is less than `next` for 49 days, and steer() is not called.
 //
-// The detector repeats the run with a clock that wraps to 0 during it. It also repeats the run with a clock
-// that is nearly as high and does not wrap. If these two runs differ after the wrap, the sketch cannot handle
-// it. A difference is another verdict, another path in the next 2 s, or a pin that stops changing. Line
+// The detector repeats the run twice: with a clock that wraps to 0 during the run, and with a clock that is
+// nearly as high and does not wrap. If these two runs differ after the wrap, the sketch does not handle the
+// wrap. A difference is another verdict, another path in the next 2 s, or a pin that stops changing. Line
 // counts show which line ran far more often, or stopped running. Some sketches also differ with clocks that
 // do not wrap or that gain a digit: a microsecond changes the robot's path. Nothing is reported for them.
 //
-// The clock wraps in the middle of the run, or after a pin change that precedes a long pause. The
-// detector misses deadlines that are not pending at any of these moments, and variables of 16 bits. It skips
-// sketches that use the time since power-on itself. It also skips sketches that send their clock (in
-// microseconds to minutes) among 64 or more bytes per second: the clock has fewer digits after the wrap.
+// The clock wraps in the middle of the run, or after a pin change that precedes a long pause. The detector
+// misses deadlines that are not pending at any of these moments, and 16-bit variables. It skips sketches whose
+// behaviour depends on the time since power-on. It also skips sketches that send their clock (in microseconds
+// to minutes) among 64 or more bytes per second: the clock has fewer digits after the wrap.
 //
 // To fix such a sketch, compare durations, which are correct across 0: millis() - start >= 50, both
 // `unsigned long`.

@@ -29,9 +29,10 @@ void fields(V& v, wire::Same<V, Finding>& f) {
 /// checks.
 bool deserves_sanitizer_rerun(const build::Request& sketch, const wire::RunResult& first);
 
-/// Runs at most as long as the first run, and for a timeout only one minute. After a crash, runs one second
-/// longer, because checks take time. Returns nullopt if no check failed, if the sketch with checks does not
-/// compile, or on interruption by the user. `robot`: the number of the sketch's robot, if there are several.
+/// Runs at most as long as the first run, and after a timeout at most one minute. After a crash, runs one
+/// second longer, because checks take time. Returns nullopt if no check failed, if the sketch with checks
+/// does not compile, or if the user interrupted the run. `robot`: the number of the sketch's robot, if there
+/// are several.
 std::optional<Finding> rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request,
                                              const build::Request& sketch, const wire::RunResult& first,
                                              std::size_t robot = 0);

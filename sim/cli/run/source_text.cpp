@@ -63,8 +63,8 @@ bool names(const std::string& line, const std::string& name) {
   return std::find(all.begin(), all.end(), name) != all.end();
 }
 
-/// Returns the constants of a line: `const int A = 1, B[] = {2};` declares A and B, `#define C 3` C. Skips
-/// indented constants, which belong to functions and classes.
+/// Returns the constants of a line: `const int A = 1, B[] = {2};` declares A and B; `#define C 3` declares C.
+/// Skips indented constants, which belong to functions and classes.
 std::set<std::string> constants_of(const std::string& text) {
   const std::vector<std::string> names = names_in(text);
   if (text.starts_with("#define") && names.size() > 1) return {names[1]};
@@ -292,8 +292,8 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   return known->second;
 }
 
-// Returns no path for a name outside of the folder, also through a link, or for anything that is not a file:
-// a sketch can claim any name with #line. For a library, the image only has "libraries/NAME/...".
+// Skips missing files, and files outside the reach of each folder (build::reach_of), also through a link: a
+// sketch can claim any name with #line. For a library, the image only has "libraries/NAME/...".
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
   if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;

@@ -16,8 +16,8 @@ namespace robosim::cli {
 
 class SourceText {
  public:
-  /// `folders` may contain the files: the sketch's folder, and folders of libraries or with libraries in
-  /// them.
+  /// `folders` may contain the files: the sketch's folder, folders of single libraries, and folders that
+  /// contain libraries.
   explicit SourceText(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
   /// Returns the line without surrounding blanks; empty if it is unknown.
@@ -33,7 +33,7 @@ class SourceText {
   const std::vector<std::string>& lines_of(const std::string& file);
   std::vector<std::filesystem::path> paths_of(const std::filesystem::path& file) const;
   std::string file_that_declares(const std::string& name, const std::string& file);
-  /// Returns the headers, and tabs of the sketch, in the folder of a file.
+  /// Returns the headers, and the sketch's tabs, that are in the same folder as a file.
   const std::vector<std::string>& beside(const std::string& file);
   /// Returns constants and objects outside functions, with their lines.
   const std::multimap<std::string, int>& declarations_in(const std::string& file);
@@ -51,7 +51,7 @@ class SourceText {
   std::map<std::string, std::multimap<std::string, int>> declarations_;
   std::map<std::string, std::vector<std::string>> beside_;  ///< by folder
   std::set<std::pair<std::string, int>> had_;
-  std::size_t read_bytes_ = 0;  ///< size of all read files: a folder may contain any number
+  std::size_t read_bytes_ = 0;  ///< total size of the read files; limited, since a folder may be large
 };
 
 }  // namespace robosim::cli

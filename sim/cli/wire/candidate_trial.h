@@ -12,8 +12,8 @@
 
 namespace robosim::cli {
 
-/// Returns whether the robot has followed the line for a lap. A robot may lap an easy map by luck:
-/// with a mean cross-track error of half its width, or with sensors that rarely see the line.
+/// Returns whether the robot has followed the line for a lap. Excludes laps of an easy map by luck: the
+/// cross-track error (RMS) is half the robot's width or more, or the sensors rarely see the line.
 /// `sensors_beside`: the sensors are next to the line, and so rarely see it.
 bool follows_a_lap(const wire::RunResult& result, bool sensors_beside);
 

@@ -160,7 +160,7 @@ export class Editor {
     this.left += px - fromX;
     this.top += py - fromY;
   }
-  /** Keeps the cell that the keys move visible. */
+  /** Keeps the cell at the keyboard cursor visible. */
   keepInSight() {
     const [px, py] = this.toSheet(...this.middle(this.cursor)), { clientWidth: width, clientHeight: height } = this.canvas;
     const edge = Math.min(10 + this.scale * this.floor.cell / 2, width / 2, height / 2), within = (at, most) => Math.min(Math.max(at, edge), most - edge);

@@ -1,5 +1,6 @@
-// A run in a link or in a file, with everything needed to repeat it. The folder's own files are named; the
-// user's files are included. Deflated: a line of JSON, then the bytes of the image, if it is the user's.
+// Packs a run into a link or a file, with everything needed to repeat it. Files of this folder are only
+// named; the user's files are included. The packed data is deflated: a line of JSON, then the bytes of the
+// user's image, if any.
 
 import { flashOf, hexOf } from './image.js';
 

@@ -34,7 +34,7 @@ function fill(select, stockNames, kind) {
 }
 
 /** Returns the possible robots. A stock sketch is an image for one board; a user's image may be for any board. No
- *  STM32 runs here, but a robot may be based on one that carries it. */
+ *  STM32 runs here, but a robot may be based on a robot with an STM32. */
 function robotsFor(sketch) {
   const board = stock.sketches[sketch]?.board;
   return Object.keys(stock.robots).filter((name) => board ? stock.robots[name].board === board : stock.robots[name].board !== 'bluepill');

@@ -9,7 +9,7 @@
 //                    [](Simulation& robot) { EXPECT_THAT(robot.run_to_the_end(), Reaches("tour")); });
 //   }
 //
-// The generators are ordinary RapidCheck generators of texts for a Trial. They can be combined with
+// The generators are RapidCheck generators of texts for a Trial. They can be combined with
 // RapidCheck's own generators, and used with rc::check and RC_GTEST_PROP.
 #pragma once
 
@@ -28,7 +28,7 @@ struct Networks {
   int lines = 10;     ///< straight pieces of line, each `apart` or apart + 1 cells long
   int apart = 3;      ///< cells (of 100 mm) between landmarks (stations, junctions, bends), and between
                       ///< lines that do not meet; at least 2
-  int most_ways = 4;  ///< ways of a junction; 3 = no crossings
+  int most_ways = 4;  ///< arms of a junction; 3 = no crossings
   int cycles = 0;     ///< lines in addition to those of a tree
   int obstacles = 0;  ///< obstacles on lines
 };
