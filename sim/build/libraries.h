@@ -37,8 +37,8 @@ std::vector<std::filesystem::path> library_folders(const std::filesystem::path& 
 /// Finds libraries in folders, in the given order. A folder may contain libraries, or be a library.
 class LibraryFinder {
  public:
-  /// `stand_ins`: a folder of libraries that replace libraries of the same names, even if those are not
-  /// installed. It may be empty.
+  /// `stand_ins`: a folder of libraries. Each replaces the library of the same name, even if that library is
+  /// not installed. May be empty.
   explicit LibraryFinder(std::vector<std::filesystem::path> folders,
                          const std::filesystem::path& stand_ins = {});
 

@@ -143,7 +143,7 @@ struct PrintArguments {
 
 /// `robosim serve`
 struct ServeArguments {
-  std::string folder;                 ///< "" = the current one
+  std::string folder;                 ///< "" = the current folder
   std::string address = "127.0.0.1";  ///< an IP address
   int port = 0;                       ///< 0 = not given
 };
@@ -159,7 +159,7 @@ struct RobotArguments {
 struct WireArguments {
   std::string sketch;
   std::string environment;
-  std::string board;         ///< empty = the project's, otherwise the first one
+  std::string board;         ///< empty = the project's board, otherwise the first board
   std::string map = "oval";  ///< to try the draft on
   std::string target;        ///< empty = host
   std::vector<std::string> libraries;

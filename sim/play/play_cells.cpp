@@ -85,7 +85,7 @@ class Cells final : public CellDriver {
   int here() const override { return survey_.here(); }
   grid::Start pose() const override { return start_of(robot_.pose()); }
 
-  // Drives invisibly to the station and back, so that the displayed path is the driven one.
+  // Drives to the station without showing it, then puts the robot back. drive() takes the same route.
   RouteReport route(int to) override {
     const int from = survey_.here();
     const cells::Route route = drive(to);

@@ -35,7 +35,7 @@ struct Project {
 
 /// Reads the project of a sketch's folder. `environment` belongs to platformio.ini, or is a profile of
 /// sketch.yaml. If it is empty, the file's default is used, otherwise the first environment with a
-/// known board, otherwise the first one. Throws InputError for files that cannot be read, and for an
+/// known board, otherwise the first environment. Throws InputError for files that cannot be read, and for an
 /// unknown environment.
 Project read_project(const std::filesystem::path& folder, const std::string& environment = {});
 

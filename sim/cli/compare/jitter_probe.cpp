@@ -103,8 +103,8 @@ std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair)
   return {std::move(*examples[0]), std::move(*examples[1])};
 }
 
-/// Returns a clock with which this target run behaves like the other. If there is no such clock, returns one
-/// with which it differs from itself in a similar way.
+/// Returns a clock with which this target run behaves like the other. If there is no such clock, returns a
+/// clock with which the target run differs from itself in a similar way.
 std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::size_t side, const Pair& pair) {
   TargetRun& target_run = *pair.target_runs[side];
   progress_.say(

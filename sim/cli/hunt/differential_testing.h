@@ -28,7 +28,7 @@ std::optional<Divergence> divergence(const wire::RunResult& ours, const wire::Ru
 /// Returns whether two pairs of runs diverge in the same way. Numbers that vary each time count as chance.
 bool is_same(const Divergence& a, const Divergence& b);
 
-/// Returns the test case whose run should be like that of `test_case`.
+/// Returns the test case whose run should resemble the run of `test_case`.
 TestCase counterpart_of(const TestCase& test_case, const HuntSpace& space);
 /// Returns the test case with other noise and slightly later stimuli, to rule out chance. Gives it more time,
 /// in case one of the two runs is only slow.

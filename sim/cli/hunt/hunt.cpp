@@ -83,7 +83,7 @@ bool Hunt::add(HuntFinding finding, HuntRow& row) {
   if (has_enough_of(finding.symptom)) return true;
   listener_.seen(finding.symptom, row.run);
   if (!shrink(finding)) return false;
-  // After shrinking, the finding may equal a known one.
+  // After shrinking, the finding may equal a known finding.
   if (is_known(finding, row)) return true;
   row.finding = findings_.size() + 1;
   keep(finding, row.finding, campaign_, arguments_, out_);
@@ -274,7 +274,7 @@ bool Hunt::go() {
   return true;
 }
 
-/// Adds a row of another machine. The files of its finding are in `files`. The finding may equal a known one.
+/// Adds a row of another machine. The files of its finding are in `files`. The finding may already be known.
 void Hunt::adopt(HuntRow& row, const fs::path& files) {
   HuntFinding finding = std::move(*row.fresh);
   row.fresh.reset();

@@ -26,7 +26,7 @@ void draw_stimuli(TestCase& test_case, const HuntSpace& space, const worlds::Ran
 /// Returns whether the sketch can receive messages.
 bool hears(const HuntSpace& space);
 /// Draws the opening, and a sequence of many messages. The sequence often starts after an output of the
-/// sketch, mostly the last one: the sketch may then wait for messages.
+/// sketch, mostly the last output, because the sketch may then wait for messages.
 void draw_talk(TestCase& test_case, const HuntSpace& space, const worlds::RandomSource& rng);
 /// Puts an obstacle on the line from the beginning, for longer than most runs.
 void block(TestCase& test_case, const HuntSpace& space, const worlds::RandomSource& rng);
@@ -36,7 +36,7 @@ void draw_late_stimuli(TestCase& test_case, const HuntSpace& space, const worlds
 /// Adds a stimulus within two seconds after the moment.
 void add_stimulus_after(TestCase& test_case, const Moment& moment, const HuntSpace& space,
                         const worlds::RandomSource& rng);
-/// Adds a stimulus after `test_case.branch_point`, as the last one.
+/// Adds a stimulus after `test_case.branch_point`, as the last stimulus.
 void branch(TestCase& test_case, const HuntSpace& space, const worlds::RandomSource& rng);
 /// Adds a stimulus.
 void add_stimulus(TestCase& test_case, const HuntSpace& space, const worlds::RandomSource& rng);

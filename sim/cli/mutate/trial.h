@@ -1,4 +1,4 @@
-// Runs a sketch's checks, or test programs, on a changed copy of it.
+// Runs a sketch's checks, or test programs, on a changed copy of the sketch.
 #pragma once
 
 #include <filesystem>

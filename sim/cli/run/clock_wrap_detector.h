@@ -13,9 +13,9 @@
 // do not wrap or that gain a digit: a microsecond changes the robot's path. Nothing is reported for them.
 //
 // The clock wraps in the middle of the run, or after a pin change that precedes a long pause. The detector
-// misses deadlines that are not pending at any of these moments, and 16-bit variables. It skips sketches whose
-// behaviour depends on the time since power-on. It also skips sketches that send their clock (in microseconds
-// to minutes) among 64 or more bytes per second: the clock has fewer digits after the wrap.
+// misses deadlines that are not pending at any of these moments, and 16-bit variables. It skips sketches
+// whose behaviour depends on the time since power-on. It also skips sketches that send their clock (in
+// microseconds to minutes) among 64 or more bytes per second: the clock has fewer digits after the wrap.
 //
 // To fix such a sketch, compare durations, which are correct across 0: millis() - start >= 50, both
 // `unsigned long`.

@@ -22,7 +22,7 @@ void check_view(const RunArguments& arguments);
 
 /// Returns the map of a run, with the values that its seed and profile draw.
 grid::Map map_of(const wire::RunRequest& request);
-/// Returns the map for pictures; null if it is too large for one.
+/// Returns the map for pictures; null if it is too large to draw.
 std::unique_ptr<grid::Map> map_to_draw(const wire::RunRequest& request);
 
 }  // namespace robosim::cli

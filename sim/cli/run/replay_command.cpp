@@ -100,7 +100,7 @@ std::string apart_text(const record::Apart& a) {
       a.from_1mm_s, a.most_mm, a.most_s, a.mean_mm, a.until_s);
 }
 
-/// Compares robots with those of the same name in the other recording.
+/// Compares each robot with the robot of the same name in the other recording.
 std::string apart_text(const record::Recording& one, const std::vector<record::Track>& others,
                        const std::string& file) {
   std::string text;

@@ -27,8 +27,8 @@ class CandidateTrial {
   wiring::RobotDraft draft();
   /// Sets `draft` to the variant that drives best among its open variants. Returns the result of its run.
   wire::RunResult choose(wiring::RobotDraft& draft);
-  /// Return the number of variants that choose() has tried, and whether the chosen one follows the line for a
-  /// lap.
+  /// Return the number of variants that choose() has tried, and whether the chosen variant follows the line
+  /// for a lap.
   int tried() const { return tried_; }
   bool follows() const { return follows_; }
 
