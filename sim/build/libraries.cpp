@@ -88,7 +88,7 @@ std::string property(const fs::path& file, const std::string& key) {
   return {};
 }
 
-// Folder of Debian's packages of the old IDE and of single libraries.
+// Folder into which Debian packages install Arduino libraries.
 constexpr const char* kDebianLibraries = "/usr/share/arduino/libraries";
 
 /// Adds the library folders of Arduino's IDE: in the sketchbook of its preferences, and in its default

@@ -10,7 +10,7 @@ namespace robosim::cli {
 
 class JsonLines;
 
-/// Returns a table of stations and one of junctions with their slots.
+/// Returns a table of stations, and a table of junctions with their slots.
 std::string graph_text(const grid::Map& map, const grid::Start& start, const grid::TrueGraph& graph);
 
 /// Formats the graph as robosim.graph/1, see docs/reference/maps.md.

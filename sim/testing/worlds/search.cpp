@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <rapidcheck/Random.h>
 #include <rapidcheck/detail/Configuration.h>
-#include <rapidcheck/seq/Transform.h>  // the next header needs this one but does not include it
+#include <rapidcheck/seq/Transform.h>  // the next header needs this header but does not include it
 #include <rapidcheck/shrinkable/Operations.h>
 
 #include <cstdlib>
