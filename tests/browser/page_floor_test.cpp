@@ -146,7 +146,7 @@ TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
     };
     return { named: nodes.filter((n) => n.name).map((n) => [n.name, n.x, n.y]), stations, nodes: nodes.length,
       edges: edges.map(({ a, b }) => [a, b]), before: nodes.map((n) => pink(n.t - 0.01, n)), after: nodes.map((n) => pink(n.t + 4, n)) };)");
-  EXPECT_EQ(shown["named"], shown["stations"]) << "each where it is";
+  EXPECT_EQ(shown["named"], shown["stations"]) << "each station is at its position";
   EXPECT_EQ(shown["nodes"], 6);
   EXPECT_EQ(shown["edges"], Json::parse("[[0,1],[1,2],[2,3],[2,4],[1,5]]"));
   EXPECT_EQ(shown["before"], Json::parse("[false,false,false,false,false,false]"));
@@ -168,7 +168,7 @@ TEST_F(Page, PaintsALongRunWithFewStrokes) {
     page.player.seek(390);
     return { samples: page.run.t.length, zoomed, moved: count - zoomed };)");
   EXPECT_GT(strokes["samples"], 40'000);
-  EXPECT_GT(strokes["moved"], 2'000) << "the last two minutes are there";
+  EXPECT_GT(strokes["moved"], 2'000) << "the last two minutes are drawn";
   EXPECT_LT(strokes["moved"], 26'000);
   EXPECT_LT(strokes["zoomed"], 40'000);
 }

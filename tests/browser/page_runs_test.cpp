@@ -33,7 +33,7 @@ TEST_F(Page, LaysALogOfARealRobotOverTheRun) {
               HasSubstr("bad.csv: the log’s columns: expected time, x and y"));
   EXPECT_THAT(over["worse"].get<std::string>(),
               HasSubstr("worse.csv, line 3: time, x and y: expected numbers"));
-  EXPECT_TRUE(over["still"].get<bool>()) << "a bad file takes nothing away";
+  EXPECT_TRUE(over["still"].get<bool>()) << "a bad file removes nothing";
 }
 
 TEST_F(Page, LaysAnotherRecordingOverTheRun) {
@@ -47,7 +47,7 @@ TEST_F(Page, LaysAnotherRecordingOverTheRun) {
 }
 
 TEST_F(Page, BeginsWithTheRunThatReplayHasLaidOverIt) {
-  // A log of a robot that stands where the recorded run begins.
+  // A log of a robot that does not leave the start of the recorded run.
   const auto samples = recording->stream("samples");
   write_file(*folder / "my \"log\" ü.csv", fmt::format("t_s;x_mm;y_mm;volts\n0;{0};{1};7,4\n9;{0};{1};7,1\n",
                                                        samples[1][0], samples[2][0]));
@@ -101,8 +101,8 @@ TEST_F(Page, ShowsOfSeveralRobotsTheOneThatIsChosenAndWhereTheOthersAre) {
   EXPECT_EQ(rows[1]["robot"], "1");
   EXPECT_EQ(rows[1]["speed"], 0);
   EXPECT_EQ(rows[1]["lines"], Json({"mine"}));
-  EXPECT_EQ(rows[2], rows[0]) << "after the last comes the first";
-  EXPECT_EQ(rows[3], rows[1]) << "a click on B's body";
+  EXPECT_EQ(rows[2], rows[0]) << "the first robot follows the last one";
+  EXPECT_EQ(rows[3], rows[1]) << "a click on B's body selects B";
 }
 
 }  // namespace

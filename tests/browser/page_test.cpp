@@ -1,5 +1,5 @@
-// Tests the page of `robosim run --record run.html` in a browser: the displayed moments, and every number
-// against the recording.
+// Tests the page of `robosim run --record run.html` in a browser. Compares the displayed moments, and every
+// number, with the recording.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -88,8 +88,8 @@ TEST_F(Page, StepsThroughEverythingThatHappened) {
     EXPECT_TRUE(std::any_of(steps["steps"].begin(), steps["steps"].end(), [&](const Json& step) {
       return std::fabs(step[0].get<double>() - t) < 1e-9;
     })) << t;
-  EXPECT_LT(steps["last"], steps["steps"].back()[0]) << "and back again";
-  EXPECT_EQ(steps["scrubbed"], steps["steps"][0][1]) << "by other ways than by steps, too";
+  EXPECT_LT(steps["last"], steps["steps"].back()[0]) << "the key p steps back";
+  EXPECT_EQ(steps["scrubbed"], steps["steps"][0][1]) << "seeking shows the same text as stepping";
 }
 
 TEST_F(Page, GoesToWhereTheLineIsLeft) {
@@ -117,11 +117,11 @@ TEST_F(Page, SaysThatTheLineIsLeftWhereNoSensorSeesItAndNowhereElse) {
   };
   const Json oval = lines_of("oval"), f = lines_of("f");
   EXPECT_EQ(oval["texts"], Json::array())
-      << "one sensor is over the line throughout, and always reads the same";
+      << "one sensor is always over the line, and its reading is constant";
   EXPECT_THAT(f["texts"][0].get<std::string>(), HasSubstr("the line is left: S"));
-  EXPECT_EQ(oval["goes"], true) << "nowhere";
+  EXPECT_EQ(oval["goes"], true) << "without such a moment, the key l changes nothing";
   EXPECT_EQ(oval["happened"], "from here on the line is neither left nor found");
-  EXPECT_EQ(f["goes"], true) << "by the key L";
+  EXPECT_EQ(f["goes"], true) << "the key l seeks the moment";
   EXPECT_THAT(f["happened"].get<std::string>(), HasSubstr("the line is left: S"));
 }
 
@@ -148,7 +148,7 @@ TEST_F(Page, StepsByAMillisecondAndScrubs) {
   EXPECT_EQ(t["back"], 1.234);
   EXPECT_EQ(t["second"], 2.234);
   EXPECT_NEAR(t["scrubbed"], 5.0, 0.01);
-  EXPECT_EQ(t["after"], t["scrubbed"]) << "the button is up";
+  EXPECT_EQ(t["after"], t["scrubbed"]) << "moving without the button pressed does not seek";
   EXPECT_NEAR(std::atof(t["now"].get<std::string>().c_str()), t["after"].get<double>(), 0.0006);
 }
 
@@ -206,7 +206,7 @@ TEST_F(Page, SaysWhichLineOfTheSketchDroveAPin) {
                                           [true, "low", "Blink.ino:10 in loop()"]])x"));
   EXPECT_TRUE(seen["next"]);
   EXPECT_TRUE(seen["back"]);
-  EXPECT_EQ(seen["before"], "") << "nothing has driven it yet";
+  EXPECT_EQ(seen["before"], "") << "the pin has not been driven yet";
 }
 
 TEST_F(Page, FitsAPhoneAndNamesEveryButton) {

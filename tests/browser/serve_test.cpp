@@ -57,8 +57,8 @@ TEST_F(Serve, RunsASketchAndActsAtTheMomentThatIsShown) {
   EXPECT_EQ(seen["verdict"], "reached");
   EXPECT_EQ(seen["script"], "at 2000ms obstacle 12,2\n");
   EXPECT_EQ(seen["now"], "stuck");
-  EXPECT_EQ(seen["put"], Json::parse("[[1250, 1450, 33, 2000]]")) << "drawn where it stands";
-  EXPECT_EQ(seen["same"], true) << "all before that moment is as it was";
+  EXPECT_EQ(seen["put"], Json::parse("[[1250, 1450, 33, 2000]]")) << "drawn at its position";
+  EXPECT_EQ(seen["same"], true) << "the run is unchanged before that moment";
   EXPECT_GE(seen["at"], 2.0);
   browser().picture(std::filesystem::path(ROBOSIM_PICTURES) / "serve.png");
 }
@@ -82,14 +82,14 @@ TEST_F(Serve, WatchesARunWhileItRuns) {
   const Json seen = in_page("sketch=./Echo&map=oval&robot=uno5&seconds=3000&live=1", R"(
     await until(() => shown()?.run.live && shown().player.playing);
     const { run, player } = shown(), now = () => run.duration, atOnce = window.fetch;
-    let late = 0;  // every other request: it may not be overtaken
+    let late = 0;  // ms by which every other request is delayed: requests must stay in order
     window.fetch = async (path, ...more) => {
       if (path.startsWith('/api/live/')) await new Promise((r) => setTimeout(r, late = 40 - late));
       return atOnce(path, ...more);
     };
     player.pause();
     let stood = now();
-    player.step(60000);  // it may have played on until it was told to pause
+    player.step(60000);  // the run may have continued before it paused
     await until(() => now() - stood >= 60);
     stood = now();
     player.step(250);
@@ -117,11 +117,11 @@ TEST_F(Serve, WatchesARunWhileItRuns) {
   EXPECT_GT(seen["moved"], 500);
   EXPECT_THAT(seen["script"].get<std::string>(), HasSubstr("ms press start for 200ms\n"));
   EXPECT_EQ(seen["verdict"], "interrupted");
-  EXPECT_EQ(seen["kept"], seen["lines"]) << "its recording is shown in the end";
+  EXPECT_EQ(seen["kept"], seen["lines"]) << "the run's recording is displayed at the end";
 }
 
-// Runs two robots from a file, PidFollower and Echo, on one line. The second one is controlled, then both are
-// watched as they drive.
+// Runs two robots from a file, PidFollower and Echo, on one line. The second robot is controlled. Then both
+// robots are watched as they drive.
 TEST_F(Serve, RunsSeveralRobotsAndActsOnTheOneThatIsLookedAt) {
   folder_.write("two.toml",
                 "map = \"oval\"\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\ngoal = \"none\"\n"
@@ -217,7 +217,7 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
     await until(() => $('said').textContent);
     return { undone, own, wrong: $('said').textContent, broken, text: $('map-text').value, map: $('map').value, sketches: [...$('sketch').options].map((o) => o.value) };)");
   EXPECT_THAT(seen["broken"].get<std::string>(), HasSubstr("my.map:3"));
-  EXPECT_EQ(seen["undone"], true) << "what was typed, too";
+  EXPECT_EQ(seen["undone"], true) << "typed text is undone, too";
   EXPECT_EQ(seen["map"], "./my.map");
   EXPECT_THAT(seen["text"].get<std::string>(), AllOf(HasSubstr("[legend]\n4 = \"wet line\"\n3 = \"wet\"\n"),
                                                      HasSubstr("\n_S.4......._________\n")))
@@ -285,24 +285,24 @@ TEST_F(Serve, ZoomsIntoTheMapThatIsEdited) {
     const walls = [];
     sheet.dispatchEvent(new WheelEvent('wheel', { deltaY: -Math.log(4) / 0.0015, clientX: box.left + px, clientY: box.top + py, cancelable: true }));
     press(0, 0);
-    press(1.4, 1.4);  // four times as large, that is the same cell
+    press(1.4, 1.4);  // the same cell, at four times the size
     walls.push(put());
     press(4, -4);
     walls.push(put());
     await isDrawn();
     const seen = places.map((place) => dark(...place));
     const key = (name) => sheet.dispatchEvent(new KeyboardEvent('keydown', { key: name, bubbles: true }));
-    key('0');  // all of it again
+    key('0');  // shows the whole map again
     press(2, 0);
     walls.push(put());
     key('+');
-    for (let i = 0; i < 30; i++) key('-');  // never smaller
+    for (let i = 0; i < 30; i++) key('-');  // does not zoom out further
     press(3, 0);
     walls.push(put());
     return { walls, seen };)");
-  EXPECT_EQ(seen["walls"][0], Json::parse("[[6,4]]")) << "what is under the pointer stays there";
+  EXPECT_EQ(seen["walls"][0], Json::parse("[[6,4]]")) << "the cell under the pointer stays there";
   EXPECT_EQ(seen["walls"][1], Json::parse("[[7,3],[6,4]]"));
-  EXPECT_EQ(seen["seen"], Json::parse("[true,true,true,true,false]")) << "drawn where it is pressed";
+  EXPECT_EQ(seen["seen"], Json::parse("[true,true,true,true,false]")) << "drawn where the mouse was pressed";
   EXPECT_EQ(seen["walls"][2], Json::parse("[[7,3],[6,4],[8,4]]"));
   EXPECT_EQ(seen["walls"][3], Json::parse("[[7,3],[6,4],[8,4],[9,4]]"));
 }
@@ -347,8 +347,8 @@ TEST_F(Serve, SaysThatItsServerIsGone) {
       in_page("sketch=./Echo", R"(await until(() => document.documentElement.dataset.ready); return 1;)");
   EXPECT_EQ(state, 1);
   EXPECT_TRUE(server_->end().ok());
-  for (const char* deed : {"", "$('state').textContent = ''; $('run').click();"})  // also notifies users who
-                                                                                   // only watch
+  // Notifies both users who only watch, and users who start a run.
+  for (const char* deed : {"", "$('state').textContent = ''; $('run').click();"})
     EXPECT_THAT(
         browser()
             .run(std::string(deed) + "await until(() => $('state').textContent.includes('has stopped')); "

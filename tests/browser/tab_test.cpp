@@ -1,4 +1,4 @@
-// Tests the bench in a tab (docs/howto/tab.md), with and without a plain file server.
+// Tests the page in a tab (docs/howto/tab.md), from a plain file server and offline.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ TEST_F(Tab, PressesAButtonAtTheMomentThatIsShown) {
     await until(() => shown() && shown() !== before);
     return { script: $('script').value, was: before.run.pose(5).x, is: shown().run.pose(5).x };)");
   EXPECT_EQ(seen["script"], "at 1000ms press start for 200ms\n");
-  EXPECT_GT(seen["is"].get<double>() - seen["was"].get<double>(), 100.0) << "it waits for the button";
+  EXPECT_GT(seen["is"].get<double>() - seen["was"].get<double>(), 100.0) << "without the button, the robot waits";
 }
 
 TEST_F(Tab, PassesARunOnInALink) {

@@ -28,7 +28,7 @@ class Bench final : public avr::ChipEnvironment {
   avr::Chip::Stop run(avr::Cycle cycles) { return chip.run_to(chip.cycle() + cycles); }
   /// Connects this USART's output to its input. Each frame is received one frame after it was sent.
   void wire_to_itself(int usart) { loop_ = usart; }
-  /// Changes a pin's level, and notifies the chip if it listens.
+  /// Changes a pin's level, and passes the edge to the chip.
   void set_level(int pin, bool level) {
     levels[pin] = level;
     chip.edge(pin, level, chip.cycle());

@@ -32,7 +32,7 @@ TEST_P(Conformance, ReportsWhatTheDataSheetSays) {
   Bench bench(chip_named(GetParam().chip), flash);
   bench.wire_to_itself(program.loop);
   bench.run(program.cycles);
-  EXPECT_TRUE(bench.ended) << "it has not ended after " << program.cycles << " cycles, at word "
+  EXPECT_TRUE(bench.ended) << "the program has not ended after " << program.cycles << " cycles, at word "
                            << bench.chip.cpu().pc() << " of flash";
   EXPECT_TRUE(matches(program.expected, bench.reported))
       << program.sentence << " (" << program.source << ")\n  expected " << text_of(program.expected)

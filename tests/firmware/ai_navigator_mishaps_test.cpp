@@ -61,7 +61,7 @@ TEST_F(AiNavigatorAgain, SaysThatThereIsNoWayRoundAnObstacleThatStays) {
   robot().send("3\n");
   ASSERT_TRUE(robot().run_until(serial_says("collision: waiting"), within(1_min)));
   const Drive wait = robot().run_until(motors_start(), within(4500_ms));
-  ASSERT_TRUE(wait) << "its patience is 4 s";
+  ASSERT_TRUE(wait) << "the robot waits for 4 s";
   EXPECT_GT(wait.end() - wait.begin(), 3500_ms);
   ASSERT_TRUE(robot().run_until(serial_says("no way to 3"), within(1_min)));
   robot().act("clear 8,3");
@@ -147,18 +147,18 @@ TEST_F(AiNavigatorAgain, BeepsShortlyWhenItIsDoneAndForLongWhenSomethingIsWrong)
   robot().press("start");
   ASSERT_TRUE(robot().run_until(serial_says("scan complete"), within(1_min)));
   robot().run_for(80_ms);
-  EXPECT_NEAR(robot().reading("buzzer"), 1760, 2) << "the scan is complete: for 100 ms";
+  EXPECT_NEAR(robot().reading("buzzer"), 1760, 2) << "beeps for 100 ms: the scan is complete";
   robot().run_for(40_ms);
   EXPECT_EQ(robot().reading("buzzer"), 0);
   robot().send("9\n");
   robot().run_for(780_ms);
-  EXPECT_NEAR(robot().reading("buzzer"), 440, 2) << "there is no such station: for 800 ms";
+  EXPECT_NEAR(robot().reading("buzzer"), 440, 2) << "beeps for 800 ms: the station does not exist";
   robot().run_for(40_ms);
   EXPECT_EQ(robot().reading("buzzer"), 0);
   robot().send("2\n");
   ASSERT_TRUE(robot().run_until(serial_says("arrived at 2"), within(1_min)));
   robot().run_for(80_ms);
-  EXPECT_NEAR(robot().reading("buzzer"), 1760, 2) << "it is there: for 100 ms";
+  EXPECT_NEAR(robot().reading("buzzer"), 1760, 2) << "beeps for 100 ms: the robot has arrived";
 }
 
 TEST_F(AiNavigatorAgain, SaysThatItGoesOnWhenItDoes) {

@@ -178,7 +178,7 @@ TEST(AiNavigatorsMemory, NeverHoldsAWrongGraphWhereverThePowerIsCut) {
       EXPECT_THAT(robot, Not(SerialSays("I have a map")));
     } else {
       EXPECT_THAT(kept, IsTheSameGraphAs(robot.true_graph()));
-      EXPECT_EQ(map, whole) << "it trusts a map that it has not written to the end";
+      EXPECT_EQ(map, whole) << "the robot trusts an incomplete map";
     }
   });
 }

@@ -68,8 +68,8 @@ TEST_F(AiNavigatorAgain, TakesTheShorterOfTwoWaysOverOtherJunctions) {
   }
 }
 
-// At the second junction, the next one is farther than any junction that the search has reached. The third
-// junction is reached first by the longer of its two routes.
+// When the search is at the second junction, the third one is farther than all junctions found so far. The
+// search finds the third junction first by the longer of its two routes.
 TEST_F(AiNavigatorAgain, GoesStraightThroughARowOfJunctionsWithWaysRound) {
   put_on(kTwoRings);
   scan();

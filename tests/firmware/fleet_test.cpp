@@ -7,7 +7,7 @@ using namespace robosim::testing;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Robot A follows its line. Robot B comes towards it on the same line, further on.
+/// Robot A follows its line. Robot B starts further along the same line, and follows it, too.
 FleetTrial two(const std::string& target) {
   return {.robots =
               {{.name = "A", .sketch = "PidFollower", .goal = "laps:1"},
@@ -37,7 +37,7 @@ TEST_P(TwoFollowers, EachIsAskedAndHandledByItsName) {
   a.power_off(10_s);
   const Drive meanwhile = b.run_for(2_s);
   EXPECT_GT(meanwhile.distance().mm, 500);
-  EXPECT_NEAR(a.pose().y_mm, 250, 5) << "it stands where its line begins";
+  EXPECT_NEAR(a.pose().y_mm, 250, 5) << "it stays at the start of its line";
   EXPECT_GT(b.pose().y_mm, a.pose().y_mm);
   EXPECT_EQ(a.now(), b.now());
   EXPECT_EQ(both.now(), a.now());

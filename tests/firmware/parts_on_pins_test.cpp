@@ -55,7 +55,7 @@ TEST_P(OnPins, ARobotWithASonarOnAServoDrivesAboutARoomAndTouchesNothing) {
   EXPECT_THAT(drive, NeverCollides());
   EXPECT_GT(drive.distance().mm, 2000);
   EXPECT_THAT(drive, SerialMatches("left \\d+ right \\d+"));
-  EXPECT_NEAR(robot.reading("pan"), 90, 80) << "it is shown in degrees";
+  EXPECT_NEAR(robot.reading("pan"), 90, 80) << "the servo's angle in degrees";
 }
 
 TEST_P(OnPins, ASonarSeesAnObstacleThatIsPutInTheWay) {
@@ -68,8 +68,8 @@ TEST_P(OnPins, ASonarSeesAnObstacleThatIsPutInTheWay) {
   ASSERT_TRUE(drive);
   EXPECT_THAT(drive, NeverCollides());
   const double before_it = 1050 - 60 - 75;  // pose at which the sensor's front touches the obstacle
-  EXPECT_GT(robot.pose().x_mm, before_it - 250) << "it drives on to 25 cm";
-  EXPECT_LT(robot.pose().x_mm, before_it) << "and rolls out";
+  EXPECT_GT(robot.pose().x_mm, before_it - 250) << "the robot stops at a distance of 25 cm";
+  EXPECT_LT(robot.pose().x_mm, before_it) << "the robot coasts, but does not touch the obstacle";
 }
 
 constexpr const char* kPanel = R"(

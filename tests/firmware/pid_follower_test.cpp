@@ -48,7 +48,7 @@ TEST_P(PidFollower, ComesBackToTheLineAfterItWasPushedOff) {
   robot().run_for(100_ms);
   for (const char* sensor : {"S1", "S2", "S3", "S4", "S5"})
     robot().act("fault " + std::string(sensor) + " stuck 60 for 250ms");
-  robot().run_for(4_s);  // the direction and number of swings depend on a millisecond
+  robot().run_for(4_s);  // one millisecond changes the direction and number of swings
   EXPECT_THAT(robot().run_for(2_s), Follows(line(), within(25_mm)));
 }
 
@@ -57,11 +57,11 @@ TEST_P(PidFollower, KeepsTheLineUnderItsMiddle) {
   std::vector<double> off;
   for (const Moment& moment : robot().run_for(4_s).moments()) off.push_back(moment.cross_track.mm);
   std::sort(off.begin(), off.end());
-  EXPECT_LT(off[off.size() / 2], 4.0) << "mm, the median";
+  EXPECT_LT(off[off.size() / 2], 4.0) << "median in mm";
 }
 
 TEST_P(PidFollower, LeavesTheChipRoomAndComesRoundEveryTenMilliseconds) {
-  if (!robot().on_chip()) GTEST_SKIP() << "the host has no chip's memory";
+  if (!robot().on_chip()) GTEST_SKIP() << "requires a chip's memory";
   robot().run_for(3_s);
   EXPECT_THAT(robot(), UsesAtMost(ram(600), stack(300), flash(12000), loop_time(10_ms)));
 }

@@ -143,7 +143,7 @@ TEST(PonyNavigatorsRefusals, SayWhy) {
   ASSERT_TRUE(robot.run_until(serial_says("ready"), within(1_s)));
   ASSERT_TRUE(is_told("station1", "no map: scan first"));
   robot.run_for(900_ms);
-  EXPECT_TRUE(robot.is_on("buzzer")) << "for a second";
+  EXPECT_TRUE(robot.is_on("buzzer")) << "beeps for a second";
   robot.run_for(200_ms);
   EXPECT_FALSE(robot.is_on("buzzer"));
   ASSERT_TRUE(is_told("scan", "scan complete, stations: 3"));

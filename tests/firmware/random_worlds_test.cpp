@@ -1,5 +1,5 @@
 // Tests the stock sketches' guarantees on random floors and robots, with mild faults.
-// ROBOSIM_TEST_SEEDS=1000 tries more.
+// ROBOSIM_TEST_SEEDS=1000 tries more worlds.
 #include <robosim/random_worlds.h>
 
 #include "tests/firmware/explored.h"

@@ -31,7 +31,7 @@ TEST_P(Shuttle, DrivesTwentyCentimetresForwardAndBackAgainAndAgain) {
   for (int i = 0; i < 3; ++i) {
     const double before = robot().pose().x_mm;
     ASSERT_TRUE(robot().run_until(serial_says("forward"), within(3_s)));
-    EXPECT_NEAR(robot().pose().x_mm - before, 205, 10) << "it rolls on a little";
+    EXPECT_NEAR(robot().pose().x_mm - before, 205, 10) << "the robot coasts a few millimetres";
     const double there = robot().pose().x_mm;
     ASSERT_TRUE(robot().run_until(serial_says("back"), within(3_s)));
     EXPECT_NEAR(there - robot().pose().x_mm, 205, 10);

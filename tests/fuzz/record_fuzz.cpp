@@ -1,6 +1,5 @@
-// Records arbitrary events of a runner: the recording is a table, and a file of signals in order of time.
-// Reads arbitrary bytes as a sweep's table: either it is rejected with file and line, or each row belongs to
-// the plan.
+// Records arbitrary events of a runner, as a table and as a file of signals in order of time. Reads arbitrary
+// bytes as a sweep's table: either it is rejected with file and line, or each row belongs to the plan.
 #include <fmt/format.h>
 #include <unistd.h>
 

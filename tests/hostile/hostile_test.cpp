@@ -121,14 +121,14 @@ class Place {
   std::map<std::string, std::string> before_;
 };
 
-/// Returns a limit of wall time. On a machine that others use, too, little work may take long.
+/// Returns the limit of wall time, which grows with the machine's load.
 double late_s() {
   double load = 0.0;
   ::getloadavg(&load, 1);
   return kLate_s * (1.0 + load);
 }
 
-/// Returns byte sequences that a terminal carries out, or that show text in another order than it has.
+/// Returns the first byte of a sequence that a terminal executes or that reorders text, or "".
 std::string carried_out(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto at = [&](std::size_t k) { return static_cast<unsigned char>(k < text.size() ? text[k] : 0); };
@@ -136,7 +136,7 @@ std::string carried_out(const std::string& text) {
     if (c == 0x1b) {
       const std::size_t end = text.find_first_not_of("[0123456789;", i + 1);
       if (at(i + 1) == '[' && end != text.npos && (text[end] == 'm' || text[end] == 'K'))
-        continue;  // Robosim's own
+        continue;  // a sequence that Robosim prints
     }
     const bool control = (c < 0x20 && c != '\n' && c != '\r' && c != '\t') || c == 0x7f;
     const bool c1 = c == 0xc2 && at(i + 1) >= 0x80 && at(i + 1) < 0xa0;
@@ -187,7 +187,7 @@ std::vector<std::string> judge(const Watched& watched, const Input& input, bool 
   return findings;
 }
 
-/// All that has been tried; the table and the findings at the end.
+/// Collects all attempts, and prints the table and the findings at the end.
 class Report : public testing::Environment {
  public:
   static std::vector<Record>& records() {
@@ -253,7 +253,7 @@ std::string name_of(const testing::TestParamInfo<Param>& info) {
   return plain_name(info.param.mechanism + "_" + info.param.variant, info.index);
 }
 
-/// An honest sketch, compiled afresh on the same machine, gets its right result.
+/// Compiles and runs an honest sketch on the same machine, and expects its right result.
 void check_neighbour() {
   static int times = 0;
   const std::string text = fmt::format(
@@ -289,7 +289,7 @@ void try_input(const char* suite, const Input& input) {
     if (is_sketch) words.emplace_back("--serial");
     modes.emplace_back(target + (untrusted ? " --untrusted" : ""), words);
   };
-  // Without --untrusted a user's own settings may be links.
+  // Without --untrusted, a settings file may be a link.
   if (input.target != Target::avr && input.mechanism != "link_as_settings") add("host", false);
   if (input.target != Target::avr) add("host", true);
   if (input.target != Target::host) add("avr", true);
@@ -320,7 +320,7 @@ class Folders : public testing::TestWithParam<Input> {};
 TEST_P(Folders, DoNoHarm) { try_input("folders", GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Hostile, Folders, testing::ValuesIn(folders()), name_of<Input>);
 
-/// A server of a folder with links that lead out of it.
+/// Serves a folder with links that lead out of it.
 class Server {
  public:
   Server() {

@@ -26,7 +26,7 @@ struct Choice {
 ///
 ///   bin/                      the test program
 ///   libexec/robosim           -> the runners
-///   share/robosim/firmware    a copy, like tests/firmware/sketches; everything else in share is a link
+///   share/robosim             copies of firmware and tests/firmware/sketches, and links to other folders
 class Stage {
  public:
   explicit Stage(std::filesystem::path folder);

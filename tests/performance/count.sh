@@ -41,17 +41,17 @@ each() {  # SHORT LONG NUMBER: the difference, divided by NUMBER
 
 robosim() { echo "$build/robosim" "$@"; }
 command_() { trace $(robosim "$@") | most robosim; }
-run_for() {  # RUNNER TIME SKETCH OPTION...: of the process that simulates
+run_for() {  # RUNNER TIME SKETCH OPTION...: counts the process that simulates
   trace $(robosim run "$3" --map oval --robot uno5 --goal none --for "$2" "${@:4}") | most "$1"
 }
-simulated() {  # RUNNER SKETCH OPTION...: per simulated millisecond, after the first 200 ms
+simulated() {  # RUNNER SKETCH OPTION...: counts per simulated millisecond, after the first 200 ms
   local sketch=$2 span=1000
   [[ $1 == robosim-host ]] || span=500
   [[ ! -d $here/../bench/sketches/$2 ]] || sketch=$here/../bench/sketches/$2
   clean $(robosim build "$sketch" --robot uno5 "${@:3}") >/dev/null 2>&1
   each "$(run_for "$1" 200ms "$sketch" "${@:3}")" "$(run_for "$1" $((200 + span))ms "$sketch" "${@:3}")" $span
 }
-recorded_for() {  # TIME: of all processes
+recorded_for() {  # TIME: counts all processes
   trace $(robosim run PidFollower --map oval --robot uno5 --goal none --for "$1" --json \
     --record "$work/run.csv" --record "$work/run.vcd") | awk '{ sum += $2 } END { printf "%.0f\n", sum }'
 }
@@ -75,7 +75,7 @@ fleet_of() {  # ROBOTS
     awk '$2 > most[$1] { most[$1] = $2 } END { for (name in most) sum += most[name]; printf "%.0f\n", sum }'
 }
 
-workload() {  # the name in the table's first column
+workload() {  # NAME, from the table's first column
   case $1 in
     '`robosim --help`') command_ --help ;;
     '`robosim map check city`') command_ map check city ;;

@@ -49,7 +49,7 @@ inline constexpr ClockedBoard kProMinis[] = {{"promini8", 8, 3.3}, {"promini16",
 /// Ten readings take fourteen ADC clocks each. The ADC runs at 125 kHz on both boards.
 inline constexpr double kTenReads_us = 1120;
 
-/// The durations that each target checks itself.
+/// Durations that each target's own test checks.
 struct ReadTimes {
   double ten_analog_us = 0.0;
   double thousand_digital_us = 0.0;

@@ -35,8 +35,8 @@ namespace {
 
 using testing::HasSubstr;
 
-// A sketch that has interrupt handlers, stops and drives, has no sleep loop that is skipped, and crashes at
-// an "x".
+// A sketch that has interrupt handlers, and drives after a while. It has no sleep loop that could be skipped,
+// and crashes when it receives an "x".
 const std::string kSketch = R"(volatile unsigned passes;
 __attribute__((noinline)) void pass() { ++passes; }
 __attribute__((noinline)) void crash() { *(volatile int*)0x4000 = 1; }
@@ -110,12 +110,12 @@ class DebuggedRunTest : public testing::Test {
   }
 
   void say(const std::string& packet) { packets_.push_back(packet); }
-  /// Sends an order, and queries the chip's place at the next halt: "S05 PC TIME".
+  /// Sends an order. Queries the program counter and the time at the next halt.
   void go(const std::string& order) {
     for (const std::string& packet : {order, "p" + std::string(Target::kPc), std::string("qRcmd,74696d65")})
       say(packet);
   }
-  /// Runs with these packets, and compares the run with one without a debugger. Returns all replies.
+  /// Runs with these packets, and compares the result with a run without a debugger. Returns all replies.
   std::vector<std::string> run() {
     Told alone, told;
     alone.hears_inputs = told.hears_inputs = hears_inputs_;
@@ -138,7 +138,7 @@ class DebuggedRunTest : public testing::Test {
     replies.pop_back();
     return replies;
   }
-  /// A reply to an order of go(), and the place of the halt.
+  /// The replies to one call of go().
   struct Halt {
     std::string why;
     std::uint32_t pc = 0;
@@ -228,7 +228,7 @@ TEST_F(DebuggedRunTest, AWatchpointHaltsBackInFrontOfWhoHasWritten) {
   const std::vector<Halt> all = halts(replies);
   ASSERT_EQ(all.size(), 15u);
   EXPECT_EQ(all.back().why, fmt::format("T05watch:{:x};", passes));
-  EXPECT_TRUE(all.back().pc > pass && all.back().pc < pass + 20) << "the instruction that writes";
+  EXPECT_TRUE(all.back().pc > pass && all.back().pc < pass + 20) << "halts after the instruction that writes";
 }
 
 TEST_F(DebuggedRunTest, ACrashIsGoneBackFrom) {
@@ -243,7 +243,7 @@ TEST_F(DebuggedRunTest, ACrashIsGoneBackFrom) {
   const std::vector<Halt> all = halts(run());
   ASSERT_EQ(all.size(), 6u);
   EXPECT_EQ(all[0].why, "S0b");
-  EXPECT_LT(all[1].pc, all[0].pc) << "the instruction before";
+  EXPECT_LT(all[1].pc, all[0].pc) << "halts at the previous instruction";
   EXPECT_GE(all[1].pc + 4, all[0].pc);
   EXPECT_LT(all[2].time, all[1].time);
   EXPECT_EQ(all[3].time, all[1].time);
@@ -309,7 +309,7 @@ TEST_F(DebuggedRunTest, APastIsNotChangedAndAPresentThatIsHasNone) {
   const std::vector<std::string> due = {
       "OK", "S05", "S05", "S05", "S05", "S05", "E01", "S05", "S05", "OK", "T05replaylog:beg"};
   EXPECT_EQ(std::vector<std::string>(kinds.begin(), kinds.begin() + 11), due);
-  EXPECT_EQ(kinds[kinds.size() - 2], "S05") << "from the next snapshot on there is one again";
+  EXPECT_EQ(kinds[kinds.size() - 2], "S05") << "stepping back works again after the next snapshot";
 }
 
 TEST_F(DebuggedRunTest, AnEndThatIsNoGoodHaltsOnceMore) {

@@ -34,7 +34,7 @@ namespace {
 using testing::ElementsAreArray;
 using testing::HasSubstr;
 
-/// One in this number of runs continues to the end; the others continue for a while.
+/// Of this number of runs, one continues to the end; the others end earlier.
 constexpr std::size_t kToTheEnd = 10;
 
 struct Case {
@@ -92,7 +92,7 @@ struct Told final : Listener {
   std::vector<std::string> lines;
 };
 
-/// Acts on the robot depending only on its state, without memory of its own.
+/// Chooses actions only by the robot's current state, and stores nothing.
 struct Hands final : StepController {
   Leg next(Standstill& standstill) override {
     const State& now = standstill.state();

@@ -45,7 +45,7 @@ TEST(CliClassic, TellsScanAndRoutesForPrograms) {
   ASSERT_EQ(out["routes"].size(), 2u);
   EXPECT_EQ(out["routes"][0]["junctions"], json::parse("[1, 2]"));
   EXPECT_EQ(out["routes"][0]["turns"], "RL");
-  EXPECT_EQ(out["routes"][0]["time"], 2 * (7 + 1 + 1)) << "path, turn, the wall";
+  EXPECT_EQ(out["routes"][0]["time"], 2 * (7 + 1 + 1)) << "path, turn and wall";
   EXPECT_EQ(out["routes"][0]["ratio_to_shortest"], 1);
   EXPECT_EQ(out["routes"][1]["from"], 3);
   EXPECT_EQ(out["routes"][1]["turns"], "L");
@@ -102,7 +102,7 @@ TEST(CliClassic, TheTemplateOfASketchVisitsEveryStationOnADrivenRobot) {
   const json out = json::parse(run.out, nullptr, false);
   EXPECT_EQ(out["verdict"], "reached");
   EXPECT_EQ(out["metrics"]["stations"], json::parse(R"(["1", "4", "3", "2"])"))
-      << "to the left: last number first";
+      << "the left-hand walk reaches the last number first";
 }
 
 TEST(CliClassic, AnAlgorithmThatCrashesIsToldInASentence) {

@@ -161,7 +161,7 @@ TEST_F(CliCoverage, OnAChipEachPowerCycleAndWhatWasLeftOutWhileItWaitedCount) {
   const std::string text = info();
   std::istringstream(text.substr(text.find("\nDA:5,") + 6)) >> looked;
   EXPECT_GT(looked, 10'000u);
-  EXPECT_GE(looked, rounds) << "rounds are those since the power came back";
+  EXPECT_GE(looked, rounds) << "`rounds` counts only since the power returned";
 }
 
 TEST_F(CliCoverage, IsRefusedForAFolderThatCannotBe) {

@@ -87,7 +87,7 @@ TEST(CliFleet, TheSameSketchTwiceHasItsVariablesTwiceAndACrashIsItsRobots) {
     EXPECT_THAT(robot["serial"].get<std::string>(), StartsWith("1\r\n2\r\n3\r\n4\r\n5"));
   EXPECT_EQ(robots[0]["verdict"], "crashed");
   EXPECT_THAT(robots[1]["why"].get<std::string>(), HasSubstr("in loop, Count.ino:3"));
-  EXPECT_EQ(robots[2]["verdict"], "reached") << "a chip has something at address 0";
+  EXPECT_EQ(robots[2]["verdict"], "reached") << "address 0 is valid on a chip";
 }
 
 #if defined(__x86_64__)

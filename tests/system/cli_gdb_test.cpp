@@ -139,7 +139,7 @@ TEST_P(CliGdb, TheWorldStandsStillWithTheFirmware) {
   SCOPED_TRACE(session.gdb);
   EXPECT_EQ(session.run.out, alone.out) << "the whole result, trace_hash and all";
   EXPECT_THAT(session.gdb, HasSubstr("Breakpoint 1, loop () at My.ino:10"));
-  EXPECT_THAT(session.gdb, HasSubstr("$1 = 2\n")) << "two passes are complete at the third";
+  EXPECT_THAT(session.gdb, HasSubstr("$1 = 2\n")) << "the third pass begins after two complete passes";
   EXPECT_THAT(session.gdb, HasSubstr("Hardware watchpoint 2: passes\n\nOld value = 3\nNew value = 4"));
   EXPECT_THAT(session.gdb, HasSubstr("Breakpoint 3, "));
   EXPECT_THAT(session.gdb, HasSubstr("exited normally"));
@@ -165,7 +165,7 @@ TEST_P(CliGdb, GoesBack) {
   EXPECT_EQ(session.run.out, alone.out) << "the whole result, trace_hash and all";
   const auto values = lines_with(session.gdb, "$");
   ASSERT_EQ(values.size(), 5u);
-  EXPECT_EQ(values[0].substr(5), values[1].substr(5)) << "a step back, and one forth";
+  EXPECT_EQ(values[0].substr(5), values[1].substr(5)) << "a step back and a step forward";
   EXPECT_EQ(values[2], "$3 = 1");
   EXPECT_EQ(values[3], "$4 = 0");
   EXPECT_EQ(values[4], "$5 = 3");

@@ -45,7 +45,7 @@ TEST(CompletionOfBash, OffersTheValuesOfAnOption) {
   EXPECT_THAT(offered({"run", "--map", "ov"}), HasSubstr(" oval "));
   EXPECT_EQ(offered({"run", "--map", "mi"}), " mine.map ") << "a file";
   EXPECT_THAT(offered({"sweep", "--robot", "uno3", "uno5", "un"}), HasSubstr(" uno2 "))
-      << "a list goes on, word after word";
+      << "a list may have further words";
 }
 
 TEST(CompletionOfBash, OffersArguments) {

@@ -67,7 +67,7 @@ TEST(Record, TheReplayEndsAsTheRunDid) {
   EXPECT_EQ(replayed.status, 0) << replayed.err;
   EXPECT_THAT(replayed.out, AllOf(HasSubstr("PidFollower · uno5 on oval · goal laps:1"),
                                   HasSubstr("reached: The goal laps:1 was reached after 8.5")));
-  EXPECT_EQ(replayed.out.substr(0, 400), ran.out.substr(0, 400)) << "the same picture";
+  EXPECT_EQ(replayed.out.substr(0, 400), ran.out.substr(0, 400)) << "equal pictures";
 }
 
 TEST(Record, WhatIsNoRecordingIsRefusedInOneSentence) {
@@ -173,7 +173,7 @@ TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {
     const std::string drawn = read_file(folder / one.picture);
     if (::getenv("ROBOSIM_WRITE_DOCS")) write_file(picture, drawn);
     EXPECT_TRUE(drawn == read_file(picture))
-        << "write " << picture << " anew: ROBOSIM_WRITE_DOCS=1 with this test";
+        << "regenerate " << picture << ": ROBOSIM_WRITE_DOCS=1 with this test";
   }
 }
 

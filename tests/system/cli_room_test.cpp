@@ -52,7 +52,7 @@ TEST_F(CliRoom, SoManyNodesFitIntoAiNavigatorAsItsRunSays) {
   const int nodes = said(run);
   EXPECT_GT(nodes, 205) << run.out;
   EXPECT_LT(nodes, 253) << run.out;
-  // An interrupt may come at the deepest stack in one run only, so its frame must stay free.
+  // Not every run has an interrupt while the stack is deepest, so the test reserves memory for its frame.
   constexpr int kNodesOfAHandler = 8;
   const Ended full = scan_with(nodes - kNodesOfAHandler, kBallast_bytes);
   EXPECT_EQ(full.status, 0) << full.out << full.err;

@@ -41,7 +41,7 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   EXPECT_EQ(result["crash"]["line"], 4);
   EXPECT_EQ(result["crash"]["check"], "out_of_bounds");
   EXPECT_EQ(result["inputs"]["sanitize"], true);
-  EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "the same bytes each time";
+  EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "equal output each time";
 }
 
 // The sketch replaces core functions and looks for the end of RAM, as FreeRTOS does to place the stacks of
@@ -79,7 +79,8 @@ TEST(CliSanitize, OnTheChipItKnowsHowMuchAnIntHolds) {
   EXPECT_THAT(build.out, HasSubstr("with checks"));
 }
 
-// With checks, the emulated chip has more RAM. The verdict is that of the flashed image, without checks.
+// The emulated chip has more RAM for an image with checks. The verdict is that of the flashed image, which
+// has no checks.
 TEST(CliSanitize, OnTheChipASketchWithoutRoomForItsStackHasNotPassed) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -100,7 +101,7 @@ TEST(CliSanitize, OnTheChipASketchWithoutRoomForItsStackHasNotPassed) {
                     HasSubstr("stack overflow")));
 }
 
-// For both checks avr-gcc emits only one type description, the array's.
+// avr-gcc emits only one type description, the array's, for two checks: the bounds and the overflow.
 TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -171,8 +172,8 @@ TEST(CliSanitize, WhereNoCheckFindsAnythingItIsSaidWhatTheyDoNotLookAt) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("next:"), HasSubstr("Not checked: unsigned")));
 }
 
-// The second run has more memory. The code that filled the memory continues, and fails after the end of the
-// first run.
+// The second run has more memory, so the code that filled the memory continues. It fails a check later than
+// the end of the first run.
 TEST(CliSanitize, ACheckThatFailsLongAfterTheFirstRunsEndIsNotItsCause) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;

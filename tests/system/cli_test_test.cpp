@@ -128,7 +128,7 @@ TEST(CliTest, WritesJunitWithTheFigures) {
   EXPECT_THAT(xml, HasSubstr("<property name=\"collisions\" value=\"0\"/>"));
   EXPECT_THAT(xml, HasSubstr("<failure message=\"distance_m: expected at least 1, got 0\">"));
   EXPECT_THAT(xml, HasSubstr("</failure>\n      <system-out>hello\n</system-out>\n    </testcase>"));
-  EXPECT_EQ(xml.find("<system-out>"), xml.rfind("<system-out>")) << "of failures only";
+  EXPECT_EQ(xml.find("<system-out>"), xml.rfind("<system-out>")) << "only failures have output";
 
   EXPECT_EQ(robosim_command({"report", "results.xml"}, folder / "Greets").out,
             "report.html is written, and a replay next to it; open it in a browser\n");
@@ -183,7 +183,7 @@ TEST(CliNew, MakesAProjectThatPasses) {
                               EndsWith("next: cd demo && robosim test\n")));
   const Ended tested = robosim_command({"test"}, folder / "demo");
   EXPECT_EQ(tested.status, 0) << tested.out << tested.err;
-  EXPECT_THAT(tested.err, IsEmpty()) << "not even a warning of the compiler";
+  EXPECT_THAT(tested.err, IsEmpty()) << "no compiler warning either";
   EXPECT_THAT(read_file(folder / "demo/README.md"), AllOf(StartsWith("# demo\n"), Not(HasSubstr("NAME"))));
 }
 

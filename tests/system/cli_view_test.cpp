@@ -65,7 +65,7 @@ TEST(CliView, FollowsAResizedWindow) {
   ASSERT_TRUE(run.wait_for("q end the run")) << run.seen();
   run.resize(60, 20);
   ASSERT_TRUE(run.wait_for("\033[2J")) << run.seen();
-  EXPECT_TRUE(run.wait_for("\033[20;1H")) << "the line of keys is at the new bottom\n" << run.seen();
+  EXPECT_TRUE(run.wait_for("\033[20;1H")) << "the line of keys moves to the new last row\n" << run.seen();
   run.type("q");
   EXPECT_EQ(run.finish(), 130);
 }
@@ -76,7 +76,7 @@ TEST(CliView, PauseStopsTimeAndSpaceGoesOn) {
   run.type(" ");
   ASSERT_TRUE(run.wait_for("paused")) << run.seen();
   run.type("q");
-  ASSERT_TRUE(run.wait_for(kLeave)) << "also while it is paused\n" << run.seen();
+  ASSERT_TRUE(run.wait_for(kLeave)) << "the view ends while it is paused\n" << run.seen();
   EXPECT_EQ(run.finish(), 130);
 }
 

@@ -83,7 +83,7 @@ TEST(DrivenRunTest, StopsWhereItWasAskedTo) {
   const std::size_t said = run.state().serial_bytes;
   run.act("press start 100ms");
   ASSERT_TRUE(run.go_on(20 * kS, {Stop::serial("Put me", said), Stop::at("2"), Stop::pin("D7", true)}));
-  EXPECT_EQ(run.state().stop, 2) << "text from before does not count; pins are watched inside a tick";
+  EXPECT_EQ(run.state().stop, 2) << "earlier text does not count; pins are watched inside a tick";
   ASSERT_TRUE(run.go_on(60 * kS, {Stop::visited("2")}));
   EXPECT_EQ(run.state().sample.at_station, "2");
   ASSERT_TRUE(run.go_on(90 * kS, {Stop::reading("LED2", true)})) << "the LED that says: at a station";
@@ -95,7 +95,7 @@ TEST(DrivenRunTest, StopsWhereItWasAskedTo) {
 
 TEST(DrivenRunTest, TellsTheFirmwaresMemory) {
   DrivenRun run(runner(), request_of({.sketch = "PidFollower", .goal = "none"}));
-  EXPECT_EQ(run.eeprom(), std::vector<std::uint8_t>(1024, 0xFF)) << "as it comes from the factory";
+  EXPECT_EQ(run.eeprom(), std::vector<std::uint8_t>(1024, 0xFF)) << "erased, as from the factory";
 }
 
 TEST(DrivenRunTest, GoesOnAfterWhatMakesNoSense) {

@@ -1,6 +1,6 @@
 // Tests effects of light, height, slow sensors, a noisy ADC, a weak battery and a shut door on a sketch. Each
-// effect is tested by a pair of runs without and with it. The effect changes a value as
-// docs/explanation/models.md describes. One of two ways to read sensors succeeds, the other one fails.
+// test compares runs without and with an effect. A value changes as docs/explanation/models.md describes, or
+// only one of two ways to read sensors succeeds.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -221,8 +221,8 @@ class Survival : public Effects, public testing::WithParamInterface<Effect> {};
 
 TEST_P(Survival, DependsOnHowTheSketchLooks) {
   const Effect& effect = GetParam();
-  EXPECT_EQ(laps(effect, false, effect.survives), 3) << "without it, the one";
-  EXPECT_EQ(laps(effect, false, effect.fails), 3) << "and the other";
+  EXPECT_EQ(laps(effect, false, effect.survives), 3) << "without the effect, both ways succeed";
+  EXPECT_EQ(laps(effect, false, effect.fails), 3) << "without the effect, both ways succeed";
   EXPECT_EQ(laps(effect, true, effect.survives), 3);
   EXPECT_EQ(laps(effect, true, effect.fails), 0);
 }

@@ -91,7 +91,7 @@ TEST_F(Hills, AreDarkWhereBoardsMeet) {
               static_cast<int>(dark / 5.0 * 1024.0), 1);
 }
 
-// The bar is 20 mm wide, and 1.5 m ahead of the robot's sensors. Four gaps are in front of it.
+// The bar is 20 mm wide, and 1.5 m ahead of the robot's sensors. `joints` adds four gaps before the bar.
 TEST_F(Hills, WhereBoardsMeetStopASketchThatTakesThemForABar) {
   const std::string bar =
       "[[area]]\ncolour = \"black\"\nalong = \"1.88 m\"\nsize = [\"20 mm\", \"400 mm\"]\n";

@@ -1,5 +1,5 @@
-// Tests which cause messages blame: machines that lack a feature, closed streams, and paths that are not
-// files.
+// Tests that messages name the right cause: a feature that the machine lacks, a closed stream, or a path that
+// is not a file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -176,7 +176,7 @@ TEST(PonyNavigatorSketch, TurnsBackBeforeWhatStaysInTheWayAndSaysSo) {
 }
 
 TEST(PonyNavigatorSketch, TellsThatANetworkWithACircleIsNotForIt) {
-  if (kSlow) GTEST_SKIP() << "left to fast builds: it drives for many minutes";
+  if (kSlow) GTEST_SKIP() << "too slow for this build: drives for many minutes";
   const Folder folder;
   const auto map = folder.write("circle.map",
                                 "_____________\n"

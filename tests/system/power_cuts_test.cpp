@@ -36,7 +36,7 @@ std::string line_of(const std::string& text, const std::string& beginning) {
 }
 
 TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
-  if (kSlow) GTEST_SKIP() << "left to fast builds; AiNavigatorsMemory takes the same way in slow ones";
+  if (kSlow) GTEST_SKIP() << "too slow for this build, which tests the same with AiNavigatorsMemory";
   const test::Run plan{
       .sketch = "AiNavigator", .map = "a", .goal = "none", .script = kScript, .for_s = 120.0};
   const grid::Map map = grid::read_map(grid::find_map(plan.map));
@@ -64,7 +64,7 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
     const std::string all = without_cr(result->serial);
     const std::string text = all.substr(all.rfind("ready\n"));
     SCOPED_TRACE(text);
-    ASSERT_NE(all.rfind("ready\n"), 0u) << "it starts twice";
+    ASSERT_NE(all.rfind("ready\n"), 0u) << "the sketch starts only once";
     EXPECT_THAT(text, EndsWith("arrived at 2\ndestination?\n"));
     const bool whole_record = cut.write > record || (cut.write == record && cut.byte == "new");
     if (!whole_record) {

@@ -87,12 +87,12 @@ TEST_P(RecordVcd, AReaderThatIsNotOursFindsPinsVoltsDutyAndBytes) {
   ASSERT_EQ(run.status, 0) << run.err;
   const Waves waves = read_back(folder_, "x.vcd");
   for (const char* signal : {"D0", "D13", "A5", "D3_duty", "D11_duty", "D8_tone_hz", "A5_volts", "rx"})
-    EXPECT_EQ(waves.count(signal), 1u) << signal << " is declared, though nothing happens there";
+    EXPECT_EQ(waves.count(signal), 1u) << signal << " is declared, although it never changes";
 
   std::vector<std::string> sent;
   for (const Change& change : waves.at("tx")) sent.push_back(change.value);
   EXPECT_THAT(sent, ElementsAre("00000000", "01100001", "01100010"));
-  EXPECT_THAT(waves.at("tx_flip"), SizeIs(1 + 3)) << "three bytes, two of them alike";
+  EXPECT_THAT(waves.at("tx_flip"), SizeIs(1 + 3)) << "three bytes, two of them equal";
 
   std::vector<double> duties, volts;
   for (const Change& change : waves.at("D5_duty")) duties.push_back(std::stod(change.value));
@@ -100,7 +100,7 @@ TEST_P(RecordVcd, AReaderThatIsNotOursFindsPinsVoltsDutyAndBytes) {
   EXPECT_THAT(duties, Contains(65.0 / 256));
   EXPECT_THAT(duties, Contains(129.0 / 256));
   for (const Change& change : waves.at("A0_volts")) volts.push_back(std::stod(change.value));
-  EXPECT_GT(volts.size(), 4u) << "noise makes each sample another one";
+  EXPECT_GT(volts.size(), 4u) << "noise changes each sample";
 
   const std::vector<Change>& led = waves.at("D13");
   ASSERT_GT(led.size(), 8u);

@@ -12,7 +12,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Calibrates while the robot is moved, and prints the difference between black and white.
+// Calibrates while the robot is moved, and prints the number of sensors that saw both black and white.
 constexpr const char* kCalibrates = R"(int low[5], high[5];
 void wait() { while (digitalRead(4)) {} }
 void setup() {

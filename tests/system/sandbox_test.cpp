@@ -119,7 +119,7 @@ TEST_F(Sandbox, HoldsBeforeTheFirstConstructor) {
 }
 
 TEST_F(Sandbox, HoldsWhileTheImageIsBeingLoaded) {
-  // The loader calls a function of this name before the firmware has a clock that counts its blocks.
+  // The loader calls _init() before the firmware's clock counts basic blocks.
   const auto r = run_text(
       "extern \"C\" int open(const char*, int, ...);\n"
       "extern \"C\" __attribute__((no_sanitize_coverage)) void _init() { open(\"/etc/passwd\", 0); }\nvoid "
@@ -179,7 +179,7 @@ TEST_F(Sandbox, LetsNoSketchChangeItsImageOrMissIt) {
   for (int run = 0; run < 2; ++run) {
     const auto r = runner_of("host").run(request);
     EXPECT_EQ(r.verdict, "timeout") << r.why;
-    EXPECT_EQ(r.serial, "111") << "it closes none, and is loaded each time";
+    EXPECT_EQ(r.serial, "111") << "the sketch cannot close the image, and is loaded each time";
   }
 }
 

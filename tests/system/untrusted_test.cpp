@@ -241,7 +241,7 @@ TEST_F(Untrusted, NoFolderThatAProjectNamesIsOutsideOfTheSketchsFolder) {
                            "lib_extra_dirs = ../shared\n"}) {
     folder_.write("S/platformio.ini", environment + line);
     std::vector<std::string> words{"run", "./S", "--map", "oval", "--goal", "none", "--for", "10ms"};
-    EXPECT_EQ(robosim(words).status, 0) << "one's own project may: " << line;
+    EXPECT_EQ(robosim(words).status, 0) << "allowed without --untrusted: " << line;
     words.emplace_back("--untrusted");
     const Ended ended = robosim(words);
     EXPECT_EQ(ended.status, 2) << line;
@@ -309,7 +309,7 @@ TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
   EXPECT_EQ(told("seccomp", with({"run", "./S"})), runs);
   EXPECT_EQ(told("sandbox", with({"run", "./S"})), compilers + runs);
   EXPECT_EQ(told("sandbox", with({"sweep", "./S", "./T", "--seeds", "1..3"})), compilers + runs) << "once";
-  EXPECT_EQ(told("seccomp", with({"run", "./S", "--target", "avr"})), "") << "firmware is data there";
+  EXPECT_EQ(told("seccomp", with({"run", "./S", "--target", "avr"})), "") << "firmware for a chip is only data";
 
   EXPECT_EQ(refused("walls", with({"run", "./S"})),
             "robosim: --untrusted: compilers cannot be confined here: the kernel has no Landlock, and "
@@ -330,7 +330,7 @@ TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
 
 TEST_F(Untrusted, CompilersSeeNoMoreWhereTheKernelHasNamespacesAndNoLandlock) {
   if (without("landlock", {"run", "PidFollower", "--untrusted", "--for", "10ms"}).status == 5)
-    GTEST_SKIP() << "nor has this one";
+    GTEST_SKIP() << "this kernel has no user namespaces";
   write_hostile_ones();
   folder_.write("pupils/peggy/peggy.ino", empty_sketch("#include \"../../secret/secret.h\""));
   folder_.write("pupils/trudy/trudy.ino", empty_sketch("#include <../../../../../../../etc/passwd>"));

@@ -1,4 +1,4 @@
-// Tests that skipping a sketch that only waits on the host (hal/host/polling.h) is not observable.
+// Tests that skipping a sketch's waits on the host (hal/host/polling.h) changes no result.
 #include "tests/system/system_test.h"
 
 namespace robosim::test {

@@ -1,5 +1,5 @@
-// REFS = 3 selects the 2.56 V reference, and channel 0x1E is the bandgap: 440 of 1024. With MUX5 the channel
-// is not the bandgap.
+// REFS = 3 selects the 2.56 V reference. Channel 0x1E is the bandgap, and reads 440 of 1024; with MUX5 it is
+// not the bandgap.
 // Source: 2549Q, 26.8.1, tables 26-3 and 26-4
 // Expect: 01 b8 00 00
 // Chips: atmega2560 atmega32u4

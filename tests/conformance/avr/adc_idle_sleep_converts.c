@@ -1,4 +1,4 @@
-// Entering idle sleep also starts a conversion, with or without its interrupt.
+// Entering idle sleep also starts a conversion, even if ADIE is 0.
 // Source: DS40002061B, 10.3, 24.6
 // Expect: c7 97
 #include "report.h"

@@ -1,5 +1,4 @@
-// Waiting for ADIF and clearing it by writing 1 returns each channel's own result, however often the channel
-// changes.
+// If a program waits for ADIF and clears it by writing 1, every conversion returns its own channel's result.
 // Source: DS40002061B, 24.9.2
 // Expect: 00 e1 00 00 00 e1 00 00
 #include "report.h"

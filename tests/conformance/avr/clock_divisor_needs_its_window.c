@@ -1,5 +1,5 @@
-// CLKPS can only be written within 4 cycles after CLKPCE alone was set. CLKPCE is cleared after these cycles,
-// and by that write.
+// CLKPS can only be written within 4 cycles after CLKPCE alone was set. That write, or the end of the 4
+// cycles, clears CLKPCE.
 // Source: DS40002061B, 9.12.2
 // Expect: 00 00 02 80 00
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

@@ -1,4 +1,4 @@
-// SBI on EIFR clears only that flag; CBI and writing 0 clear no flag.
+// SBI on EIFR clears only the addressed flag; CBI and writing 0 clear no flag.
 // Source: DS40002061B, 13.2.3
 // Expect: 03 03 03 02 00
 #include "report.h"

@@ -1,4 +1,4 @@
-// SBI on PCIFR clears only that flag.
+// SBI on PCIFR clears only the addressed flag.
 // Source: DS40002061B, 13.2.5
 // Expect: 05 04
 #include "report.h"

@@ -1,11 +1,11 @@
-// For programs that are judged by their reports, on any emulator and on the chip. A write to GPIOR0 reports
+// Helpers for programs that run on any emulator and on the chip, and report bytes. A write to GPIOR0 reports
 // the byte, and a write to GPIOR1 ends the program. A program begins with comments:
 //
 //   // The required behaviour, as a sentence.
 //   // Source: DS40002061B, 15.7.2
 //   // Expect: 05 05 ff          bytes in hex; `..` matches any byte
 //   // Ends: 20000               optional: cycle limit; default 100000
-//   // Chips: atmega2560         optional, default atmega328p: chips that behave so; referees run the first
+//   // Chips: atmega2560         optional: chips with this behaviour; other emulators run the first
 //   // Loop: 0                   optional: connects TX of USART 0 to its RX
 //
 // Programs are compiled by avr-gcc -Os with C's start-up code, without an Arduino core. A call of report()

@@ -1,4 +1,4 @@
-// If only its pull-up is connected to MISO, all received bits are 1.
+// If MISO is connected only to its pull-up, all received bits are 1.
 // Source: DS40002061B, 19.2, table 19-1
 // Expect: ff
 #include "report.h"

@@ -1,4 +1,4 @@
-// A transfer as master takes 8 bits of 4 cycles each, 2 with SPI2X, up to 128 by SPR; then SPIF is set.
+// A transfer as master takes 8 bits of 4 cycles each (2 with SPI2X, up to 128 by SPR), and then sets SPIF.
 // Source: DS40002061B, 19.5.1, table 19-5
 // Expect: 00 80 01 81 00 80
 #include "report.h"

@@ -1,4 +1,4 @@
-// S is a bit of its own: SES and CLS change it, and BRLT tests S, not N and V.
+// S is a separate bit: SES and CLS change it, and BRLT tests S, not N and V.
 // Source: DS40002198B, BSET, BRLT
 // Expect: 10 01 00
 // Chips: atmega328p atmega2560 atmega32u4 attiny85

@@ -1,4 +1,4 @@
-// A stopped timer keeps its count and continues from it, whatever the clock.
+// A stopped timer keeps its count, and continues from it with any prescaler.
 // Source: DS40002061B, 15.4
 // Expect: 22 22 25 25
 // Chips: atmega328p atmega2560 atmega32u4

@@ -1,4 +1,5 @@
-// A write to TCNT0 blocks a match at the next clock, and therefore the clear, even if the timer was stopped.
+// A write to TCNT0 blocks a match at the next clock, and the clear on that match, even if the timer was
+// stopped.
 // Source: DS40002061B, 15.5.3
 // Expect: 00 02 00 42
 // Chips: atmega328p atmega2560 atmega32u4

@@ -31,7 +31,7 @@ const uint16_t FULL_SCALE_MV = 3300;
 #else
 const uint16_t FULL_SCALE_MV = 5000;
 #endif
-const uint8_t BATTERY_TENTHS = 4;      // of the battery's voltage, after its divider
+const uint8_t BATTERY_TENTHS = 4;      // the divider passes 4/10 of the battery's voltage
 const uint16_t EMPTY_MV = 6400;        // two lithium cells
 const uint16_t UM_PER_EDGE = 326;      // pi * 32 mm / (2 * 154.35)
 const uint8_t STEP_MS = 5;

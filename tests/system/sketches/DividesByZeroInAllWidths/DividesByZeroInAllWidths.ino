@@ -29,7 +29,7 @@ void divide(int32_t dividend, int8_t divisor) {
   SHOW(uint16_t, ua16, ub16)
   SHOW(int32_t, a32, b32)
   SHOW(uint32_t, ua32, ub32)
-#ifndef ARDUINO_BLUEPILL_F103C8  // its library gives other 64-bit results
+#ifndef ARDUINO_BLUEPILL_F103C8  // the STM32's library gives other 64-bit results
   SHOW(int64_t, a64, b64)
   SHOW(uint64_t, ua64, ub64)
 #endif

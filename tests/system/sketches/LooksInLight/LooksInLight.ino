@@ -3,7 +3,7 @@
 //   c  scaled by a calibration turn over the line         m  as c, each the mean of 10 ms
 //   d  difference with and without its own light          w  as d, 1 ms after switching the light
 //   e  as t, ends at the first reading without a line     l  as t, ends after 250 ms without a line
-//   b  as t, ends if one battery reading is 20 steps low  v  as t, ends if the mean of 16 readings is
+//   b  as t, ends if one battery reading is 20 steps low  v  as b, with the mean of 16 readings
 //   k  keeps the middle sensor on the line's right edge
 //   p  prints the middle sensor and the battery forever
 const byte EMITTERS = 12, BATTERY = A5;

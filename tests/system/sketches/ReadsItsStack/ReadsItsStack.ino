@@ -1,5 +1,5 @@
-// The host has no stack pointer. The chips also differ in the time for counting.
-#ifdef SP  // missing on the Blue Pill
+// Reads the stack pointer, which the host does not have. Counting takes a different time on each chip.
+#ifdef SP  // not defined on the Blue Pill
 unsigned int top() { return SP; }
 #else
 unsigned int top() { return 0; }
