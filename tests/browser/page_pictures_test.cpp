@@ -61,8 +61,7 @@ TEST_F(Page, IsInTheDocs) {
     if (std::getenv("ROBOSIM_WRITE_DOCS"))
       std::filesystem::copy_file(pictures / name, kept, std::filesystem::copy_options::overwrite_existing);
     EXPECT_LT(difference(pictures / name, kept), 0.02)
-        << kept
-        << " differs from the page: ROBOSIM_WRITE_DOCS=1 ./robosim test --browser regenerates it";
+        << kept << " differs from the page: ROBOSIM_WRITE_DOCS=1 ./robosim test --browser regenerates it";
   };
   run({"run", "PidFollower", "--map", "tight", "--record", "one.html"});
   run({"run", "PidFollower", "--map", "tight", "--seed", "2", "--record", "two.rec"});

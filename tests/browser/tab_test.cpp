@@ -85,7 +85,7 @@ TEST_F(Tab, PressesAButtonAtTheMomentThatIsShown) {
     await until(() => shown() && shown() !== before);
     return { script: $('script').value, was: before.run.pose(5).x, is: shown().run.pose(5).x };)");
   EXPECT_EQ(seen["script"], "at 1000ms press start for 200ms\n");
-  EXPECT_GT(seen["is"].get<double>() - seen["was"].get<double>(), 100.0) << "without the button, the robot waits";
+  EXPECT_GT(seen["is"].get<double>() - seen["was"].get<double>(), 100.0) << "waits for the button";
 }
 
 TEST_F(Tab, PassesARunOnInALink) {

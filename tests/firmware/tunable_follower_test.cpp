@@ -138,7 +138,7 @@ TEST_P(TunableFollower, StopsBeforeItsBatteryIsEmpty) {
   tell("go", "driving");
   robot().run_for(500_ms);
   robot().act("fault power sag 6.2V for 20ms");
-  EXPECT_THAT(robot().run_for(500_ms), Not(SerialSays("stopped"))) << "the start of the motors is not an empty battery";
+  EXPECT_THAT(robot().run_for(500_ms), Not(SerialSays("stopped"))) << "a motor's start is not a low battery";
   robot().act("fault power sag 6.2V");
   ASSERT_TRUE(robot().run_until(serial_says("stopped: battery empty"), within(200_ms)));
 }

@@ -13,8 +13,8 @@
 
 namespace robosim::test {
 
-/// Under the sanitizers and under an emulator a run takes tens of times as long. Slow builds
-/// therefore try fewer random numbers.
+/// Under the sanitizers and under an emulator a run takes tens of times as long. Slow builds therefore try
+/// fewer random numbers.
 #if defined(ROBOSIM_SLOW)
 inline constexpr bool kSlow = true;
 #else

@@ -56,7 +56,7 @@ TEST_P(Faults, LeaveAByteOfTheEepromHalfWritten) {
   EXPECT_EQ(lost->byte->address, 0);
   EXPECT_EQ(lost->byte->value, 0xff);
   EXPECT_EQ(diary("after eeprom 1 power off for 20ms\n"), "was 255 255\nwas 0 255\n");
-  EXPECT_EQ(diary("at 100ms power off for 20ms byte 0x42\n"), "was 255 255\nwas 0 0\n") << "no byte was written";
+  EXPECT_EQ(diary("at 100ms power off for 20ms byte 0x42\n"), "was 255 255\nwas 0 0\n") << "no byte written";
   EXPECT_EQ(result_.eeprom_writes, 4u);
 }
 

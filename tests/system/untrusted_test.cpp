@@ -309,7 +309,7 @@ TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
   EXPECT_EQ(told("seccomp", with({"run", "./S"})), runs);
   EXPECT_EQ(told("sandbox", with({"run", "./S"})), compilers + runs);
   EXPECT_EQ(told("sandbox", with({"sweep", "./S", "./T", "--seeds", "1..3"})), compilers + runs) << "once";
-  EXPECT_EQ(told("seccomp", with({"run", "./S", "--target", "avr"})), "") << "firmware for a chip is only data";
+  EXPECT_EQ(told("seccomp", with({"run", "./S", "--target", "avr"})), "") << "firmware is only data";
 
   EXPECT_EQ(refused("walls", with({"run", "./S"})),
             "robosim: --untrusted: compilers cannot be confined here: the kernel has no Landlock, and "

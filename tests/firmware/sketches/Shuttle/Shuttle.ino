@@ -1,7 +1,7 @@
 // Repeatedly drives 200 mm forward and 200 mm back, by counting the edges of a wheel encoder. Robot: uno5.
 //
-// After each leg, prints the distance, and the time until the wheel started to turn. A longer time is the first
-// sign of a weak battery or a worn motor.
+// After each leg, prints the distance, and the time until the wheel started to turn. A longer time is the
+// first sign of a weak battery or a worn motor.
 
 const uint8_t LEFT_EN = 5, LEFT_1 = 7, LEFT_2 = 8, RIGHT_EN = 6, RIGHT_1 = 9, RIGHT_2 = 10;
 const uint8_t LEFT_ENCODER = 2, RIGHT_ENCODER = 3;
