@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double kAtStation_mm = 25.0;  // of the axle's centre from the end of the line
+constexpr double kAtStation_mm = 25.0;  // from the axle's centre to the end of the line
 
 grid::TrueGraph graph_of(const std::string& map_name, const std::string& start = "") {
   const grid::Map map = grid::read_map(grid::find_map(map_name));

@@ -1,4 +1,5 @@
-// ADTS 3 to 6 start a conversion by timer 0's compare match A and overflow, and timer 1's compare match B and overflow.
+// ADTS 3 to 6 start a conversion by timer 0's compare match A and overflow, and timer 1's compare match B and
+// overflow.
 // Source: DS40002061B, 24.3, table 24-6
 // Expect: 00 10 00 10 00 10 00 10
 // Chips: atmega328p atmega2560 atmega32u4

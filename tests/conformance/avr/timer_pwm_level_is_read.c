@@ -1,5 +1,5 @@
-// PINx reads the current level of a PWM pin: set at BOTTOM, and cleared after OCR0A, which takes effect at
-// BOTTOM.
+// PINx reads the current level of a PWM pin: high from BOTTOM, and low after the match with OCR0A. A new
+// OCR0A takes effect at BOTTOM.
 // Source: DS40002061B, 14.2.4, 15.7.3
 // Expect: 40 40 00 40 00 00
 // Ends: 200000

@@ -1,4 +1,5 @@
-// With CTC1 timer 1 restarts after a match with OCR1C, without overflow; without CTC1 it runs on to 0xFF and overflows.
+// With CTC1 timer 1 restarts after a match with OCR1C, without overflow; without CTC1 it runs on to 0xFF and
+// overflows.
 // Source: 2586Q, 12.3.1, 12.3.6, 12.3.8
 // Expect: ff 09 00 40 0a 44
 // Chips: attiny85

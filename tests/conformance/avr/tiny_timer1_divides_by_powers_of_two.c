@@ -1,4 +1,5 @@
-// CS13 to CS10 divide timer 1's clock by 1, 2, 4 and so on to 16384; PSR1 sets its prescaler to 0, and PSR0 does not.
+// CS13 to CS10 divide timer 1's clock by 1, 2, 4 and so on to 16384; PSR1 sets its prescaler to 0, and PSR0
+// does not.
 // Source: 2586Q, 12.1, 12.3.2, table 12-5
 // Expect: 00 01 00 01 00 01 05
 // Chips: attiny85
