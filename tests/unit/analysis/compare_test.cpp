@@ -21,7 +21,7 @@ History run() {
   return h;
 }
 
-/// Returns a run that drives ahead, except from `from` to `to`.
+/// Returns a run that drives ahead, but does `manoeuvre` from `from` to `to`.
 History with(Manoeuvre manoeuvre, std::int64_t from, std::int64_t to) {
   History h = run();
   h.stretches = {{0, from, Manoeuvre::ahead, 0.5, 0.5},
@@ -119,7 +119,7 @@ TEST(Compare, FormattingIsKnownAndDoesNotCount) {
   EXPECT_EQ(c.known[1].what, "width of long");
 }
 
-/// Returns a run that prints a number at intervals of `every`, rising and falling between 0 and 40.
+/// Returns a run that prints `offset` plus a triangle wave of 0 to 40 at intervals of `every`.
 History stream(std::int64_t every, int offset) {
   History h = run();
   for (std::int64_t t = every; t < h.end_ns; t += every) {
@@ -151,7 +151,7 @@ TEST(Compare, ALineThatComesFiveTimesInTwoSecondsIsAStreamToo) {
       Kind::number);
 }
 
-/// Returns a run that prints a number every 0.4 s, and `there` instead of the value at index `odd`.
+/// Returns a run that prints one of `values` every 0.4 s, with `there` as the value at index `odd`.
 History readings(std::vector<int> values, std::size_t odd, int there) {
   History h = run();
   values.at(odd) = there;
@@ -177,7 +177,7 @@ TEST(Compare, TheLineOfAStreamThatIsShownIsTheOneOfThatMoment) {
   EXPECT_EQ(d->sides[1], "says \"e 8000\", and nothing like it within a second");
 }
 
-/// Returns a run that prints "on" each second, and "off" from `off_from` on.
+/// Returns a run that prints a line each second: "on" before `off_from`, then "off".
 History light(std::int64_t off_from) {
   History h;
   h.end_ns = 70 * kS;

@@ -1,4 +1,4 @@
-// Tests, with fictitious runs, whether a run with another clock shows that two targets behave alike.
+// Tests, on fictitious runs, how runs with a slightly wrong clock show whether two targets behave alike.
 
 #include "sim/analysis/edge.h"
 

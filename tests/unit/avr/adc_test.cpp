@@ -1,4 +1,4 @@
-// Tests when the converter samples, and which voltage.
+// Tests the time at which the converter samples, and the code of the sampled voltage.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

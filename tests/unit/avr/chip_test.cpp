@@ -1,4 +1,4 @@
-// Tests a chip as a whole: snapshots, resets.
+// Tests snapshots and resets of a complete chip.
 #include <gtest/gtest.h>
 
 #include "hal/board/attiny85.h"

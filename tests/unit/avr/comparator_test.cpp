@@ -23,12 +23,12 @@ class ComparatorTest : public testing::Test, protected IdleChip {
   }
   void positive(double volts) { bench.pin_voltages[pin('D', 6)] = volts; }
   void negative(double volts) { bench.pin_voltages[pin('D', 7)] = volts; }
-  /// Sets both pins to low level, without voltages.
+  /// Gives both pins a low level instead of a voltage.
   void take_levels() {
     bench.pin_voltages.clear();
     bench.levels[pin('D', 6)] = bench.levels[pin('D', 7)] = false;
   }
-  /// Returns the number of cycles from an edge of AIN0 to the count that timer 1 captures.
+  /// Returns the number of cycles between a rising edge of AIN0 and its capture by timer 1.
   int delay_of_rise() {
     const auto since = static_cast<int>(now());
     bench.set_level(pin('D', 6), true);

@@ -1,4 +1,4 @@
-// Tests extrapolated values that depend on a counter: the whole state within the window stays the same.
+// Tests that branches and held results of a computation do not change while the counter is in the window.
 #include "sim/avr/counter_extrapolation.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ class Computation : public RandomCode {
         word(0xB70F | any() << 4);  // in, SREG
         return;
       case 11:
-        word(0x940A | any() << 4);  // dec, which leaves C and H
+        word(0x940A | any() << 4);  // dec, which does not change C and H
         return branch(below(6), below(2), here() + 1);
       case 0:
         return each([&](unsigned i) { two(kMov, to + i, from + i); });
@@ -84,7 +84,7 @@ struct Outcome {
 
 class RampTest : public testing::Test {
  protected:
-  /// Runs `code` from registers derived from `seed`. If `follows`, the extrapolation follows the run.
+  /// Runs `code` from registers derived from `seed`. If `follows`, `extrapolation_` observes the run.
   Outcome run(const Program& code, unsigned seed, std::uint8_t counter, bool follows) {
     Cpu& cpu = follows ? *followed_ : *other_;
     std::mt19937 engine(seed);

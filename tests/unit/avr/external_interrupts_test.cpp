@@ -1,4 +1,4 @@
-// Tests external edges, and when the chip requests to be notified of them.
+// Tests external edges, and the pins whose edges the chip requests.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"

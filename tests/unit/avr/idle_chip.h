@@ -21,7 +21,7 @@ class IdleChip {
   Cycle now() { return bench.chip.cycle(); }
   int pin(char port, int bit) { return bench.chip.pins().at(port, bit); }
   void let_interrupts() { bench.chip.cpu().set_sreg(Cpu::kI); }
-  /// Waits by SLEEP, and in a loop again after waking.
+  /// Executes SLEEP. After waking, the processor waits in a loop again.
   void fall_asleep() {
     bench.chip.cpu().set_pc(kSleep);
     run(1);

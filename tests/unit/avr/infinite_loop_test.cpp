@@ -1,4 +1,4 @@
-// Tests programs that loop without end, and the memory that handlers may change.
+// Tests the detection of endless loops, and of the memory that an interrupt handler may change.
 #include "sim/avr/infinite_loop.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST_F(RecurrenceTest, AJumpToItselfIsARoundThatReadsNothing) {
 
 TEST_F(RecurrenceTest, ARoundTellsWhatItReadsAndWhetherInterruptsMayComeIn) {
   program();
-  code_.lds(24, kOther);  // before the round
+  code_.lds(24, kOther);  // runs once, before the loop
   code_.word(0x94F8);     // cli
   const unsigned head = code_.here();
   code_.lds(24, kFlag);

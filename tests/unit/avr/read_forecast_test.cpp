@@ -12,7 +12,7 @@ constexpr Address kTifr0 = 0x35, kTifr1 = 0x36, kTifr2 = 0x37, kTcnt0 = 0x46, kT
 
 class OutlookTest : public testing::Test, protected IdleChip {
  protected:
-  /// Returns the value read at `cycle`, without an access in between. Restores the chip.
+  /// Returns the value that a read at `cycle` gives if nothing accesses the chip before. Restores the chip.
   std::uint8_t read_at(Address address, Cycle cycle) {
     const auto before = bench.chip.save();
     bench.chip.cpu().skip_to(cycle);

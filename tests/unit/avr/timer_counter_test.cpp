@@ -1,5 +1,5 @@
-// Tests that a counter which advances many ticks at once equals one that counts tick by tick. Tests the same
-// for timers that count only on access.
+// Tests that advancing a counter by many ticks at once equals counting tick by tick. Also tests that frequent
+// reads do not change a timer.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -72,7 +72,7 @@ TEST(Counter, RunsThroughManyTicksAsOneByOne) {
 
 class WatchedTimers : public testing::TestWithParam<unsigned> {};
 
-/// Returns everything that firmware can read of the timers without changing it.
+/// Returns the timers' registers, the drives of their pins, and the state of the interrupts.
 std::vector<unsigned> seen(IdleChip& chip) {
   std::vector<unsigned> values;
   for (const Address address : {0x35, 0x36, 0x37, 0x46, 0x47, 0x48, 0x84, 0x85, 0x86, 0x87, 0x88, 0xB2})

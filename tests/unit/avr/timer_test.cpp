@@ -83,7 +83,7 @@ TEST_F(TimerTest, TellsTheLevelsOfAPinThatIsToggledTooSlowlyForATone) {
   write(0x89, 15624 >> 8);
   write(0x88, 15624 & 0xFF);
   write(kTccr1a, 0x40);
-  write(kTccr1b, 0x0D);  // clear on match, prescaler 1024: every second
+  write(kTccr1b, 0x0D);  // clear on match each second, prescaler 1024
   run(100);
   for (const bool level : {false, true, false, true}) {
     EXPECT_FALSE(drive('B', 1).pwm);
@@ -92,7 +92,7 @@ TEST_F(TimerTest, TellsTheLevelsOfAPinThatIsToggledTooSlowlyForATone) {
   }
 }
 
-// 16.9.2: above TOP a counter runs on to MAX, and matches on the way.
+// 16.9.2: a counter above TOP counts up to MAX, and can match before it gets there.
 TEST_F(TimerTest, TogglesAboveTop) {
   constexpr Address kOcr1a = 0x88;
   write(kDdrb, 1 << 1);
@@ -190,7 +190,7 @@ TEST_F(TimerTest, CountsAndCapturesEdgesFromOutside) {
   EXPECT_EQ(read(kIcr1l), 5);
 }
 
-// The same interrupt repeats, and the counter is not updated in between.
+// Repeats one interrupt, and expects each repetition at its exact cycle.
 TEST_F(TimerTest, InterruptsToTheCycleForEver) {
   struct Way {
     std::uint8_t mode, enables;

@@ -1,5 +1,5 @@
-// Tests that skipping busy-wait loops is not observable. Two chips run the same program, one of them
-// instruction by instruction, and are equal at every comparison.
+// Tests that skipping busy-wait loops is not observable. Runs the same program on two chips, only one of
+// which skips loops, and compares the chips repeatedly.
 #include <gtest/gtest.h>
 
 #include <random>

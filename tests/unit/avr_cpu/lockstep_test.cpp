@@ -144,7 +144,7 @@ TEST_P(Lockstep, IsTheSameAfterEachInstruction) {
     const Instruction& next = cpu.instruction(pc + instruction.words);
     const bool skipped = cpu.pc() == pc + instruction.words + next.words;
     referee.run(given(instruction, cpu, skipped));
-    // A read of the EEPROM halts the processor for 4 cycles, a write for 2.
+    // A read of the EEPROM halts the chip for 4 cycles, a write for 2. libsimavr's processor does not halt.
     if (writes_eecr(instruction)) referee->cycle = cpu.cycle();
     ASSERT_EQ(2 * cpu.pc(), referee->pc) << "behind word " << pc << ", instruction " << count;
     ASSERT_EQ(cpu.cycle(), referee->cycle) << "behind word " << pc << ", instruction " << count;

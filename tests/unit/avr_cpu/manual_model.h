@@ -14,10 +14,11 @@
 
 namespace robosim::avr {
 
-/// A page of the manual: "LDS Rd,k" is "1001 000d dddd 0000" with a second word. SPM and BREAK are omitted.
+/// A page of the manual. For "LDS Rd,k", the pattern is "1001 000d dddd 0000", and there are two words. The
+/// pages of SPM and BREAK are omitted.
 struct OpcodeRow {
   const char* name = nullptr;
-  const char* pattern = nullptr;  ///< of the first word, as in the manual: 16 digits and letters
+  const char* pattern = nullptr;  ///< the first word's 16 digits and letters, as in the manual
   int words = 1;
 };
 
@@ -25,7 +26,7 @@ class ManualModel {
  public:
   static constexpr std::uint16_t kRampz = 0x5B, kEind = 0x5C, kSp = 0x5D, kSreg = 0x5F;
 
-  /// `flash` has words, a power of two of them. With `long_pc` the program counter has 22 bits.
+  /// The number of words in `flash` is a power of two. With `long_pc` the program counter has 22 bits.
   ManualModel(std::vector<std::uint16_t> flash, bool long_pc);
 
   /// Runs one instruction. Returns false, and does nothing, if the opcode is reserved, or the program counter

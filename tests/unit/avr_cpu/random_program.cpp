@@ -160,7 +160,7 @@ bool Pair::run(int instructions) {
   while (cpu.cycle() < manual.cycles && (stop == Cpu::Stop::reached || stop == Cpu::Stop::sleep))
     stop = cpu.run(manual.cycles);
   if (!is_outside && (goes_on || is_undefined())) return goes_on;
-  // If the model does not continue, the processor must not continue either.
+  // The model has stopped, so the processor must stop at the same instruction.
   if (!is_outside && cpu.pc() != manual.pc) return false;
   const std::uint16_t word = is_outside ? std::uint16_t{0} : manual.flash[manual.pc];
   const Cpu::Stop due = is_outside       ? Cpu::Stop::outside

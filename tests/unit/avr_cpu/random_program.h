@@ -11,7 +11,7 @@
 
 namespace robosim::avr {
 
-/// The start of a program. All other memory keeps its content from the previous program.
+/// The state at the start of a program. Other memory keeps its content from the previous program.
 struct Start {
   std::array<std::uint8_t, 32> registers{};
   std::uint8_t sreg = 0, rampz = 0, eind = 0;
@@ -22,8 +22,7 @@ struct Start {
 /// Returns flash full of random instructions that the manual defines, with targets in flash.
 std::vector<std::uint16_t> random_flash(std::mt19937& random, bool long_pc);
 
-/// The processor and the model. Data memory is 64 KB of RAM after the I/O registers, which store whatever is
-/// written.
+/// The processor and the model. Data memory has 64 KB: I/O registers without peripherals, and then RAM.
 class Pair {
  public:
   /// With `long_pc`, uses 22 bits and the largest ATmega's flash, otherwise 16 bits and 128 KB.
@@ -31,8 +30,8 @@ class Pair {
 
   Start random_start(std::mt19937& random) const;
   void begin(const Start& start);
-  /// Runs at most `instructions`, the model first. Returns false if the program cannot continue: the next
-  /// instruction is reserved, undefined, or outside of flash.
+  /// Runs the model for at most `instructions`, then the processor to the same cycle. Returns false if the
+  /// program cannot continue: the next instruction is reserved, undefined, or outside of flash.
   bool run(int instructions);
   /// Describes the first difference, or returns "".
   std::string difference() const;

@@ -1,5 +1,5 @@
-// Tests the execution of the core's timer 0 handler, and of the read in millis(), in one step. The results
-// equal those of executing the instructions.
+// Tests that executing the core's timer 0 handler in one step equals executing its instructions. Tests the
+// same for the read in millis().
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,8 +11,8 @@
 namespace robosim::avr {
 namespace {
 
-// The handler of the stock core (wiring.c): millis at 0x105, its fraction at 0x104, overflows at 0x100. It
-// returns to the `sei; rjmp .-4` in front of it.
+// The handler of the stock core (wiring.c): millis at 0x105, its fraction at 0x104, overflows at 0x100. The
+// handler returns to the preceding `sei; rjmp .-4`.
 constexpr std::uint16_t kTimeProgram[] = {
     0x9478, 0xCFFE, 0x921F, 0x920F, 0xB60F, 0x920F, 0x2411, 0x932F, 0x933F, 0x938F, 0x939F, 0x93AF, 0x93BF,
     0x9180, 0x0105, 0x9190, 0x0106, 0x91A0, 0x0107, 0x91B0, 0x0108, 0x9130, 0x0104, 0xE023, 0x0F23, 0x372D,

@@ -57,7 +57,7 @@ class Statements {
   std::string text_;
 };
 
-/// Registers that timers share have other names and bits than an ATmega's.
+/// Adds assertions about a timer that shares registers. Their names and bits differ from an ATmega's.
 void state_shared_timer(Statements& are, const TimerSpec& timer) {
   const std::string n = std::to_string(timer.number);
   are.equal("TCNT" + n, timer.count);
@@ -232,7 +232,7 @@ TEST(AvrChips, HaveTheirRegistersAndVectorsWhereAvrLibcHasThem) {
   ROBOSIM_NEEDS_TARGET("avr");
   for (const ChipSpec* chip : avr_chips()) {
     SCOPED_TRACE(chip->name);
-    // Registers are their addresses, not what is there.
+    // Defines the names of registers as their addresses, not as their contents.
     const std::string arguments = fmt::format("-mmcu={} -D_SFR_ASM_COMPAT=1", chip->compiler_name);
     EXPECT_EQ(
         compiled("#include <avr/io.h>\n" + statements_about(*chip), arguments + " -fsyntax-only").errors, "");
@@ -249,7 +249,7 @@ TEST(AvrChips, HaveTheirRegistersAndVectorsWhereAvrLibcHasThem) {
   }
 }
 
-/// Returns the numbers of an array `{ 5 , (1 << (3)) , ... }` of preprocessed source.
+/// Returns the numbers of an array `{ 5 , (1 << (3)) , ... }` in preprocessed source.
 std::vector<int> array_of(const std::string& source, const std::string& name) {
   std::vector<int> numbers;
   const std::size_t begin = source.find('{', source.find(name + "[] = {"));
@@ -292,7 +292,7 @@ TEST(AvrBoards, HaveArduinosPins) {
       EXPECT_EQ(board->chip->ports[pin.chip_pin.port].letter, 'A' + ports[digital] - 1) << pin.name;
       EXPECT_EQ(pin.chip_pin.bit, bits[digital]) << pin.name;
       ++digital;
-      // The Gemma's variant does not say.
+      // The Gemma's variant does not define digitalPinHasPWM().
       if (!board->chip->small_core) are.equal(fmt::format("digitalPinHasPWM({})", number), pin.pwm);
       are.equal(fmt::format("digitalPinToInterrupt({})", number), pin.interrupt);
       timers += fmt::format("static_assert(timers[{}] == {}, \"D{}: ours is {}\");\n", number,

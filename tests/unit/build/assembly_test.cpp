@@ -46,7 +46,7 @@ TEST(PlacesOfAsm, OtherLinesStay) {
     EXPECT_EQ(changed(code), code);
 }
 
-// tests/unit/exec/division_test.cpp tests their results.
+// tests/unit/exec/division_test.cpp tests the results of divisions.
 TEST(Divisions, LookAtTheDivisorFirstAndKeepTheInstruction) {
   EXPECT_EQ(changed("\tdivl\t-8(%rbp)\n"),
             "\tcmpl\t$0, -8(%rbp)\n"

@@ -46,10 +46,10 @@ TEST_F(SketchTest, AnImageExportsNothingButItsEntryAndNeedsLittleOfTheMachine) {
   const std::string nm = find_program("nm").string();
   EXPECT_THAT(lines(run(Command{{nm, "-D", "-j", "--defined-only", image.image.string()}, "/", {}}).output),
               ElementsAre("robosim_image"));
-  // Allows only functions without a state or a lock, whose names a sketch does not define itself.
+  // Allows only functions that have no state and no lock, and whose names sketches do not define.
   std::vector<std::string> harmless = {"memcpy", "memmove", "memset",   "strcat", "strcpy",
                                        "strlen", "strnlen", "strfromd", "memcmp", "strstr"};
-#if defined(__arm__)  // for a division by zero
+#if defined(__arm__)  // is called for a division by zero
   harmless.emplace_back("raise");
 #endif
 #if defined(__arm__) || defined(__aarch64__)  // a weak name without a definition

@@ -1,4 +1,4 @@
-// Tests libraries written for an AVR on the target host.
+// Tests that libraries written for an AVR also work on the target host.
 #include <gmock/gmock.h>
 
 #include "sim/build/libraries.h"
@@ -71,7 +71,7 @@ TEST_F(HostLibrariesTest, ALibraryMayKeepThePortsOfItsPins) {
   executor_->power_on(0);
   executor_->run_until(2 * kTick);
   ASSERT_EQ(edges.at.size(), 6u);
-  // Between two writes there are a read and a write of 2 cycles each.
+  // From one write to the next, the read and the write take 2 cycles each.
   EXPECT_EQ(edges.at[1] - edges.at[0], 250);
   EXPECT_EQ(edges.at[3] - edges.at[2], 250);
 }

@@ -1,5 +1,5 @@
-// Tests folders that try to make compilers do more than compile. The sketch's author chooses the names and
-// contents of files, and need not be the user.
+// Tests folders that try to make compilers do more than compile. The sketch's author, who may not be the
+// user, chooses the names and contents of files.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -41,7 +41,7 @@ class HostileTest : public SketchTest {
  protected:
   void SetUp() override { write("Pupil/Pupil.ino", kEmptySketch); }
 
-  /// Builds for a chip, with the compiler that passes names of sources on as options.
+  /// Builds for a chip. Its compiler passes the names of sources on as options.
   std::string error_on_avr(const std::string& name) const {
     if (!missing_tool("avr").empty()) return "begin with '@', begin with '-'";
     try {
@@ -194,7 +194,7 @@ TEST_F(HostileTest, NoCompilerChangesWhatItIsGivenFromTheCacheOrReadsMore) {
 }
 
 TEST_F(HostileTest, FlagsThatReadAlikeAreNotTheSameKey) {
-  // All sketches share the core, whose key has the same form.
+  // Equal keys would also harm the core, which all sketches share and whose key has the same form.
   write("Pupil/Pupil.ino",
         "#ifdef B\nint b;\n#endif\nvoid setup() {\n#ifdef B\n  B();\n#endif\n}\nvoid loop() {}\n");
   Request request{folder_ / "Pupil", *find_board("uno")};

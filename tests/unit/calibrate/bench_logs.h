@@ -9,7 +9,7 @@
 
 namespace robosim::calibrate::bench {
 
-/// A robot with one sensor, S1. It is left of the middle, so that it sees the tape.
+/// A robot with one sensor, S1, 70 mm ahead of the axle.
 inline const char* kRobot = R"(board = "uno"
 [chassis]
 outline = { radius = "60 mm", at = ["0 mm", "0 mm"] }

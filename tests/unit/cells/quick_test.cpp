@@ -1,4 +1,4 @@
-// Tests that fast moves, without calls in between, equal the robot's moves one by one.
+// Tests that fast walks, which call no watcher, equal walks that call a watcher after each move.
 #include "sim/cells/quick.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ class Dice {
   std::uint64_t next_ = 0;
 };
 
-// Returns random cells of all kinds, unlike any map of lines.
+// Returns a map of random cells of all kinds, which seldom form lines.
 grid::Map jumble(Dice& dice) {
   grid::Map map;
   map.width = 2 + static_cast<int>(dice.below(9));
@@ -180,8 +180,8 @@ TEST(Quick, AScanAndDrivesEndAsWatchedOnes) {
   EXPECT_GT(arrived, test::rounds(500));
 }
 
-// One line of maximum length, with a dead end at every second cell. The way back crosses more lines than a
-// walker stores.
+// Scans one long line with a dead end at every second cell. The route back has more lines than a walker
+// stores.
 TEST(Quick, AScanDeeperThanTheWalkersMemoryEndsAsAWatchedOne) {
   constexpr int kWidth = 1001, kRows = test::rounds(150);
   grid::Map map;

@@ -80,7 +80,7 @@ grid::Start somewhere(const grid::Map& map, std::uint64_t n) {
   return {line[n * 7919 % line.size()], static_cast<grid::Direction>(n / 3 % 4)};
 }
 
-// Tests 1,000 maps, by families: trees, cycles, four-way crossings, up to 200 junctions.
+// Tests 1,000 maps of all families, with cycles, four-way crossings and up to 200 junctions.
 class Generated : public ::testing::TestWithParam<grid::Family> {};
 
 TEST_P(Generated, FloorsAreFoundAsTheyAreAndEdgesUsedTwiceEachWayAtMost) {
@@ -188,7 +188,7 @@ TEST(SurveyTest, AnObstacleRightBesideAJunctionCostsNoMove) {
   EXPECT_EQ(s.graph().junctions[0].arms.size(), 4u);
 }
 
-// The maps of the last table of the original's description, on which the original crashed or never ended.
+// Tests the maps on which the original crashed or never ended. Its description lists them in the last table.
 TEST(WhereTheOriginalFailed, ALineWithoutJunctionsHasTwoStations) {
   for (const char* start :
        {"0,1,E", "0,1,W", "0,1,N", "2,1,E", "2,1,W", "2,1,N", "2,1,S", "4,1,W", "4,1,E"}) {
@@ -242,7 +242,7 @@ TEST(WhereTheOriginalFailed, AStartOnAJunctionIsAsGoodAsAnyOther) {
 }
 
 TEST(WhereTheOriginalFailed, JunctionsMayBeNestedDeeperThanAHundred) {
-  // A comb: a spine with a tooth at every other cell, so that each junction follows the previous one.
+  // A line with a dead end at every other cell: the scan meets 300 junctions, one after another.
   std::string tooth, spine;
   for (int i = 0; i < 300; ++i) {
     tooth += "01";

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// An image as a build returns it. The file is not an ELF file, so it has no limits.
+// The image that a build returns. Its file is not an ELF file.
 class BuildReport : public ::testing::Test {
  protected:
   BuildReport() {

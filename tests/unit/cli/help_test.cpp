@@ -97,8 +97,8 @@ TEST(Help, FitsInEightyColumns) {
   }
 }
 
-/// Returns whether a line depends on the line above it. Otherwise it begins with a verb in the imperative, as
-/// far as a test can check: in lower case, and not with one of these words.
+/// Returns whether a line depends on the line above it. Other lines begin with a verb in the imperative. The
+/// test checks only that they begin in lower case, and not with one of these words.
 bool leans_on_others(const std::string& text) {
   for (const char* word : {"of ", "the ", "a ", "as ", "is ", "that ", "with ", "for ", "where ", "which ",
                            "what ", "how ", "file", "folder", "default", "if ", "name,"})

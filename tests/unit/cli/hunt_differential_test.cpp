@@ -211,7 +211,7 @@ TEST(TestCase, OfAFamilyGoOnOnAChipFromOneMoment) {
     EXPECT_EQ(test_case.family, test_cases.back().family);
     EXPECT_NE(space.builds[test_case.build].target, "host");
     EXPECT_EQ(test_case.branch_point.at_ms, 30000);
-    // In a run that diverges, the last stimulus also comes last in its script.
+    // The branch appends its stimulus, although the second stimulus is later.
     ASSERT_EQ(test_case.stimuli.size(), 3U);
     EXPECT_TRUE(
         std::equal(at.test_case.stimuli.begin(), at.test_case.stimuli.end(), test_case.stimuli.begin()));
@@ -340,7 +340,7 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
           << "it parts a text at another byte";
     const TestCase differential = counterpart_of(test_case, space);
     if (test_case.differential == Differential::clock) {
-      // The clock is later than a sketch's own times, and does not wrap at 32 bits within a tenth of an hour.
+      // The clock is past a sketch's own times, and does not wrap at 32 bits within six minutes.
       EXPECT_GE(differential.clock_ms, kPast_ms);
       EXPECT_LT(differential.clock_ms, test_case.clock_ms);
       EXPECT_TRUE(differential.clock_ms == kPast_ms ||

@@ -1,4 +1,4 @@
-// Tests the input of `robosim report`, and its page.
+// Tests the input of `robosim report`, and the page that it writes.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -121,7 +121,7 @@ TEST(ImportPoints, ACircleOfManyPointsStaysWithinAThirdOfAMillimetre) {
   EXPECT_LT(grid::write_map(map).size(), 20'000u);
 }
 
-// Three by three cells with a dead end in the middle. The way around it is open.
+// A maze of 3 x 3 cells: a passage around two enclosed cells, one of which is the goal.
 constexpr const char* kMaze =
     "o---o---o---o\n"
     "|           |\n"
@@ -206,7 +206,7 @@ TEST(Import, WhatIsNoCourseIsRefusedWithAReason) {
   }
 }
 
-// If a maze has + as posts, the characters of its first line might be numbers.
+// With + as posts, the first line could be mistaken for numbers.
 constexpr const char* kPlusMaze =
     "+---+---+---+\n"
     "|       |   |\n"
@@ -236,7 +236,7 @@ TEST(Maze, WithItsWallsHasThemAsThickAsASixteenthOfACellAndItsLinesAreNotPainted
     for (const grid::CellAt edge :
          {grid::CellAt{i, 0}, grid::CellAt{i, 48}, grid::CellAt{0, i}, grid::CellAt{48, i}})
       EXPECT_EQ(map.at(edge), grid::Cell::wall) << i;
-  // Checks the way from the start to the north, and the wall to its right.
+  // Checks the gap to the north of the start, and the wall to the start's right.
   EXPECT_EQ(map.at({8, 24}), grid::Cell::gap);
   EXPECT_EQ(map.at({16, 40}), grid::Cell::wall);
   EXPECT_EQ(map.at({16, 8}), grid::Cell::gap) << "between the two upper left cells";
@@ -246,8 +246,8 @@ TEST(Maze, WithItsWallsHasThemAsThickAsASixteenthOfACellAndItsLinesAreNotPainted
     lines += cell == grid::Cell::line;
   }
   EXPECT_EQ(lines, 0) << "nothing is painted";
-  // The walls around the maze, and six sides of inner cells in three straight pieces: 16 + 16 up from the
-  // floor, 32 to the right from their upper half, 16 down from above.
+  // The walls around the maze, and five walls between cells: two up from the lower edge, two to the right in
+  // the middle, and one down from the upper edge.
   EXPECT_EQ(walls, 4 * 48 + 31 + 32 + 16);
   EXPECT_NO_THROW(grid::parse_map(grid::write_map(map), "again.map"));
   EXPECT_THAT(message_of("0 0\n1 0\n", 0.18), HasSubstr("walls require a maze"));
@@ -306,7 +306,7 @@ TEST(ImportRescue, ItsGoalIsTheCompetitionsWithTheCheckpointsAlongTheWay) {
   EXPECT_FALSE(map.course.rescue->to_zone);
 }
 
-// An arc of 150 mm leads down, and a second arc, which is turned, leads back to the left.
+// An arc of 150 mm radius leads down. A second arc, turned by 90 degrees, leads back to the left.
 TEST(ImportRescue, TilesAreTurnedClockwise) {
   const grid::Map map =
       import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kArc) + "," +
@@ -317,7 +317,7 @@ TEST(ImportRescue, TilesAreTurnedClockwise) {
   EXPECT_NEAR(path.end().position.y, 0.3 + 0.15, kRounding);
 }
 
-// The tile is entered from the left. The green square in front of it is on the left, so the route turns left.
+// The intersection is entered from the left. The green square is beyond it, so the route goes straight on.
 TEST(ImportRescue, AtAnIntersectionTheWayTurnsAsTheGreensSayAndTheOtherArmsStay) {
   const std::string to_the_right = rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kPlus) + "," +
                                    rescue_tile(2, 0, 0, kStraight);
@@ -331,8 +331,8 @@ TEST(ImportRescue, AtAnIntersectionTheWayTurnsAsTheGreensSayAndTheOtherArmsStay)
   EXPECT_NEAR(green.middle.position.x, 0.3 + 0.45 + 0.0225, 1e-9);
   EXPECT_NEAR(green.middle.position.y, 0.3 + 0.45 + 0.0225, 1e-9);
   EXPECT_NEAR(2.0 * green.half_length, 0.025, 1e-12);
-  // A tile turned by a half turn is entered from its other side. The green square is then on the left, and
-  // the route leads down.
+  // Turned by 180 degrees, the tile has its green square before the intersection, on the right. The route
+  // leads down.
   const grid::Map turned =
       import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 180, kPlus) + "," +
                     rescue_tile(1, 1, 90, kStraight)));

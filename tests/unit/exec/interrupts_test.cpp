@@ -53,7 +53,7 @@ void setup() { Serial.begin(115200); attachInterrupt(0, tick, RISING); delay(5);
   EXPECT_THAT(numbers(), ElementsAre(0));
 }
 
-// The chip also remembers the edge (13.2.3, 13.2.5): its attachInterrupt() does not clear the flag.
+// The chip also remembers the edge (13.2.3, 13.2.5), because attachInterrupt() does not clear the flag.
 TEST_F(InterruptsTest, AnEdgeBeforeTheInterruptIsEnabledIsRemembered) {
   prepare(R"(volatile int count;
 void tick() { ++count; }

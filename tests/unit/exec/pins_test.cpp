@@ -206,7 +206,7 @@ TEST_F(PinsTest, PinsThatDoNotExistDoNoHarm) {
 }
 
 TEST_F(PinsTest, NumbersAreThoseOfTheChip) {
-  // The values that a program by gcc-avr 5.4 and avr-libc prints in simavr.
+  // Expects the values that a program built with gcc-avr 5.4 and avr-libc prints in simavr.
   output(R"(void setup() {
   Serial.begin(115200);
   randomSeed(42);
@@ -220,8 +220,8 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(894, 223, 9, 343, 826, 16807, -4, 2095673201, 0));
 }
 
-// First a pin with 4 V, then a pin with 1 V. With a source of 1 MOhm, 24 to 43 % of the 3 V difference
-// remain, and the same share of that at the next reading. With 10 kOhm nothing remains.
+// Reads a pin with 4 V, then a pin with 1 V. A source of 1 MOhm leaves 24 to 43 % of the 3 V difference. The
+// next reading leaves the same share of the remainder. A source of 10 kOhm leaves nothing.
 TEST_F(PinsTest, AWeakSourceLeavesSomeOfTheChannelBeforeInAReading) {
   start(R"(void setup() {
   Serial.begin(115200);

@@ -151,7 +151,7 @@ TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   }
 }
 
-// The converter needs no requests: each conversion begins when the firmware notices the end of the previous
+// The converter starts by itself: each conversion begins when the firmware notices the end of the previous
 // one.
 TEST_F(Polling, WhileTheConverterRunsFreely) {
   same(

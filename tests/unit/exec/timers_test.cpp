@@ -75,7 +75,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(AllOf(Ge(99990), Le(100020)), 0));
 }
 
-// On the target avr, TIFR1 has the same value. TOV1 depends on the prescaler's phase since the reset.
+// TIFR1 has the same value on the target avr. Its bit TOV1 depends on the prescaler's phase since the reset.
 TEST_F(TimersTest, InitsPwmHasRaisedFlagsThatStayInAnotherMode) {
   output(R"(volatile int count;
 ISR(TIMER1_COMPA_vect) { ++count; }

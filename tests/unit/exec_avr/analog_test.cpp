@@ -44,8 +44,8 @@ void loop() {})");
   EXPECT_NEAR(static_cast<double>(ended) - sampled, 104e3 - 12e3, 1e3);
 }
 
-// First a pin with 4 V, then a pin with 1 V. With a source of 1 MOhm, 24 to 43 % of the 3 V difference
-// remain, and the same share of that at the next reading. With 10 kOhm nothing remains.
+// Reads a pin with 4 V, then a pin with 1 V. A source of 1 MOhm leaves 24 to 43 % of the 3 V difference. The
+// next reading leaves the same share of the remainder. A source of 10 kOhm leaves nothing.
 TEST_F(AnalogTest, AWeakSourceLeavesSomeOfTheChannelBeforeInAReading) {
   start(R"(void setup() {
   Serial.begin(115200);

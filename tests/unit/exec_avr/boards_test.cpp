@@ -1,5 +1,5 @@
-// Tests boards with other chips in the emulator, with sketches that use features only these chips have or
-// lack.
+// Tests boards with other chips in the emulator. The sketches use features in which these chips differ from
+// an ATmega328P.
 #include <map>
 
 #include "tests/unit/exec_avr/fixture.h"

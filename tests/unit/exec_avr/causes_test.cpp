@@ -38,7 +38,7 @@ class CausesTest : public AvrTest {
     causes_ = avr_->find_causes();
     ASSERT_NE(causes_, nullptr);
   }
-  /// Returns the causes of the final level of pin 5, by lines of the sketch.
+  /// Returns the causes of the final level of pin 5, by line of the sketch.
   std::map<int, CauseStep> lines_behind_pin_5() {
     causes_->end();
     causes_->ask({5}, now_);
@@ -46,7 +46,7 @@ class CausesTest : public AvrTest {
     causes_->close();
     return by_line();
   }
-  /// Returns the steps by line. If a line has several steps, returns the one that reads.
+  /// Returns the steps by line. If a line has several steps, returns the step that reads.
   std::map<int, CauseStep> by_line() const {
     std::map<int, CauseStep> lines;
     for (const CauseStep& step : causes_->steps()) {
@@ -94,7 +94,7 @@ TEST_F(CausesTest, LeadToAVariableThatHasWhatItBeganWith) {
   EXPECT_EQ(lines.at(1).kind, CauseStep::Kind::keeps);
 }
 
-// Follows causes into an earlier part of the run, which is repeated from a snapshot, as in a simulation.
+// Follows causes into the part of the run before the recording, which is repeated from a snapshot.
 TEST_F(CausesTest, AreFollowedThroughWhatWasNotedApart) {
   FixedSource sensor(3.0);
   start(R"(volatile int gain;

@@ -161,8 +161,8 @@ TEST_F(DebugTest, AStepGoesThroughHandlersToTheNextInstructionOfTheSketch) {
   const auto firmware = avr::Firmware::read(built_.image, *find_board("uno"));
   go();
   run(5 * kMillisecond);
-  // A tick is 24 us shorter than Timer0's period. Within 45 ticks, the handler therefore runs during these
-  // steps more than once.
+  // Timer0's period is 24 us longer than a tick, so its handler runs 24 us later in each tick. Within 45
+  // ticks, the handler runs during these steps more than once.
   constexpr int kTicks = 45, kSteps = 150;
   for (int tick = 0; tick < kTicks; ++tick) {
     gdb_->press_ctrl_c();

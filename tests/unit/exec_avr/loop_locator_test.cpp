@@ -119,8 +119,7 @@ TEST_F(AvrLoopTest, WhatCannotBeToldIsNotSaid) {
 }
 
 TEST_F(AvrLoopTest, TheShareOfHandlersIsWhatTheLoopLoses) {
-  // Timer 1 counts all cycles. The delay loop needs a fixed number of them, and runs only while no handler
-  // does.
+  // Timer 1 counts all cycles: the fixed number that the delay loop needs, and those of handlers.
   const std::string text = R"(#include <util/delay_basic.h>
 volatile byte table[8];
 ISR(TIMER2_COMPA_vect) { for (byte i = 0; i < 8; ++i) table[i] = i; }

@@ -110,7 +110,7 @@ TEST_P(TearingTest, AByteThatNoHandlersWriteIsUndoneOfIsNone) {
   }
 }
 
-// Correct ways to share the number. The handler runs as often.
+// Tests correct ways to share the number. The handler runs as often as in the tests above.
 TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
   const std::string kHandsOver = "if (!ready) { ticks = ticks + 777; ready = true; }";
   const std::array<std::string, 2> right[] = {

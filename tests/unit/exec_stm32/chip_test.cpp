@@ -40,7 +40,7 @@ TEST_F(Stm32ChipTest, ASketchMayHaveAMainOfItsOwn) {
 }
 
 TEST_F(Stm32ChipTest, DelaysLastTheirTimeAtBothClocks) {
-  // The periods are longer by the time for the calls themselves, which is nine times as long at 8 MHz.
+  // The calls themselves make the periods longer, and take nine times as long at 8 MHz.
   for (const auto& [board, calls_ns] : {std::pair{"bluepill", 10e3}, std::pair{"bluepill8", 80e3}}) {
     board_name_ = board;
     start(

@@ -1,4 +1,4 @@
-// Tests that a chip continues from a snapshot as before, at moments within every operation that takes time.
+// Tests that a chip continues unchanged from snapshots, taken during every operation that takes time.
 #include <algorithm>
 #include <random>
 
@@ -233,7 +233,7 @@ class Stm32Snapshots : public Stm32ChipTest, public testing::WithParamInterface<
     told_.add(static_cast<std::uint64_t>(t) + byte);
   }
 
-  /// Runs to `t`. At two moments, the power goes off or comes back.
+  /// Runs to `t`. If the case has a power cut, switches the power off at moment 250, and on at 254.
   void go_to(std::size_t moment, SimTime t) {
     chip_->run_until(t);
     if (!GetParam().is_cut) return;

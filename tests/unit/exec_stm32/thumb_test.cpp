@@ -73,7 +73,7 @@ std::vector<std::uint16_t> random_code(std::mt19937& random) {
     // libunicorn keeps the lowest bits of a value that is moved to SP. The chip clears them (B1.4.7).
     const bool to_pc = thumb.d == 15 || thumb.op == Op::add_high || thumb.op == Op::mov_high ||
                        (thumb.op == Op::ldm && thumb.value & 1u << 15);
-    // In blocks, and for some instructions after them, loads and stores seldom access RAM, so most are
+    // In IT blocks, and for some instructions after them, loads and stores seldom access RAM, so most are
     // skipped.
     const bool transfers = thumb.op >= Op::ldr && thumb.op <= Op::stm;
     const bool goes_wrong = transfers && block > -4 && random() % 8 != 0;
@@ -163,7 +163,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
   EXPECT_GT(blocks, 300);
 }
 
-// Tests values below, within and above the bounds, as for constrain(). Random values rarely include them.
+// Saturates values below, within and above the bounds. Random values rarely include all of these.
 TEST(Thumb, SaturatesAsLibunicornDoes) {
   std::mt19937 random(1);
   std::vector<std::uint16_t> code;

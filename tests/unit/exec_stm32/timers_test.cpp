@@ -133,8 +133,8 @@ TEST_F(TimersTest, TheProgramReadsTheLevelOfItsOwnPwm) {
   store(kTim3 + kTimCcr1, 30);
   store(kTim3 + kTimCcer, 1);
   const Address idr = kGpioA + kIdr, bit = 0x42000000 + (idr - 0x40000000) * 32 + 6 * 4;
-  // RM0008 14.3.10: active while the count is below CCR. Counting down, active up to CCR. Centred, active for
-  // CCR of ARR counts around the lowest.
+  // RM0008 14.3.10: the output is active below CCR when counting up, and up to CCR when counting down. A
+  // centre-aligned timer counts up and down.
   for (const auto& [control, mode, high] : {std::tuple{0u, kPwmMode1, 30},
                                             {1u << 4, kPwmMode1, 31},
                                             {1u << 5, kPwmMode1, 60},

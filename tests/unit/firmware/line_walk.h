@@ -30,8 +30,7 @@ class FloorSensors : public LineSensors {
   const Robot& robot_;
 };
 
-/// A walker on a floor, with all its reports: each landmark, with the axle's position and the time, and its
-/// pauses.
+/// A walker on a floor. Records its pauses, and each landmark with the time and the axle's position.
 struct Walk {
   explicit Walk(std::vector<Line> lines) : robot(std::move(lines)) {
     said.clear();

@@ -216,12 +216,12 @@ TEST_P(PathFollowerTest, KeepsToItsTimetable) {
   };
   look(kLine, 100);
   look(kBranch, 50);  // a branch, slightly narrower than the initial width
-  look(kLine, 430);   // away from the old line ...
+  look(kLine, 430);   // the old line, while turning away
   look(kOffTheEdge, 60);
-  look(kLine, 200);  // ... onto the branch
+  look(kLine, 200);  // the branch, which ends the turn
   look(kOffTheEdge, 40);
   look(kFarOnly, 10);
-  look(kOffTheEdge, 300);  // the end
+  look(kOffTheEdge, 300);  // the end of the line
   look(kLine, 100);
   look(kBranch, 154);  // the line itself, which moved sideways
   look(kOffTheEdge, 63);

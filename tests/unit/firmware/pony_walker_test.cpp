@@ -42,7 +42,7 @@ class PonyBody : public walked::Body {
   double left_ = 0, right_ = 0;
 };
 
-/// A pony on a floor, with all its reports: each landmark, its lights, the axle's position and the time.
+/// A pony on a floor. Records each landmark with the time, the pony's lights and the axle's position.
 struct Ride {
   explicit Ride(std::vector<walked::Line> lines) : body(std::move(lines)) { pony.begin(); }
 
@@ -323,7 +323,7 @@ class PonyTest : public testing::Test {
   ~PonyTest() override { fake::board = fake::Board{}; }
 
   static int bits(int reg) { return fake::board.shifted[fake::board.shifted.size() - 1 - reg]; }
-  /// Returns the number of steps of a period during which the bits are set.
+  /// Makes `count` steps. Returns the number of steps that set all bits of `mask`.
   int steps(int mask, int left, int right, int count = 15) {
     int set = 0;
     for (int i = 0; i < count; ++i) {

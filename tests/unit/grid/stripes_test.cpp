@@ -179,8 +179,8 @@ TEST(Stripes, AGapWithinAnArcLeavesTheRestOfItPainted) {
     EXPECT_NEAR(nearest(stripes, stripes.point_of(cell), true), 0.0, 1e-12);
 }
 
-// Tests random lines with random corners. The centre line is unbroken, and within its reach a query by cell
-// finds the same as a search of all stripes.
+// Tests random lines with random corners. The centre line is unbroken. A query by cell finds every stripe
+// within reach that a search of all stripes finds.
 TEST(Stripes, AQueryByCellFindsEveryStripeWithinReach) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const NoiseStream noise(seed, 0, "map", "test");

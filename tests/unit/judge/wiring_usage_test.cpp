@@ -50,7 +50,7 @@ class UsageTest : public testing::Test {
 
 TEST_F(UsageTest, WhatASketchNeverTouchesIsUnusedByElementAndByPart) {
   EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
-  board.read_along(7, 0);  // for example with its port, because a motor is driven
+  board.read_along(7, 0);  // read together with other pins of its port
   EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
   set(8, PinMode::output);
   board.read_volts(15, 0);

@@ -31,7 +31,7 @@ TEST(Edits, AreMadeFromTheLastToTheFirst) {
   EXPECT_EQ(changed("int a = a + b;", {{"", 4, 5, "other"}, {"", 8, 9, "other"}}), "int other = other + b;");
 }
 
-// clang omits values that equal the previous place's. The file of each place identifies included code.
+// clang omits a place's file if it equals the previous place's. Places in other files are included code.
 TEST(SyntaxTree, NamesTheFileOfEachPlaceAndLeavesOutDeclarationsOfOthers) {
   const auto tree = read_tree(
       R"({"kind": "TranslationUnitDecl", "loc": {}, "inner": [

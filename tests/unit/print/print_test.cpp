@@ -104,7 +104,7 @@ TEST(Print, ALineGoesOnAtTheSamePlaceOnTheNextSheet) {
     double least = 1e9, most = -1e9;
     const auto all = operations_of(pages[page]);
     for (std::size_t i = 1; i < all.size(); ++i) {
-      // The line is 100 mm above the floor's edge, and the sheets' lower edge is 60 mm above it.
+      // The line is 100 mm above the floor's edge, and the sheets' lower edge is 60 mm above the floor's.
       if (all[i].name != "l" || std::fabs(all[i].mm[1] - (100.0 - 60.0 + 15.0)) > 1e-3) continue;
       least = std::min(least, all[i - 1].mm[0]);
       most = std::max(most, all[i].mm[0]);
@@ -195,7 +195,7 @@ TEST(Print, PaintedAreasArePrintedInTheirColours) {
                "mm\"\n"));
   EXPECT_THAT(numbers_of(one.sheets), ElementsAre("3-1", "3-2", "3-3", "3-4"));
   EXPECT_THAT(pages_of(one.pdf).at(4), HasSubstr("0.12 0.62 0.3 RG"));
-  // A dot with the disc's diameter.
+  // Expects a dot with the disc's diameter.
   const auto all = operations_of(pages_of(one.pdf).at(2));
   EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Operation& o) {
     return o.name == "w" && std::fabs(o.mm.back() - 100.0) < 1e-3;

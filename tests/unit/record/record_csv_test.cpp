@@ -106,7 +106,7 @@ TEST(CsvRecorder, HasTheReadingsOfAllRobotsInTheHeaderThoughOneBeginsBehindTheOt
             "0,A,0,0,0,0,0,0,0,0.5,\n0,B,0,0,0,0,0,0,0,,1\n");
 }
 
-// No runner sends such samples, and a broken runner must not crash the command.
+// Only a broken runner sends such samples, and it must not crash the command.
 TEST(CsvRecorder, ARobotThatHasNotBegunHasNoReadingsAndOneThatCannotBeNoRow) {
   CsvRecorder record(path());
   wire::Sample sample;

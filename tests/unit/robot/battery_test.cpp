@@ -19,7 +19,7 @@ void stall(BenchRobot& bench, double drive) {
   }
 }
 
-// Returns the voltage with two stalled motors of 3.75 ohm (6 V, 1.6 A), after 0.5 ohm.
+// Returns the voltage with two stalled motors. Each has 3.75 ohm (6 V, 1.6 A), and its driver 0.5 ohm.
 double loaded(double rest, double ohms, double drive) {
   const double motor = 6.0 / 1.6 + 0.5;
   return (rest - ohms * kBoard) / (1.0 + 2.0 * drive * ohms / motor);

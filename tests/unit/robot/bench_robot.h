@@ -1,4 +1,4 @@
-// A robot on a straight line, with a board that tests control: a bench for testing parts.
+// A robot on a straight line, for testing parts. The tests control its board.
 #pragma once
 
 #include <string>
@@ -81,7 +81,7 @@ inline std::string reflectance_sensor(const std::string& keys) {
          keys;
 }
 
-/// Places the axle's centre at this distance from the line's middle, parallel to the line.
+/// Places the robot parallel to the line, with the axle's centre at this distance from the line's middle.
 inline void place_beside_line(BenchRobot& bench, double metres) {
   bench.body().place({bench.line() + Vec2{0.0, metres}, {1.0, 0.0}});
 }

@@ -201,7 +201,7 @@ double least_duty(Profile profile, std::uint64_t seed, bool from_rest) {
     if (mouse.rate_at(step / 255.0) < 1.0) return step / 255.0;
 }
 
-// Returns the sideways deviation within 1 m if both wheels turn equally: along a circle.
+// Returns the sideways deviation after 1 m. If both wheels turn equally, the robot drives along a circle.
 double aside(Profile profile, std::uint64_t seed) {
   return 0.5 * wheel_mismatch(profile, seed) / body_params(load_description("uno5"), seed, profile).track_m;
 }

@@ -69,7 +69,7 @@ TEST(MotorDriver, TellsHowMuchOfAPeriodIsDrivenAgainstTheRest) {
   EXPECT_EQ(command.period_s, 1e-3);
 }
 
-// Runs 30 % of fast PWM. Returns the remaining share of the speed after 100 ms, and the energy returned to
+// Runs fast PWM at 30 %. Measures the remaining share of the speed after 100 ms, and the energy returned to
 // the battery.
 TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
   const auto slowed = [](const char* driver, double en, double in1, double in2) {
@@ -97,8 +97,8 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
     bench.ticks(100);
     return std::pair(bench.body().speed() / speed, bench.body().energy_back());
   };
-  // Slow decay, between pulses on EN or with one input high: 30 % slows the robot, and returns energy to the
-  // battery.
+  // Slow decay, with pulses on EN, or with pulses on one input while the other is high. PWM of 30 % slows the
+  // robot, and returns energy to the battery.
   for (const auto& [left, back] :
        {slowed("tb6612", 0.3, 1, 0), slowed("drv8833", 1, 1, 0.7), slowed("drv8835", 0.3, 1, 0)}) {
     EXPECT_LT(left, 0.6);
@@ -124,8 +124,8 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
 
 // The robot drives ahead at full speed v, without friction. If a motor is reversed, the current is driven by
 // the supply and the motor's own voltage. Until the robot is equally fast backward, the battery supplies the
-// charge for the momentum change m 2 v, at V volts. If shorted, the robot slows down to the speed at which
-// the driver's drop stops the current. If open, the robot rolls on.
+// charge for the momentum change m 2 v, at V volts. If the motor is shorted, the robot slows down to the
+// speed at which the driver's drop stops the current. If it is open, the robot rolls on.
 TEST(MotorDriver, ReversedTakesTwiceTheStallCurrentAndBrakedOrOpenNone) {
   constexpr double kWithin = 0.02, kVolts = 6.0, kBrakes_s = 0.1;
   for (const char* const name : {"l298n", "l293d", "tb6612", "drv8833", "drv8835"}) {

@@ -53,8 +53,8 @@ class Distracted : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Stands for two seconds, then drives. Reads a sensor every millisecond until `later` before the start, and
-/// never again.
+/// Starts to drive after two seconds. Reads a sensor every millisecond, but stops reading `later` before the
+/// start.
 class Starts final : public Distracted {
  public:
   explicit Starts(SimTime later) : Distracted(kSecond, false), later_(later) {}

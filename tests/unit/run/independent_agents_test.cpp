@@ -14,7 +14,7 @@
 namespace robosim::run {
 namespace {
 
-/// Firmware for an Uno that drives at random, bumps, reads sensors, prints and occasionally crashes.
+/// Firmware for an Uno that drives at random, reads sensors, prints and occasionally crashes.
 class Roaming final : public exec::Executor {
  public:
   explicit Roaming(unsigned seed) : random_(seed) {}
@@ -41,7 +41,7 @@ class Roaming final : public exec::Executor {
 
  private:
   void act(SimTime t) {
-    seen += board_.read_level(12, t) ? '1' : '0';  // the bumper or the eye
+    seen += board_.read_level(12, t) ? '1' : '0';  // the bumper or the infra-red switch
     const auto drive = [&](Pin enable, Pin one, Pin other, bool back) {
       board_.set_drive(enable, {PinMode::output, true, true, 0.25 * static_cast<double>(random_() % 5), 0},
                        t);

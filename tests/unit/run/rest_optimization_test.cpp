@@ -12,7 +12,7 @@
 namespace robosim::run {
 namespace {
 
-/// Firmware for an Uno without a compiler.
+/// Firmware for an Uno, written as an executor that needs no compiler.
 class OnBoard : public exec::Executor {
  public:
   explicit OnBoard(const BoardSpec& board) : board_(board) {}

@@ -76,7 +76,7 @@ TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
   EXPECT_THROW(read(), InputError);
 }
 
-// Until its clock has advanced, a file may be written a second time without a change of its times.
+// Until the file system's clock has advanced, a file may be written again without a change of its times.
 TEST(FileIdentity, IsTrustedOnceTheClockOfItsFileSystemHasGoneOn) {
   constexpr long long kSecond = 1'000'000'000;
   const FileIdentity fine = {1, 2, 3, 500, 123'456'789, 500, 223'456'789};

@@ -101,7 +101,7 @@ TEST_F(Watching, BelievesNoRunThatSaysAgainThatItHasNotBegun) {
 
 TEST_F(Watching, LimitsARunWhoseFirmwareNeverLetsItSayThatItHasBegun) {
   EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "a large map";
-  // Acts as a run's process, whose firmware can write anywhere else afterwards.
+  // Acts as a run's process, which records that firmware runs next. Firmware cannot undo this record.
   Child([&] {
     watch_.close();
     return 0;

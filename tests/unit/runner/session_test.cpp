@@ -117,7 +117,7 @@ class Session {
   /// Waits until the run's process and its runner are both waiting. Returns false if one ends first.
   bool comes_to_wait() const {
     const std::string runner = "/proc/" + std::to_string(runner_.pid());
-    // For a moment, both may wait for each other.
+    // Requires that both wait many times in a row, because they may briefly wait for each other.
     constexpr int kOften = 2000;
     for (int times = 0; times < kOften; ++times, ::sched_yield()) {
       pid_t run = 0;
@@ -179,8 +179,8 @@ ExecutorFactory drivers(void (*at_100_ms)() = nullptr) {
           }};
 }
 
-/// Returns a factory whose drivers count as code of this machine. Their run is confined, and reports to its
-/// runner instead of its client.
+/// Returns a factory whose drivers are treated as native code. Their run is confined, and reports to the
+/// runner instead of the client.
 ExecutorFactory confined_drivers() {
   ExecutorFactory factory = drivers();
   factory.prepare_for_confinement = [](auto&&...) {};

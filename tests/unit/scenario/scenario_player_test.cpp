@@ -218,7 +218,7 @@ TEST_F(Scripts, CutThePowerAndSayWhenItIsBack) {
 }
 
 TEST_F(Scripts, WaitAfterAStation) {
-  // The oval has no stations, and the name is checked first.
+  // The oval has no stations, so the step is rejected for its name.
   EXPECT_THAT(error_of("after station 1 wait 1s lift"),
               HasSubstr("s.txt:1: unknown station “1”: the map has no stations"));
 }

@@ -372,7 +372,7 @@ TEST_F(Serving, WaitsForARunThatTakesLongerThanARequestMay) {
   EXPECT_THAT(said, HasSubstr("ran"));
 }
 
-// Returns the JSON of a file, by default of a smallest map.
+// Returns the JSON that saves a file. The default text is a tiny map.
 std::string file_json(const std::string& name, bool replace = false, const std::string& text = "S..\n") {
   return Json{{"name", name}, {"text", text}, {"replace", replace}}.dump();
 }

@@ -12,7 +12,7 @@
 namespace robosim::structure {
 namespace {
 
-/// Returns whether a file is about one chip, which its first lines name.
+/// Returns whether a file is about one chip or board, according to its path.
 bool is_about_a_chip(const std::string& file) {
   for (const char* place : {"hal/board/", "hal/host/chip.h", "hal/stm32/", "sim/exec/stm32/"})
     if (file.starts_with(place)) return true;

@@ -115,7 +115,7 @@ bool is_cut_off(const Line& row, const Line& line, const Line* after) {
     return ends_table && !is_statement &&
            std::islower(static_cast<unsigned char>(line.text[line.indent])) != 0;
   }
-  // The line is joined with the next row: without some of its first words, the cell would be in place.
+  // The line is joined with the next row: without some of its first words, its cell would be at the row's.
   const auto [gap_from, gap_to] = line.gaps.front();
   if (row.has_cell_at(gap_to)) return false;
   for (std::size_t word = line.indent; (word = end_of_word(line, word)) < gap_from;) {

@@ -10,9 +10,9 @@
 
 namespace robosim::structure {
 
-/// Returns a message for each function in an anonymous namespace of a .cpp file that may hide another. A
-/// header declares a function with the same name, and another .cpp file of the library calls it. The compiler
-/// may choose either function without a warning. A library is a folder of two levels, such as `sim/grid`.
+/// Returns a message for each function in an anonymous namespace of a .cpp file that may hide another. The
+/// hidden function is declared in a header, and called in another .cpp file of the library. The compiler may
+/// choose either function without a warning. A library is a folder of two levels, such as `sim/grid`.
 std::vector<std::string> hidden_functions(const Files& files);
 
 }  // namespace robosim::structure

@@ -12,7 +12,7 @@ namespace robosim::structure {
 namespace {
 
 /// A phrase, and its replacement. A phrase's elements are words or punctuation marks: `a|b` matches one of
-/// these; `!a|b` matches any other or none; `^` is the beginning of the sentence; `$` is its end or a
+/// these; `!a|b` matches another element or none; `^` is the beginning of the sentence; `$` is its end or a
 /// punctuation mark.
 struct Phrase {
   const char* phrase;
@@ -65,7 +65,7 @@ constexpr Phrase kMessages[] = {
     {"but got|found", "\", got …\""},
 };
 
-// Whole words of file names.
+// Words that file names must not contain.
 const std::set<std::string> kBareNames = {
     "instead", "late",    "whole", "counted", "apart", "anew",     "glance", "deed",
     "deeds",   "shelf",   "told",  "kept",    "lacks", "inside",   "ours",   "rest",

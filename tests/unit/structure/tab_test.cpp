@@ -1,5 +1,5 @@
-// CI does not build the bench in a tab (docs/howto/tab.md). This test finds code that would not compile in a
-// tab.
+// CI does not build Robosim as a web page (docs/howto/tab.md). This test finds code that would not compile
+// there.
 #include <gtest/gtest.h>
 
 #include <filesystem>

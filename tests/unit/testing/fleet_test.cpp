@@ -1,4 +1,4 @@
-// Tests with several robots: which ones are refused, and whether the command that they print gives the same
+// Tests fleets of several robots: which fleets are rejected, and whether a printed command gives the same
 // run.
 #include <gmock/gmock.h>
 #include <robosim/testing.h>

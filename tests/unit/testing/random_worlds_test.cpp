@@ -1,4 +1,4 @@
-// Tests random worlds. Each drawn world is valid, each shrunk world is valid and smaller, and a search ends
+// Tests random worlds. Generated worlds are valid, shrunk worlds are valid and smaller, and a search ends
 // with the smallest world that fails.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

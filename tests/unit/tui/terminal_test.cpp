@@ -34,7 +34,7 @@ TEST(Keys, OtherSequencesAreSkippedWhole) {
   EXPECT_EQ(take_key(bytes), Key::quit);
 }
 
-/// A separate terminal. The test reads the screen's output at `master`.
+/// A pseudo-terminal. The test reads the screen's output at `master`.
 class ScreenTest : public ::testing::Test {
  protected:
   ScreenTest() {

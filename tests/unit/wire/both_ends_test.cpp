@@ -152,7 +152,7 @@ class BothEnds : public ::testing::Test {
     return message;
   }
 
-  /// Expects that the client writes an answer that it has read as the same line.
+  /// Expects that an answer, after the client has read it, is written as the same line.
   template <class T>
   void expect_same_answer(const T& message, std::int64_t id = 7) {
     const std::string line = to_line(Id(id), Answer(message));

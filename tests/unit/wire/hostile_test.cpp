@@ -1,5 +1,5 @@
-// Tests malformed lines of the protocol: truncated, reversed, infinitely nested, or with values of another
-// kind. Each line gives one message that names the fault, and has no other effect.
+// Tests malformed lines of the protocol: truncated, reversed, infinitely nested, or with values of a wrong
+// type. Each line gives one message that names the fault, and has no other effect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

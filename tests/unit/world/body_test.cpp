@@ -37,7 +37,7 @@ class BodyTest : public testing::Test {
   std::unique_ptr<World> world_;
 };
 
-// Returns parameters that give the terminals exactly nominal_volts, and friction only to the motor.
+// Returns parameters with nominal_volts at the motors' terminals, and with friction only in the motors.
 BodyParams at_nominal_volts() {
   BodyParams p = default_body_params();
   p.driver_drop_volts = p.driver_ohms = 0.0;
@@ -353,7 +353,7 @@ TEST_F(BodyTest, WithLessSupplyItIsSlowerInProportion) {
   drive(body, 1.0, 1.0);
   body.supply(0.5 * p.supply_volts);
   run(5.0);
-  // The line of speed over torque moves down in proportion to the supply. Friction is unchanged.
+  // The speed at zero torque falls in proportion to the supply. Friction is unchanged.
   const double lost = p.wheel[left].stall_torque / p.wheel[left].no_load_rate;
   const double slower = 0.5 * p.wheel[left].no_load_rate;
   EXPECT_LT(body.wheel_rate(left), slower);

@@ -83,7 +83,7 @@ void expect_exact(const grid::Map& map, Random& random) {
       const double footprint = std::max(f, 1e-9);
       const double d = brute_distance(stripes, p, true);
       const double share = (map.line_m / 2 + footprint / 2 - d) / footprint;
-      // Without a width, coverage jumps at the stripe's border.
+      // Without a footprint, coverage jumps at the stripe's border.
       if (f == 0.0 && std::fabs(d - map.line_m / 2) < 1e-8) continue;
       const double most = std::min(map.line_m / footprint, 1.0);
       ASSERT_NEAR(floor.coverage(p, f), std::max(std::min(share, most), 0.0), 1e-9)

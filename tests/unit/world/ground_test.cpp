@@ -35,7 +35,7 @@ grid::Hill seesaw(Vec2 middle, double length, double pivot, double plank_kg) {
   return plank;
 }
 
-// Returns parameters of a body without friction, which some tests add.
+// Returns parameters of a body without friction. Some tests add friction.
 BodyParams free_body() {
   BodyParams p = default_body_params();
   for (WheelParams& wheel : p.wheel) wheel.no_load_current = 0.0;
@@ -138,7 +138,7 @@ TEST_F(GroundTest, SlidesSidewaysThere) {
     run(0.5);
     return body.pose().position.x < 9.9999;
   };
-  // Both directions share the grip. A skidding body has 1 / sqrt(2) of it across (body.h).
+  // Forces along and across share the grip. While the body skids, 1 / sqrt(2) of it acts across (body.h).
   const double tangent = slope_of(least_sine(slides));
   EXPECT_NEAR(tangent, p.grip * std::numbers::sqrt2 / 2.0, kWithin * tangent);
 }
@@ -178,7 +178,7 @@ TEST_F(GroundTest, LoadsShiftToTheRearAsItSpeedsUp) {
   EXPECT_NEAR((body.speed() - before) / 0.1, expected, kWithin * expected);
 }
 
-// The mass may be arbitrarily close to the axle.
+// This holds however close the mass is to the axle.
 TEST_F(GroundTest, TripsOverAStepOnlyWhereItsMassIsAboveItsHubs) {
   BodyParams p = default_body_params();
   p.caster_m = -0.06;
@@ -239,7 +239,7 @@ TEST_F(GroundTest, StopsOnAGivenGripInTheWayOfTheBooks) {
   }
 }
 
-// A map's rows count from the top, the world's y from the bottom. If an area lies on a cell, the area counts.
+// A map's rows count from the top, the world's y from the bottom. An area takes precedence over a cell.
 TEST_F(GroundTest, IsMadeOfWhatTheLegendSaysOfACell) {
   const grid::Map map = grid::parse_map(
       "+++\n[legend]\n4 = \"wet\"\n5 = { cell = \"line\", grip = 0.3, rolling = 0.02 }\n"

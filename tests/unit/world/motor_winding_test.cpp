@@ -55,9 +55,8 @@ TEST(Winding, DrawsLessTheFasterItsPulsesAre) {
   EXPECT_NEAR(slow, share * (kVolts - emf) / kOhms, kWithinFormula * slow);
   const double fast = mean({driven(share), shorted(1.0 - share)}, emf, 2e-5).drawn;
   EXPECT_NEAR(fast, share * (share * kVolts - emf) / kOhms, kWithinFormula * fast);
-  // At medium frequencies, the ripple heats the winding with the power beyond V D times the mean current.
-  // This power is R times the ripple's mean square: a twelfth of the squared triangle height V D (1 - D) T /
-  // L.
+  // At medium frequencies, the ripple heats the winding. This power is the drawn power minus V D times the
+  // mean current. It is R times the ripple's mean square: a twelfth of the squared height V D (1 - D) T / L.
   const double period = 1e-4;
   const double ripple = kVolts * share * (1.0 - share) * period / kHenries;
   const double more = kVolts * mean({driven(share), shorted(1.0 - share)}, emf, period).drawn -
@@ -137,7 +136,7 @@ TEST(Winding, HasTheMeanOfPulsesThatAreFollowedStepByStep) {
   }
 }
 
-// A body on MOSFETs without friction. Its motors have 1 mH.
+// A body without friction. Its driver has MOSFETs, and its motors have 1 mH.
 class WoundBody : public testing::Test {
  protected:
   static BodyParams wound() {
@@ -173,8 +172,8 @@ class WoundBody : public testing::Test {
   std::unique_ptr<World> world_;
 };
 
-// A motor turned by its wheel has the torque k_e per ampere. The loss of speed gives the motor's charge,
-// which flows into the battery for half of the time.
+// A motor turned by its wheel has the torque k_e per ampere. The charge follows from the loss of speed.
+// It flows into the battery for half of the time.
 TEST_F(WoundBody, GivesBackWhatASlowerDutyTakesOffItsSpeed) {
   const BodyParams p = wound();
   const WheelParams& w = p.wheel[left];

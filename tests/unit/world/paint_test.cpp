@@ -36,7 +36,7 @@ TEST(Paints, OfSegmentsAreAsWideAndAsDarkAsTheySay) {
   EXPECT_NEAR(floor.darkness({2.3, 0.5}, kSeen, Band::green), 0.90 - 0.10, 1e-12);
   // There is no seam where pieces meet.
   for (double x = 0.79; x < 0.81; x += 0.001) EXPECT_NEAR(dark(x, 0.0), 1.0, 1e-12) << x;
-  // One footprint is wider than the line, and one is wider than the index searches.
+  // One footprint is wider than the line. The other one exceeds the reach of the index.
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.016), 0.5, 1e-9);
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.032), 0.25, 1e-9);
   // The line is as wide as the map's line width, or as the segment if the segment is wider.

@@ -66,7 +66,7 @@ TEST_F(SteerTest, TurnsOnTheRadiusOfTheBicycleModel) {
 }
 
 TEST_F(SteerTest, ADifferentialsMotorHasTheSpeedOfTheMiddle) {
-  // Drives straight and in a bend, without friction. In both cases the speed uses up the whole voltage.
+  // Drives straight and in a bend, without friction. In both cases the motor's own voltage equals the supply.
   BodyParams p = car();
   p.rolling_resistance = 0.0;
   p.grip = 3.0;

@@ -74,7 +74,7 @@ class Wrapper : public testing::Test {
   void tool(const std::string& name, const std::string& body) const {
     const fs::path file = folder_ / "bin" / name;
     const std::string note = "echo \"" + name + " $*\" >>'" + folder_.string() + "/calls'\n";
-    // The working folder matters only for cmake and ctest. The other tools keep their state in the folder.
+    // cmake and ctest stay in the caller's folder. The other tools keep their state in `folder_`.
     const std::string place = name == "cmake" || name == "ctest" ? "" : "cd '" + folder_.string() + "'\n";
     write_file(file, "#!/bin/sh\n" + note + place + body + "\n");
     fs::permissions(file, fs::perms::owner_all);

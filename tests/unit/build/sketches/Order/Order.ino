@@ -1,4 +1,4 @@
-// Uses functions before they are defined, with every kind of parameter that needs care.
+// Uses functions before they are defined, with parameters whose prototypes are hard to generate.
 enum Direction { LEFT, STRAIGHT, RIGHT };
 
 struct Reading {
