@@ -82,7 +82,7 @@ TEST(Compare, APlaceThatOnlyOneComesToIsADifferenceIfTheOtherHadTheTime) {
   History b = places({{0, "station 1"}});
   EXPECT_EQ(kind(a, b), Kind::place);
   b.end_ns = 5 * kS;
-  EXPECT_EQ(kind(a, b), std::nullopt) << "its run ended before";
+  EXPECT_EQ(kind(a, b), std::nullopt) << "the second run ended before";
 }
 
 TEST(Compare, AWayThatTakesMuchLongerIsADifferenceOfTime) {
@@ -201,9 +201,9 @@ TEST(Compare, AStreamMayEndALittleSoonerButNotLongBefore) {
 TEST(Compare, AStreamThatOneSideHadNoTimeForIsNoDifference) {
   History a = light(21 * kS), b = a;
   std::erase_if(b.lines, [](const TimedText& line) { return line.t_ns > 25 * kS; });
-  EXPECT_EQ(kind(a, b), Kind::time) << "it says nothing any more";
+  EXPECT_EQ(kind(a, b), Kind::time) << "the second run prints nothing more";
   b.end_ns = 25 * kS;
-  EXPECT_EQ(kind(a, b), std::nullopt) << "it has ended";
+  EXPECT_EQ(kind(a, b), std::nullopt) << "the second run has ended";
 }
 
 TEST(Compare, ALineAmongAStreamIsFoundWhereverItIs) {
@@ -252,7 +252,7 @@ TEST(Compare, ManoeuvresMayBeFurtherApartTheLongerAgoTheLastCommonEventWas) {
   EXPECT_EQ(kind(long_run(300 * kS), long_run(306 * kS)), Kind::motors);
   History a = long_run(300 * kS), b = long_run(303 * kS);
   a.places = b.places = {{0, "station 1"}, {299 * kS, "junction 1"}};
-  EXPECT_EQ(kind(a, b), Kind::motors) << "both were at one place a second before";
+  EXPECT_EQ(kind(a, b), Kind::motors) << "both were at the same place a second before";
 }
 
 TEST(Compare, WhatARobotDoesOffTheLineDoesNotCount) {
@@ -262,14 +262,14 @@ TEST(Compare, WhatARobotDoesOffTheLineDoesNotCount) {
   EXPECT_EQ(kind(a, b), std::nullopt);
   b.places.back().t_ns = *b.lost_ns = 9 * kS;
   b.places.insert(b.places.begin() + 1, {6 * kS, "junction 1"});
-  EXPECT_EQ(kind(a, b), std::nullopt) << "nor does which of them keeps to it for longer";
+  EXPECT_EQ(kind(a, b), std::nullopt) << "the time of leaving the line does not matter";
   a.verdict = "lost";
   b.verdict = "stuck";
   EXPECT_EQ(kind(a, b), std::nullopt);
   b.verdict = "crashed";
   EXPECT_EQ(kind(a, b), Kind::verdict);
   b = places({{0, "station 1"}});
-  EXPECT_EQ(kind(a, b), Kind::place) << "one of them leaves the line";
+  EXPECT_EQ(kind(a, b), Kind::place) << "only the first robot leaves the line";
 }
 
 TEST(Compare, MuchSlowerIsADifference) {

@@ -63,7 +63,7 @@ TEST_F(RobotOnTheEdge, DoesAsTheOtherIfItEndsAsThatDoesAtAboutThatTime) {
   EXPECT_EQ(found.kind, Kind::place);
   EXPECT_TRUE(does_as(lost_at(18 * kSecond_ns), lost_at(20 * kSecond_ns), found));
   EXPECT_FALSE(does_as(lost_at(8 * kSecond_ns), lost_at(20 * kSecond_ns), found))
-      << "what comes after a robot is lost is not compared";
+      << "events after a robot is lost are not compared";
 }
 
 constexpr std::int64_t kElsewhere_ns = 60 * kSecond_ns;
@@ -147,7 +147,8 @@ TEST(Edge, ATargetThatNeverGoesTheOthersWayIsApart) {
   EXPECT_EQ(alikeness({29, 27}, {29, 29}), Alikeness::rare) << "more runs may tell";
   EXPECT_EQ(alikeness({153, 148}, {153, 153}), Alikeness::apart) << "a race that comes and goes";
   EXPECT_EQ(alikeness({153, 148}, {153, 152}), Alikeness::alike);
-  EXPECT_EQ(alikeness({153, 152}, {153, 153}), Alikeness::alike) << "with its own clock, and never again";
+  EXPECT_EQ(alikeness({153, 152}, {153, 153}), Alikeness::alike)
+      << "only the run with the exact clock differs";
 }
 
 TEST(Edge, WhatHasACauseWithANameOrIsPrintedIsNoChance) {

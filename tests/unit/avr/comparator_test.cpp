@@ -132,7 +132,7 @@ TEST_F(ComparatorTest, AChangeOfWhatIsCapturedIsAnEdgeIfTheyDiffer) {
   write(kTifr1, kIcf1);
   write(kAcsr, 0);
   run(10);
-  EXPECT_EQ(read(kTifr1) & kIcf1, 0) << "a falling one";
+  EXPECT_EQ(read(kTifr1) & kIcf1, 0) << "a falling edge";
 }
 
 /// A chip of another type that also waits in a loop.

@@ -109,7 +109,7 @@ TEST_F(TimerTest, TogglesAboveTop) {
   run(20);
   EXPECT_TRUE(drive('B', 1).level);
   run(200'000);
-  EXPECT_TRUE(drive('B', 1).level) << "below TOP it does not come to 1000 again";
+  EXPECT_TRUE(drive('B', 1).level) << "below TOP, the counter never reaches 1000 again";
 }
 
 TEST_F(TimerTest, CostsAnEventAnOverflowWhenOnlyThatInterruptIsOn) {
@@ -224,7 +224,7 @@ TEST_F(TimerTest, InterruptsToTheCycleForEver) {
         chip.run_to(due + 5 * period + period / 2);
         EXPECT_EQ(chip.read(reg::kTifr0) & way.enables, way.enables);
         serve(chip.now() + 8);
-        EXPECT_EQ(chip.vector(), way.vector) << "the flag has waited";
+        EXPECT_EQ(chip.vector(), way.vector) << "the flag stayed set";
         EXPECT_EQ(chip.read(reg::kTifr0) & way.enables, 0);
         due += 5 * period;
       }

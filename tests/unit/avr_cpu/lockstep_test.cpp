@@ -146,15 +146,15 @@ TEST_P(Lockstep, IsTheSameAfterEachInstruction) {
     referee.run(given(instruction, cpu, skipped));
     // A read of the EEPROM halts the chip for 4 cycles, a write for 2. libsimavr's processor does not halt.
     if (writes_eecr(instruction)) referee->cycle = cpu.cycle();
-    ASSERT_EQ(2 * cpu.pc(), referee->pc) << "behind word " << pc << ", instruction " << count;
-    ASSERT_EQ(cpu.cycle(), referee->cycle) << "behind word " << pc << ", instruction " << count;
-    ASSERT_EQ(cpu.sreg(), referee.status()) << "behind word " << pc << ", instruction " << count;
-    ASSERT_EQ(cpu.sp(), referee->data[kSpl] | referee->data[kSpl + 1] << 8) << "behind word " << pc;
-    ASSERT_EQ(0, std::memcmp(cpu.data.data(), referee->data, kFirstIo)) << "behind word " << pc;
+    ASSERT_EQ(2 * cpu.pc(), referee->pc) << "after word " << pc << ", instruction " << count;
+    ASSERT_EQ(cpu.cycle(), referee->cycle) << "after word " << pc << ", instruction " << count;
+    ASSERT_EQ(cpu.sreg(), referee.status()) << "after word " << pc << ", instruction " << count;
+    ASSERT_EQ(cpu.sp(), referee->data[kSpl] | referee->data[kSpl + 1] << 8) << "after word " << pc;
+    ASSERT_EQ(0, std::memcmp(cpu.data.data(), referee->data, kFirstIo)) << "after word " << pc;
     if (count % kMemoryEvery != 0) continue;
     ASSERT_EQ(0,
               std::memcmp(cpu.data.data() + kFirstRam, referee->data + kFirstRam, kLastRam + 1u - kFirstRam))
-        << "behind word " << pc;
+        << "after word " << pc;
   }
 }
 

@@ -69,7 +69,7 @@ TEST(Child, ItDoesNotOutliveItsOwner) {
     pipe.write.close();
   }
   char byte;
-  EXPECT_EQ(::read(pipe.read.get(), &byte, 1), 0) << "nobody is left who could write";
+  EXPECT_EQ(::read(pipe.read.get(), &byte, 1), 0) << "no process is left that could write";
 }
 
 TEST(Child, ASignalThatWeIgnoreMayBeItsAgain) {

@@ -12,7 +12,8 @@ TEST(Nearest, ForgivesOneSlipInAShortWordAndMoreInALongOne) {
   EXPECT_EQ(nearest("figur8", names), "figure8");
   EXPECT_EQ(nearest("pidfolower", names), "PidFollower");
   EXPECT_EQ(nearest("figu", names), "figure8");
-  EXPECT_EQ(nearest("of", {"on", "off"}), "off") << "of two equally near, the one that begins alike";
+  EXPECT_EQ(nearest("of", {"on", "off"}), "off")
+      << "of two equally similar names, the one with the same beginning";
   EXPECT_EQ(nearest("square", names), std::nullopt);
   EXPECT_EQ(nearest("", names), std::nullopt);
 }
@@ -34,7 +35,7 @@ TEST(ExpectedOneOf, NamesWhatIsAllowedAndWhatWasMeant) {
 
 TEST(UnknownName, ListsWhatThereIs) {
   EXPECT_EQ(unknown_name("map", "x", {"d", "oval"}), "there is no map “x”; there are d and oval")
-      << "one letter that differs is no slip";
+      << "a different single letter is not a typing error";
   EXPECT_EQ(unknown_name("map", "ova", {"d", "oval"}),
             "there is no map “ova”; did you mean oval? There are d and oval");
   EXPECT_EQ(unknown_name("map", "moon", {"oval"}), "there is no map “moon”; there is oval");

@@ -23,7 +23,7 @@ TEST(JsonLimits, HoldForDepthAndNumberOfValues) {
 TEST(JsonLimits, DoNotCountWhatIsInStrings) {
   EXPECT_TRUE(is_within_json_limits("[\"" + std::string(100, '[') + "\"]"));
   EXPECT_TRUE(is_within_json_limits("[\"\\\"" + std::string(100, '[') + "\"]")) << "a quote in a string";
-  EXPECT_FALSE(is_within_json_limits("[\"\\\\\"," + nested(100) + "]")) << "a backslash at its end";
+  EXPECT_FALSE(is_within_json_limits("[\"\\\\\"," + nested(100) + "]")) << "a backslash at the string's end";
 }
 
 }  // namespace

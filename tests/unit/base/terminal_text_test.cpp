@@ -9,7 +9,8 @@ namespace {
 
 TEST(TerminalText, ShowsWhatATerminalWouldCarryOut) {
   EXPECT_EQ(for_terminal("\x1b]0;title\x07\x1b[2J"), "\\x1b]0;title\\x07\\x1b[2J");
-  EXPECT_EQ(for_terminal("reached\rlost"), "reached\\x0dlost") << "it would write over the line";
+  EXPECT_EQ(for_terminal("reached\rlost"), "reached\\x0dlost")
+      << "a carriage return would overwrite the line";
   EXPECT_EQ(for_terminal("a\bb\x7f\x0c"), "a\\x08b\\x7f\\x0c");
   EXPECT_EQ(for_terminal("\xC2\x9B"
                          "31m"),

@@ -141,7 +141,7 @@ TEST_F(AvrTest, ASecondBuildComesFromTheCacheAndALostHexIsMadeAnew) {
   EXPECT_TRUE(second.from_cache);
   EXPECT_EQ(second.image, first.image);
   EXPECT_EQ(read_file(second.products.at(0)), hex);
-  EXPECT_FALSE(build_here("Cached").from_cache) << "the host's image is another";
+  EXPECT_FALSE(build_here("Cached").from_cache) << "the host has a separate image";
 }
 
 TEST_F(AvrTest, FlashHoldsTheVariablesInitialValuesAndNeitherCountsTheEeprom) {

@@ -115,7 +115,7 @@ TEST_F(CacheTest, TheWorkFolderOfAKilledProcessGoesWithTheNextOne) {
   ASSERT_TRUE(fs::exists(its / "deep"));
   const WorkFolder next(cache_);
   EXPECT_FALSE(fs::exists(its));
-  EXPECT_TRUE(fs::exists(mine.path())) << "one that is in use stays";
+  EXPECT_TRUE(fs::exists(mine.path())) << "a folder in use is not removed";
 }
 
 TEST_F(CacheTest, AFolderInThePlaceOfAnEntryOrAResultGoes) {

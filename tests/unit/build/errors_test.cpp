@@ -55,7 +55,8 @@ TEST_F(SketchTest, AMissingHeaderIsNamedWithWhereItWasLookedFor) {
   EXPECT_THAT(error_of("Needy", {folder_}),
               AllOf(StartsWith("Needy.ino:2:10: no such header NoSuchSensor.h in the sketch, nor"),
                     HasSubstr(folder_.string()), HasSubstr("home/Arduino/libraries")));
-  EXPECT_THROW(build({folder_ / "Needy", *find_board("uno")}), MissingLibrary) << "one may be elsewhere";
+  EXPECT_THROW(build({folder_ / "Needy", *find_board("uno")}), MissingLibrary)
+      << "the library may be elsewhere";
 }
 
 TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {

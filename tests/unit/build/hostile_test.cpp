@@ -343,8 +343,8 @@ TEST_F(HostileTest, AWorkingPrecompiledHeaderIsNotLoadedEither) {
   write("Pupil/Foo.h", "#error not the precompiled one\n");
   write("Pupil/x.cpp", "#include \"Foo.h\"\nint x = hidden;\n");
   const std::string first = (data_folder() / "hal/arduino/first_include.h").string();
-  EXPECT_TRUE(compiles_with({"-nostdinc"})) << "the danger";
-  EXPECT_FALSE(compiles_with({"-nostdinc", "-include", first})) << "what all sources begin with";
+  EXPECT_TRUE(compiles_with({"-nostdinc"})) << "gcc uses the precompiled header";
+  EXPECT_FALSE(compiles_with({"-nostdinc", "-include", first})) << "every source has this first include";
   EXPECT_THAT(error_of("Pupil"), HasSubstr("not the precompiled one"));
 }
 
@@ -471,7 +471,7 @@ TEST_F(HostileTest, NoProgramThatAnEndedOneHasStartedGoesOn) {
   const std::string started = output.substr(output.find('\n') + 1);
   const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, std::stoi(started), 0)));
   pollfd ended{process.get(), POLLIN, 0};
-  EXPECT_TRUE(!process.is_open() || ::poll(&ended, 1, 30'000) == 1) << "its end is near";
+  EXPECT_TRUE(!process.is_open() || ::poll(&ended, 1, 30'000) == 1) << "the process ends soon";
 }
 
 TEST_F(HostileTest, NoSourceIsALinkOutOfTheProject) {

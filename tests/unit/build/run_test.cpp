@@ -55,7 +55,7 @@ TEST_F(RunTest, ABluePillsSketchFindsTheChipsPins) {
   executor_->power_on(0);
   executor_->run_until(100 * kMillisecond);
   EXPECT_EQ(serial_.text, "14 20 12 3 10 2 13 21 0\n512\n2048\n1024\n");
-  EXPECT_DOUBLE_EQ(executor_->board().drive(5).duty, 52.0 / 256.0) << "a timer's step more than the value";
+  EXPECT_DOUBLE_EQ(executor_->board().drive(5).duty, 52.0 / 256.0) << "one timer step more than the value";
 }
 
 TEST_F(RunTest, ABluePillsFurtherPinsReadWriteAndInterrupt) {
@@ -118,7 +118,7 @@ TEST_F(RunTest, GainsInEepromSurviveAPowerCycle) {
   executor_->power_on(600 * kMillisecond);
   executor_->run_until(kSecond);
   EXPECT_THAT(serial_.text, StartsWith("0.50\n"));
-  EXPECT_EQ(executor_->probe().memory()[500], 2) << "counts its starts";
+  EXPECT_EQ(executor_->probe().memory()[500], 2) << "the sketch counts its starts";
 }
 
 TEST_F(RunTest, ASleepingSketchWakesForTheClockAndParksForGood) {

@@ -62,7 +62,7 @@ TEST(CellSense, SeesAWallAtADeadEndAsAWayOnAndOneOnTheLineAsNone) {
       "00000000\n"
       "11211000\n");
   EXPECT_EQ(f.sense(1, 1, Direction::east), Sense::straight) << "v1 steps into it";
-  EXPECT_EQ(f.sense(2, 1, Direction::east), Sense::no_path) << "and finds none there";
+  EXPECT_EQ(f.sense(2, 1, Direction::east), Sense::no_path) << "v1 finds no line in the next cell";
   EXPECT_EQ(f.sense(1, 3, Direction::east), Sense::no_path) << "line right behind it: an obstacle";
 }
 
@@ -89,7 +89,7 @@ TEST(CellRobot, TurnsByMovingToTheSideAndChoosesLineWhereThereIsSome) {
   robot.turn_around();
   EXPECT_EQ(robot.pose(), (CellPose{{2, 1}, Direction::west}));
   robot.turn_left();
-  EXPECT_EQ(robot.pose(), (CellPose{{2, 2}, Direction::south})) << "line or not";
+  EXPECT_EQ(robot.pose(), (CellPose{{2, 2}, Direction::south})) << "turns whether or not there is a line";
 }
 
 TEST(CellRobot, ThrowsAtTheMoveAfterTheLastOne) {

@@ -115,7 +115,7 @@ TEST_P(Generated, FloorsAreFoundAsTheyAreAndEdgesUsedTwiceEachWayAtMost) {
       ASSERT_EQ(route.turns.size(), route.junctions.size());
     }
   }
-  EXPECT_GE(most_junctions, 120u) << "the maps are to be large, too";
+  EXPECT_GE(most_junctions, 120u) << "some maps must be large";
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Generated,
@@ -142,7 +142,7 @@ TEST(SurveyTest, APlannerOfTreesRefusesANetworkWithCycles) {
     const Route route = s.survey.drive(2, planner);
     EXPECT_EQ(route.ending, Ending::refused) << planner;
     EXPECT_THAT(route.why, ::testing::HasSubstr("trees only")) << planner;
-    EXPECT_EQ(s.survey.here(), 1) << "it has not moved";
+    EXPECT_EQ(s.survey.here(), 1) << "the robot has not moved";
   }
 }
 
@@ -220,7 +220,7 @@ TEST(WhereTheOriginalFailed, ALineMayEndAtTheMapsEdge) {
   Surveyed s(drawn("00100\n00100\n11111\n"));
   EXPECT_EQ(s.scan().ending, Ending::complete);
   EXPECT_EQ(s.survey.stations(), 3);
-  EXPECT_EQ(s.scan_.time, 2 * (7 - 1) + 3) << "as if there were floor beyond";
+  EXPECT_EQ(s.scan_.time, 2 * (7 - 1) + 3) << "the time is that of a map with floor beyond";
 }
 
 TEST(WhereTheOriginalFailed, ARingHasNoStationsAndEnds) {

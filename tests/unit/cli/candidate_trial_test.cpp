@@ -15,7 +15,7 @@ TEST(FollowsALap, TakesALapAlongTheLineAlone) {
   EXPECT_FALSE(follows_a_lap(result, false)) << "it saw the line by chance";
   EXPECT_TRUE(follows_a_lap(result, true)) << "two sensors beside the line do not see it";
   result.metrics.cross_track_rms_mm = 60.0;
-  EXPECT_FALSE(follows_a_lap(result, true)) << "it went round beside the line";
+  EXPECT_FALSE(follows_a_lap(result, true)) << "the lap was next to the line";
   result.metrics.cross_track_rms_mm = 12.0;
   result.verdict = "timeout";
   EXPECT_FALSE(follows_a_lap(result, true));

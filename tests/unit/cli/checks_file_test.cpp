@@ -58,7 +58,7 @@ stop-early = true
   EXPECT_EQ(sweep.each.request.clock_ns, 3'600'000'000'000);
   EXPECT_EQ(sweep.first_seed, 3u);
   EXPECT_EQ(sweep.last_seed, 60u);
-  EXPECT_FALSE(check.detect) << "its checks change the timing";
+  EXPECT_FALSE(check.detect) << "--sanitize changes the timing";
   EXPECT_EQ(sweep.each.request.profile, "ideal");
   EXPECT_EQ(sweep.each.script, in_folder("script.txt"));
   EXPECT_THAT(sweep.each.send, ElementsAre("a\\n", "say \\\"b\\\"")) << "as scripts write it";

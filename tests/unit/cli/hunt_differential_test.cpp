@@ -337,7 +337,7 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
     EXPECT_NE(test_case.build, *space.host_counterpart) << run;
     for (const Stimulus& stimulus : test_case.stimuli)
       EXPECT_FALSE(test_case.differential == Differential::host && stimulus.kind == kPowerOff)
-          << "it parts a text at another byte";
+          << "a power cut splits a text at another byte";
     const TestCase differential = counterpart_of(test_case, space);
     if (test_case.differential == Differential::clock) {
       // The clock is past a sketch's own times, and does not wrap at 32 bits within six minutes.

@@ -55,10 +55,10 @@ a.cpp:7: Failure
   EXPECT_EQ(cases[1].group, "Bo & Co");
   EXPECT_EQ(cases[1].ending, JunitCase::Ending::failed);
   EXPECT_EQ(cases[1].message, "lost!\nand slow");
-  EXPECT_EQ(cases[2].group, "Suite") << "of ctest's tests, which have no class";
+  EXPECT_EQ(cases[2].group, "Suite") << "tests of ctest have no class";
   EXPECT_EQ(cases[2].ending, JunitCase::Ending::failed);
   EXPECT_THAT(cases[2].message, AllOf(StartsWith("a.cpp:7: Failure"), EndsWith("in a browser")))
-      << "ctest's failures say nothing; what the test has printed does";
+      << "the test's output explains the failure, ctest's message does not";
   EXPECT_EQ(kept_page(cases[2].message), "artifacts/Suite.Test/run.html");
   EXPECT_EQ(cases[3].ending, JunitCase::Ending::skipped);
   EXPECT_EQ(cases[4].ending, JunitCase::Ending::skipped);
@@ -123,9 +123,9 @@ TEST(AReport, ShowsTheRunThatFailedSoonest) {
     return std::pair(runs[worst_of(runs, combinations_of(runs)[0])].seed, sweep_page("runs.csv", runs, {}));
   };
   EXPECT_EQ(worst({5, 0, 1, 2, 3, 4}).first, 4u)
-      << "of those with fewest laps and least way that farthest off";
+      << "fewest laps and shortest distance, then largest deviation";
   EXPECT_THAT(worst({1, 2, 3}).second, HasSubstr("lost after 3.2 m, 1 lap, seed 2"));
-  EXPECT_EQ(worst({0, 1}).first, 1u) << "it has failed, though far";
+  EXPECT_EQ(worst({0, 1}).first, 1u) << "a failed run is worse, however far it drove";
   EXPECT_EQ(worst({3, 1}).first, 3u) << "driving in circles is no progress";
   EXPECT_EQ(worst({5, 0}).first, 0u) << "Robosim's own failure has no replay";
 }

@@ -85,7 +85,8 @@ TEST_F(SourceTextTest, NamesConstantsOfClassesAndOfTheFilesBeside) {
   std::vector<std::string> named;
   for (const wire::SourceLine& line : chain[1].lines)
     named.push_back(line.file + ":" + std::to_string(line.line));
-  EXPECT_THAT(named, ElementsAre("Pins.h:1", "My.ino:1", "Robot.h:2")) << "not what two files beside declare";
+  EXPECT_THAT(named, ElementsAre("Pins.h:1", "My.ino:1", "Robot.h:2"))
+      << "names that two other files declare are omitted";
 }
 
 TEST_F(SourceTextTest, TakesNoFunctionForAnObject) { EXPECT_THAT(added_to({14}), IsEmpty()); }
@@ -112,7 +113,7 @@ TEST_F(SourceTextTest, ALinkOutOfTheProjectHasNoLines) {
   std::filesystem::create_symlink("../../secret.txt", sketch / "link.h");
   SourceText source({sketch});
   EXPECT_EQ(source.line({"", "link.h", 1}), "");
-  EXPECT_EQ(source.line({"", "shared.h", 1}), "int kp;") << "compilers see it, too";
+  EXPECT_EQ(source.line({"", "shared.h", 1}), "int kp;") << "compilers also read this file";
 }
 
 TEST_F(SourceTextTest, TakesNoLineForLongHoweverItIsMade) {

@@ -15,7 +15,7 @@ TEST(FirmwareClock, IsTheWorldsUntilItDrifts) {
 TEST(FirmwareClock, GainsSoManyMicrosecondsASecond) {
   FirmwareClock clock;
   clock.drift(5000, 2 * kSecond);
-  EXPECT_EQ(clock.to_firmware(2 * kSecond), 2 * kSecond) << "it does not jump";
+  EXPECT_EQ(clock.to_firmware(2 * kSecond), 2 * kSecond) << "the clock does not jump";
   EXPECT_EQ(clock.to_firmware(3 * kSecond), 3 * kSecond + 5 * kMillisecond);
   EXPECT_EQ(clock.to_world(3 * kSecond + 5 * kMillisecond), 3 * kSecond);
   clock.drift(-5000, 3 * kSecond);

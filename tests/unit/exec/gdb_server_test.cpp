@@ -154,12 +154,12 @@ TEST_F(GdbServer, CtrlCAsksForAHaltOnce) {
 
 TEST_F(GdbServer, APacketThatGotDamagedIsAskedForAgain) {
   gdb_.send_bytes("$g#00");
-  EXPECT_THAT(ask({"p1"}), ElementsAre("0304")) << "and no answer to the damaged one";
+  EXPECT_THAT(ask({"p1"}), ElementsAre("0304")) << "the damaged packet gets no reply";
 }
 
 TEST_F(GdbServer, DetachingLetsTheRunGoOnAlone) {
   gdb_.say("D");
-  EXPECT_TRUE(server_.attached()) << "waited for, still";
+  EXPECT_TRUE(server_.attached()) << "until the run continues";
   EXPECT_EQ(server_.stand_still(processor_, {}), Server::Order::go);
   EXPECT_FALSE(server_.attached());
   EXPECT_EQ(gdb_.reply(), "OK");

@@ -195,7 +195,7 @@ void loop() {})");
 
 TEST_F(InterruptsTest, EdgesAreWantedAsLongAsTheyCanSetAFlag) {
   prepare("void f() {} void setup() { attachInterrupt(0, f, CHANGE); detachInterrupt(0); } void loop() {}");
-  EXPECT_TRUE(board().wants_edges(2)) << "EICRA is as it was";
+  EXPECT_TRUE(board().wants_edges(2)) << "EICRA is unchanged";
   prepare(
       "void f() {} void setup() { attachInterrupt(0, f, CHANGE); detachInterrupt(0); EICRA = 0; } void "
       "loop() "

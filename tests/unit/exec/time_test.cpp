@@ -54,7 +54,7 @@ void loop() { delay(10); Serial.println(micros()); })",
   ASSERT_GE(said.size(), 6u);
   const long long round = said[3] - said[2];
   EXPECT_NEAR(static_cast<double>(round), 10'200, 200);
-  EXPECT_NEAR(static_cast<double>(said[0]), 410, 20) << "before setup()";
+  EXPECT_NEAR(static_cast<double>(said[0]), 410, 20) << "start-up time before setup()";
   EXPECT_NEAR(static_cast<double>(said[4] - said[3]), static_cast<double>(round + 2500), 40);
   EXPECT_NEAR(static_cast<double>(said[5] - said[4]), static_cast<double>(round - 1500), 40);
 }

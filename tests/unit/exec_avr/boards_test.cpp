@@ -146,7 +146,7 @@ void loop() {
   for (int i = 0; i < 200; ++i) board().receive_byte('a', now_ + i * kMicrosecond);
   run(40 * kMillisecond);
   ASSERT_FALSE(avr_->crash()) << avr_->crash()->reason;
-  EXPECT_EQ(serial_, std::string(200, 'b')) << "what the chip's 128 bytes do not hold waits in the computer";
+  EXPECT_EQ(serial_, std::string(200, 'b')) << "the computer keeps bytes that exceed the chip's 128";
 }
 
 TEST_F(Boards, ALeonardoHasPwmAndAnalogInputsInOtherPlaces) {

@@ -155,7 +155,7 @@ void loop() {
   const auto lines = lines_behind_pin_5();
   ASSERT_TRUE(lines.contains(10));
   EXPECT_EQ(lines.at(10).kind, CauseStep::Kind::decides);
-  EXPECT_FALSE(lines.contains(14)) << "it left out what the pin does not depend on";
+  EXPECT_FALSE(lines.contains(14)) << "a skipped line on which the pin does not depend";
 }
 
 TEST_F(CausesTest, LeadToTheBranchThatLeftAMemberAsItWas) {
@@ -184,7 +184,7 @@ void loop() {
   run(8 * kMillisecond);
   const auto lines = lines_behind_pin_5();
   EXPECT_TRUE(lines.contains(6));
-  ASSERT_TRUE(lines.contains(3)) << "nothing gives it a value";
+  ASSERT_TRUE(lines.contains(3)) << "no code assigns the variable";
   EXPECT_EQ(lines.at(3).kind, CauseStep::Kind::keeps);
 }
 

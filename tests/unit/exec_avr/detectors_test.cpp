@@ -37,7 +37,7 @@ TEST_F(DetectorsTest, AFloatThatPassesANumberByTheNumbersLine) {
   EXPECT_GT(found[0].times, 130);
   EXPECT_EQ(found[1].where.line, 7);
   avr_->power_off(now_);
-  EXPECT_THAT(avr_->detected(), SizeIs(2)) << "what was seen is kept";
+  EXPECT_THAT(avr_->detected(), SizeIs(2)) << "findings stay after power-off";
   watched = false;
   start(sketch);
   run(100 * kMillisecond);

@@ -77,7 +77,7 @@ void loop() {
   run(15 * kMillisecond);
   ASSERT_GE(lines_[9].size(), 3u);
   ASSERT_GE(lines_[10].size(), 2u);
-  EXPECT_EQ(lines_[9].back(), 8) << "a plain low level at once";
+  EXPECT_EQ(lines_[9].back(), 8) << "a low level takes effect immediately";
   lines_[9].pop_back();
   EXPECT_EQ(std::set<int>(lines_[9].begin(), lines_[9].end()), (std::set<int>{2, 5}));
   EXPECT_EQ(lines_[9].back(), 5);

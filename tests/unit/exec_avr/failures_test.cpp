@@ -274,7 +274,7 @@ TEST_F(FailuresTest, APowerCycleBeginsAfreshAfterACrash) {
   avr_->power_on(now_);
   EXPECT_FALSE(avr_->crash());
   run(100 * kMillisecond);
-  EXPECT_TRUE(avr_->crash()) << "and does the same again";
+  EXPECT_TRUE(avr_->crash()) << "the restarted sketch crashes again";
 }
 
 }  // namespace

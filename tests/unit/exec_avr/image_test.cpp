@@ -125,7 +125,7 @@ TEST_F(ImageTest, AHexRunsAsItsElfDoesAndItsVariablesAreThoseOfTheStartUpCode) {
   EXPECT_EQ(of_hex.flash_bytes, of_elf.flash_bytes);
   EXPECT_EQ(of_hex.ram_bytes, of_elf.ram_bytes);
   EXPECT_EQ(of_hex.stack_bytes_max, of_elf.stack_bytes_max);
-  EXPECT_EQ(of_hex.loops, 0u) << "where it is nobody knows";
+  EXPECT_EQ(of_hex.loops, 0u) << "a HEX file does not locate loop()";
   run(100 * kMillisecond);
   ASSERT_TRUE(avr_->crash());
   EXPECT_THAT(avr_->crash()->reason, HasSubstr("stack overflow"));

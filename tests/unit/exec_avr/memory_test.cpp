@@ -26,7 +26,7 @@ TEST_F(MemoryTest, TheStacksMostIsMeasuredThoughNothingIsWrittenThere) {
   const std::uint32_t little = used(with("100")).stack_bytes_max;
   const std::uint32_t much = used(with("500")).stack_bytes_max;
   EXPECT_NEAR(static_cast<double>(much) - little, 400.0, 10.0)
-      << "an interrupt may come deeper in one of them";
+      << "an interrupt may use more stack in one of the runs";
 }
 
 TEST_F(MemoryTest, AShortDeepCallCounts) {
@@ -78,7 +78,7 @@ void blink() { digitalWrite(13, passes % 2); }
 void setup() { pinMode(13, OUTPUT); Serial.begin(115200); }
 void loop() { ++passes; blink(); Serial.println(millis() + analogRead(A0)); delay(5); })",
                            kSecond);
-  EXPECT_NEAR(r.loop_us_mean, 5200.0, 200.0) << "and not a pass of the loop that waits in delay()";
+  EXPECT_NEAR(r.loop_us_mean, 5200.0, 200.0) << "the loop in delay() is not timed";
 }
 
 TEST_F(MemoryTest, APassOfLoopThatHasNotEndedCounts) {

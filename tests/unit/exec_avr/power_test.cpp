@@ -148,7 +148,7 @@ void loop() { sleep_mode(); })");
   const auto used = avr_->resources();
   ASSERT_TRUE(used);
   EXPECT_LT(used->cpu_load, 0.02);
-  EXPECT_EQ(avr_->last_call(), now_) << "asleep is not hung";
+  EXPECT_EQ(avr_->last_call(), now_) << "sleep is not a hang";
 }
 
 TEST_F(PowerTest, PowerDownStopsTheTimersAndAnEdgeWakesIt) {
@@ -247,7 +247,7 @@ TEST_F(PowerTest, AHangIsSilentWhileTimer0GoesOnInterrupting) {
   EXPECT_LT(avr_->last_call(), 7 * kMillisecond);
   start("void setup() { delay(5); while (millis() < 100000) {} }\nvoid loop() {}");
   run(500 * kMillisecond);
-  EXPECT_GT(avr_->last_call(), 499 * kMillisecond) << "asking for the time is no hang";
+  EXPECT_GT(avr_->last_call(), 499 * kMillisecond) << "a loop that calls millis() does not hang";
 }
 
 }  // namespace

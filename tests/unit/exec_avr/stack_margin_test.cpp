@@ -69,9 +69,10 @@ TEST_F(StackMarginTest, CountsTheDeepestOtherHandlerToOneThatEnablesInterrupts) 
 
 TEST_F(StackMarginTest, IsThereWhereTheDeepestHandlerFits) {
   EXPECT_THAT(seen(1700), IsEmpty());
-  EXPECT_THAT(seen(1750, "noInterrupts(); deep(); interrupts();"), IsEmpty()) << "no handler comes there";
-  EXPECT_THAT(seen(1750, "TIMSK2 = 0; deep(); TIMSK2 = 2;"), IsEmpty()) << "only that of millis() does";
-  EXPECT_THAT(seen(1700, "all[2] = 1; deep();"), IsEmpty()) << "it has come, there and elsewhere";
+  EXPECT_THAT(seen(1750, "noInterrupts(); deep(); interrupts();"), IsEmpty()) << "no handler runs in deep()";
+  EXPECT_THAT(seen(1750, "TIMSK2 = 0; deep(); TIMSK2 = 2;"), IsEmpty())
+      << "only the handler of millis() runs in deep()";
+  EXPECT_THAT(seen(1700, "all[2] = 1; deep();"), IsEmpty()) << "the handler runs in deep() and elsewhere";
   EXPECT_THAT(seen(1600, "volatile byte more[100]; more[0] = 1; deep();"), IsEmpty())
       << "the stack pointer's high byte, written first, has made it lower than it was to be";
 }

@@ -76,7 +76,7 @@ TEST_F(CheckTest, ThereIsMoreMemoryThanOnTheChipButNotForOthers) {
       "Serial.print(table[i]); }\n"
       "void loop() {}";
   EXPECT_EQ(output(large), "0");
-  EXPECT_FALSE(avr_->resources()) << "they are not those of the sketch";
+  EXPECT_FALSE(avr_->resources()) << "with checks, the resources are not the sketch's";
   sanitize_ = false;
   EXPECT_THROW(build(large), InputError);
 }

@@ -22,7 +22,7 @@ TEST_F(Stm32ChipTest, ASilentSketchHangsThoughAnInterruptIsEnabledIfTheyAreOffFo
   EXPECT_TRUE(hangs("noInterrupts(); for (;;);"));
   EXPECT_FALSE(hangs("for (;;);")) << "an edge may come";
   EXPECT_FALSE(hangs("for (;;) { noInterrupts(); for (volatile int i = n; i < 30000; i++); interrupts(); }"))
-      << "off for a moment, but nearly always";
+      << "interrupts are off most of the time, but not always";
 }
 
 TEST_F(Stm32ChipTest, PrintsNumbersOfItsOwnWidths) {

@@ -250,7 +250,7 @@ TEST_F(HalTest, AnalogReadTakesAnotherResolution) {
   analogReadResolution(12);
   EXPECT_EQ(analogRead(14), 2049) << "the converter has twelve bits";
   for (const int bits : {0, 17, -3}) analogReadResolution(bits);
-  EXPECT_EQ(analogRead(14), 2049) << "what is no resolution changes nothing";
+  EXPECT_EQ(analogRead(14), 2049) << "invalid resolutions are ignored";
   analogReadResolution(10);
 }
 
@@ -357,7 +357,7 @@ TEST_F(HalTest, PulseInMeasuresAPulse) {
   pulse.begin = now() + 300 * kMicrosecond;
   board_.connect(12, pulse);
   EXPECT_NEAR(static_cast<double>(pulseIn(12, HIGH, 1'000'000)), 700.0, 3.0);
-  EXPECT_EQ(pulseIn(12, HIGH, 1000), 0u) << "none any more";
+  EXPECT_EQ(pulseIn(12, HIGH, 1000), 0u) << "no second pulse";
 }
 
 TEST_F(HalTest, TheEepromKeepsWhatIsWrittenThroughItsChangesOfBanks) {

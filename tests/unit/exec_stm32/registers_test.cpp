@@ -57,7 +57,7 @@ TEST(BusTest, AResetOfAPeripheralLeavesItAsAfterPowerOn) {
   EXPECT_EQ(bus.load(top, 4), 0xFFFFu);
   EXPECT_EQ(bus.load(crl, 4), 0x33333333u) << "another peripheral";
   bus.store(top, 50, 4);
-  EXPECT_EQ(bus.load(top, 4), 0xFFFFu) << "held in its reset";
+  EXPECT_EQ(bus.load(top, 4), 0xFFFFu) << "the timer is held in reset";
   bus.store(kRccApb1Rstr, 0, 4);
   bus.store(top, 50, 4);
   EXPECT_EQ(bus.load(top, 4), 50u);
@@ -88,7 +88,7 @@ TEST(BusTest, TheOtherUsartsSendInTheirTimeAndAreHeardByNobody) {
     const Address base = stm32f103c8::kUarts[usart - 1].address;
     const auto at = [&](Address of_usart1) { return base + of_usart1 - kUsart1; };
     bus.store(at(kUsartBrr), 104, 4);
-    EXPECT_EQ(bus.load(at(kUsartBrr), 4), 0u) << "it has no clock";
+    EXPECT_EQ(bus.load(at(kUsartBrr), 4), 0u) << "the USART has no clock";
     bus.store(kRccApb1Enr, clock_bit(base), 4);
     bus.store(at(kUsartBrr), 104, 4);
     bus.store(at(kUsartCr1), kUe | kTe | kRe | kTcie, 4);
@@ -140,7 +140,7 @@ TEST(BusTest, BothAdcsConvertTheirOwnChannelsAndShareAnInterrupt) {
   for (Cycle& now = bus.link().clock.now; bus.next_event() != kNoCycle; bus.update()) now = bus.next_event();
   EXPECT_EQ(bus.load(kAdcDr, 4), 1024u);
   bus.store(kNvicIcpr, 1u << kIrqAdc, 4);
-  EXPECT_EQ(bus.link().nvic.wakes(), kFirstIrq + kIrqAdc) << "ADC2 still asks for it";
+  EXPECT_EQ(bus.link().nvic.wakes(), kFirstIrq + kIrqAdc) << "ADC2 still requests the interrupt";
   EXPECT_EQ(bus.load(second + kAdcDr, 4), 2048u);
   bus.store(kNvicIcpr, 1u << kIrqAdc, 4);
   EXPECT_EQ(bus.link().nvic.wakes(), 0);

@@ -177,7 +177,7 @@ TEST_F(TimersTest, CapturesTheCountAtAnEdgeOfEitherInputOfAPair) {
   edge(kPa0, true, 10);
   edge(kPa0, false, 10);
   edge(kPa0, true, 10);
-  EXPECT_EQ(load(kTim2 + kTimSr) & 1u << 9, 1u << 9) << "one was lost";
+  EXPECT_EQ(load(kTim2 + kTimSr) & 1u << 9, 1u << 9) << "one capture was lost";
 }
 
 TEST_F(TimersTest, CountsAnEncodersEdgesInItsDirection) {

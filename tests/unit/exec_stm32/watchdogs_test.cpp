@@ -81,7 +81,7 @@ TEST_F(WatchdogsTest, TheFlagsOfResetsAddUpUntilTheyAreRemoved) {
   EXPECT_EQ(load(kRccCsr), kLsiOn | kLsiReady);
   store(kScbAircr, 0x05FA0004);
   EXPECT_EQ(cause(), Reset::software);
-  EXPECT_EQ(bus_.next_event(), 0u) << "the processor stops for it";
+  EXPECT_EQ(bus_.next_event(), 0u) << "the processor stops for the reset";
   bus_.reset();
   EXPECT_EQ(cause(), Reset::none);
   EXPECT_EQ(load(kRccCsr), kSoftwareReset | kPinReset);
@@ -91,7 +91,7 @@ TEST_F(WatchdogsTest, TheFlagsOfResetsAddUpUntilTheyAreRemoved) {
   bus_.reset();
   EXPECT_EQ(load(kRccCsr), kIwdgReset | kSoftwareReset | kPinReset);
   pass(1000 * kMs);
-  EXPECT_EQ(cause(), Reset::none) << "it is off behind a reset";
+  EXPECT_EQ(cause(), Reset::none) << "the watchdog is off after a reset";
 }
 
 }  // namespace

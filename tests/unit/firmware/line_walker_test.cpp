@@ -171,7 +171,8 @@ TEST(LineWalkerTest, CountsItsHeadingAnewWhereItBeginsAnew) {
   walk.go({kRight});
   Walk::said.clear();
   walk.tell(walk.walker.begin());
-  EXPECT_EQ(Walk::said.substr(0, 27), "end 0010, heading 2 at 0,0,") << "by the line behind it";
+  EXPECT_EQ(Walk::said.substr(0, 27), "end 0010, heading 2 at 0,0,")
+      << "the heading of the line behind the robot";
 }
 
 TEST(LineWalkerTest, BeginsAcrossALine) {

@@ -53,10 +53,10 @@ INSTANTIATE_TEST_SUITE_P(OnEitherSide, PathFollowerTest, ::testing::Values(Side:
 
 TEST_P(PathFollowerTest, RunsAlongTheEdgeOfItsSide) {
   see(kLine, 50);
-  EXPECT_GT(turn(), 0) << "on the line it steers to its own side, off the line";
+  EXPECT_GT(turn(), 0) << "on the line, the robot steers to the preferred side";
   EXPECT_GT(speed(), 0);
   see(kFarOnly, 50);
-  EXPECT_LT(turn(), 0) << "beside the line it steers back";
+  EXPECT_LT(turn(), 0) << "next to the line, the robot steers back";
   EXPECT_GT(speed(), 0);
   EXPECT_EQ(path.state(), State::following);
 }
@@ -73,7 +73,7 @@ TEST_P(PathFollowerTest, TakesABranchOnItsSide) {
   see_until_change(kLine);
   EXPECT_EQ(path.state(), State::turning);
   see(kLine, 60);
-  EXPECT_EQ(path.state(), State::turning) << "it still stands over the line it came on";
+  EXPECT_EQ(path.state(), State::turning) << "the robot is still over the old line";
   EXPECT_GT(turn(), 0);
   EXPECT_EQ(speed(), 0);
   see(kOffTheEdge, 300);
@@ -128,7 +128,7 @@ TEST_P(PathFollowerTest, TurnsToTheOtherSideWhereTheLineEnds) {
   see(kOffTheEdge, 2);
   EXPECT_LT(turn(), 0);
   see(kOffTheEdge, 600);
-  EXPECT_EQ(path.state(), State::turning) << "until there is a line, however far round";
+  EXPECT_EQ(path.state(), State::turning) << "the robot turns until a sensor sees a line";
   see(kLine, 2);
   EXPECT_EQ(path.state(), State::settling);
   EXPECT_EQ(path.ends(), 1);

@@ -94,7 +94,7 @@ TEST(PonyWalkerTest, KnowsHowLongALineOfMoreThanAMinuteIs) {
   const nav::Landmark end = ride.walker.follow();
   EXPECT_EQ(end.kind, nav::LandmarkKind::end);
   EXPECT_GT(fake::board.now_us - left_us, 66'000'000u) << "beyond 16 bits of ms";
-  EXPECT_NEAR(end.cost, fake::board.now_us / 20'000, 2) << "since it began to look round";
+  EXPECT_NEAR(end.cost, fake::board.now_us / 20'000, 2) << "since the walker began to look around";
 }
 
 TEST(PonyWalkerTest, CountsItsHeadingAnewWhereItBeginsAnew) {
@@ -438,7 +438,7 @@ TEST_F(PonyTest, WaitsWhileItsBumperIsPressedAndAfterFiveSecondsItIsBlocked) {
   EXPECT_TRUE(pony.blocked());
   const auto blocked = fake::board.now_us;
   pony.step(-30, -30);
-  EXPECT_NEAR(fake::board.now_us - blocked, 2'000, 100) << "it waits no more until it is forgiven";
+  EXPECT_NEAR(fake::board.now_us - blocked, 2'000, 100) << "no wait while the pony is blocked";
   pony.forgive();
   EXPECT_FALSE(pony.blocked());
 }

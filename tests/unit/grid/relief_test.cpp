@@ -73,7 +73,7 @@ TEST(Relief, IsRampsProfilesSeesawsAndSurfaces) {
     EXPECT_NEAR(m.course.joints[0].middle.position.x, 0.8, 1e-12);
     EXPECT_NEAR(m.course.joints[0].half_length, 0.0015, 1e-12);
     EXPECT_NEAR(m.course.joints[0].half_width, 0.15, 1e-12);
-    EXPECT_TRUE(m.course.areas.empty()) << "its dark is none of the map's areas";
+    EXPECT_TRUE(m.course.areas.empty()) << "gaps are not areas of the map";
   }
 }
 

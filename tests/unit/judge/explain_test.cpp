@@ -220,10 +220,10 @@ TEST_F(Explain, AFaultOfTheScriptIsNamedWhereItWasThereThen) {
   EXPECT_THAT(why(Verdict::lost),
               HasSubstr("column 3, row 1, 0.30 s after S2 was stuck at 1023 by the script"));
   e.faults[0].began = 3 * kSecond;
-  EXPECT_THAT(why(Verdict::lost), Not(HasSubstr("S2"))) << "it came after the line was lost";
+  EXPECT_THAT(why(Verdict::lost), Not(HasSubstr("S2"))) << "the fault came after the line was lost";
   EXPECT_THAT(why(Verdict::stuck), EndsWith(", 9.00 s after S2 was stuck at 1023 by the script."));
   e.faults[0].ended = 5 * kSecond;
-  EXPECT_THAT(why(Verdict::stuck), Not(HasSubstr("S2"))) << "it was over long before";
+  EXPECT_THAT(why(Verdict::stuck), Not(HasSubstr("S2"))) << "the fault had ended long before";
   EXPECT_THAT(why(Verdict::reached), Not(HasSubstr("S2")));
 }
 
@@ -289,7 +289,7 @@ TEST_F(Explain, ARobotThatNeverMovedIsLookedIntoPinByPin) {
   EXPECT_EQ(next(Verdict::timeout), "the robot never moved; motor pins 5 and 7 stayed LOW");
   e.went_high[7] = true;
   EXPECT_THAT(next(Verdict::timeout), HasSubstr("its motor pins were driven, but not strongly"))
-      << "of two inputs one is low";
+      << "one of the two inputs is low";
   e.went_high[5] = true;
   EXPECT_THAT(next(Verdict::timeout), HasSubstr("not strongly or long enough"));
 }
@@ -320,10 +320,11 @@ TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
   robot_is_at(9 * kSecond, {6, 0}, false, true);
   EXPECT_THAT(next(Verdict::timeout), HasSubstr("steered away"));
   e.steered = 0.4;
-  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << "towards the line, but too late";
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"))
+      << "the robot steered towards the line, but too late";
   e.steered = -0.4;
   e.faults.push_back({});
-  EXPECT_THAT(next(Verdict::lost), Not(HasSubstr("steered away"))) << "a script has broken something";
+  EXPECT_THAT(next(Verdict::lost), Not(HasSubstr("steered away"))) << "the script caused a fault";
 }
 
 TEST_F(Explain, SensorsThatAreReadInSetupOnlyAreToldWhereTheLineIsLost) {
@@ -333,7 +334,8 @@ TEST_F(Explain, SensorsThatAreReadInSetupOnlyAreToldWhereTheLineIsLost) {
   e.sensors_read = 1800 * kMillisecond;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));
   e.sensors_read = kNever;
-  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << "it has none, or reads them by itself";
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"))
+      << "the robot has no sensors, or reads them without the sketch";
 }
 
 TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {

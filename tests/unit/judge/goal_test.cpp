@@ -175,7 +175,7 @@ TEST(Goal, TheFirstLapBeginsWhenTheRobotLeavesItsStart) {
        std::vector<std::pair<int, int>>{{2, 1}, {3, 1}, {3, 2}, {3, 3}, {2, 3}, {1, 3}, {1, 2}, {1, 1}})
     c.visit(x, y);
   ASSERT_EQ(c.progress.laps_s().size(), 1u);
-  EXPECT_NEAR(c.progress.laps_s()[0], 0.071, 0.002) << "8 places, 10 ms at each but the last";
+  EXPECT_NEAR(c.progress.laps_s()[0], 0.071, 0.002) << "10 ms at each of 8 places except the last";
 }
 
 TEST(Goal, ARobotThatRestsWhereItJustCoversAStationHasVisitedIt) {
@@ -192,7 +192,7 @@ TEST(Goal, ARobotThatRestsWhereItJustCoversAStationHasVisitedIt) {
 
 TEST(Goal, StationWantsRestThere) {
   Course c(kFork, "station:2");
-  EXPECT_FALSE(c.wait(2 * kSecond)) << "it rests at the start";
+  EXPECT_FALSE(c.wait(2 * kSecond)) << "the robot rests at the start";
   EXPECT_FALSE(c.visit(3, 1));
   const Vec2 two = c.progress.stations()[1].centre;
   c.body.place({two, {1.0, 0.0}});

@@ -20,7 +20,7 @@ void expect(const std::string& robot, const std::vector<std::string>& boards, co
             const std::string& replaced) {
   const FittedRobot result = fit_robot(robot, boards, describe);
   EXPECT_EQ(result.robot, fitted);
-  EXPECT_EQ(result.info.name, fitted) << "it must be the fitted robot that is described";
+  EXPECT_EQ(result.info.name, fitted) << "the info describes the fitted robot";
   EXPECT_EQ(result.own_board, replaced);
 }
 

@@ -94,7 +94,7 @@ TEST(Fleet, IsOneResultThatNamesTheFirstRobotThatFailed) {
   result.time_s = 3.0;
   result.serial = "a";
   result.metrics.collisions = 1;
-  EXPECT_EQ(whole_of(result, request).time_s, 3.0) << "one robot stays as it is";
+  EXPECT_EQ(whole_of(result, request).time_s, 3.0) << "a single robot's result is unchanged";
   result.others.assign(2, result);
   result.others[0].time_s = 5.0;
   result.others[0].serial = "b";

@@ -107,7 +107,8 @@ TEST_F(Sketch, HasAMutationForEachOperatorAtItsPlace) {
                             "constant 100UL -> 101UL", "constant 100UL -> 200UL",
                             "arithmetic += -> -=", "statement edges += 2 -> ", "returned v < 10 -> !(v < 10)",
                             "relational < -> <=", "constant 10 -> 9", "constant 3 -> 4"}));
-  EXPECT_THAT(changes("S.ino"), Not(Contains("arguments 3, OUTPUT -> OUTPUT, 3"))) << "they are of two types";
+  EXPECT_THAT(changes("S.ino"), Not(Contains("arguments 3, OUTPUT -> OUTPUT, 3")))
+      << "the arguments have different types";
 }
 
 TEST_F(Sketch, IsChangedAtTheLineThatIsSaidInEachOfItsFiles) {
@@ -155,7 +156,7 @@ TEST_F(Sketch, HasHarmlessChanges) {
   const std::vector<Mutation> all = controls(tree());
   EXPECT_EQ(first_of(all, "order").now, "pinMode(4, OUTPUT);\n  pinMode(3, OUTPUT)");
   EXPECT_EQ(first_of(all, "delay").now, "{ delay(1);");
-  for (const Mutation& one : all) EXPECT_NE(one.kind, "name") << "sum is also the macro's";
+  for (const Mutation& one : all) EXPECT_NE(one.kind, "name") << "the macro also uses sum";
 }
 
 TEST_F(Sketch, HasALocalVariableThatMayHaveAnotherName) {

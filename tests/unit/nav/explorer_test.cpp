@@ -280,8 +280,8 @@ TEST(Explorer, SaysThatTheStorageIsFullIfItCannotKeepTheFirstJunction) {
   Map map;
   const Landmark line{LandmarkKind::line, 0, 0, {0, 0}, 0},
       far{LandmarkKind::junction, 0b1110, 0, {40000, 0}, 9};
-  EXPECT_EQ(scripted({far}, map), ScanState::full) << "begun on it";
-  EXPECT_EQ(scripted({line, far}, map), ScanState::full) << "begun on a line to it";
+  EXPECT_EQ(scripted({far}, map), ScanState::full) << "start on the junction";
+  EXPECT_EQ(scripted({line, far}, map), ScanState::full) << "start on a line to the junction";
   EXPECT_EQ(map.size(), 0);
 }
 
@@ -294,7 +294,8 @@ TEST(Explorer, IsLostRatherThanLedAstray) {
   EXPECT_EQ(scripted({start, {LandmarkKind::junction, 0, 0, {9, 0}, 9}}, map), ScanState::lost) << "no arms";
   EXPECT_EQ(scripted({{LandmarkKind::junction, 0, 0, {9, 0}, 9}}, map), ScanState::lost) << "no arms";
   EXPECT_EQ(scripted({start, fork, stop, stop}, map), ScanState::lost) << "a station instead of the junction";
-  EXPECT_EQ(scripted({start, fork, fork}, map), ScanState::lost) << "the junction by an arm that is taken";
+  EXPECT_EQ(scripted({start, fork, fork}, map), ScanState::lost)
+      << "arrival by an arm that is already connected";
   EXPECT_EQ(scripted({start, {LandmarkKind::loop, 0, 0, {9, 0}, 9}}, map), ScanState::lost);
   EXPECT_EQ(scripted({start, {LandmarkKind::junction, 0b1110, 0, {40000, 0}, 9}}, map), ScanState::lost)
       << "too far away for the storage, and no way back in the script";

@@ -131,7 +131,7 @@ TEST(FixedNetwork, Holds64JunctionsInACycleAndRefusesOneMore) {
   EXPECT_FALSE(map.isTree());
   Floor more = ring(65);
   EXPECT_EQ((explore<SeeingWalker>(more, {{65, 2}}, map)), nav::ScanState::full);
-  EXPECT_TRUE(map.isTree()) << "the line that would have closed it is not known";
+  EXPECT_TRUE(map.isTree()) << "the line that closes the ring is not known";
 }
 
 TEST(FixedNetwork, Holds64JunctionsWithFourArmsAllJoined) {

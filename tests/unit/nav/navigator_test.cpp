@@ -199,7 +199,7 @@ TEST(Navigator, RefusesToBeRestoredWhereTheFloorIsAnother) {
 
   SeeingWalker elsewhere(floor, {{1, 0}});
   nav::Navigator<SeeingWalker, Map, nav::ClimbPlanner> other(elsewhere, robot.network);
-  EXPECT_FALSE(other.restore(1, 2)) << "the junction's arms are others if it faces so";
+  EXPECT_FALSE(other.restore(1, 2)) << "the junction's arms do not match this heading";
 }
 
 TEST(Navigator, RefusesUnknownDestinationsAndIsThereAtOnceWhereItIs) {
@@ -305,7 +305,8 @@ TEST(Navigator, SaysWhenItIsTrappedOrLost) {
   EXPECT_EQ(scripted({junction, end}), NavState::arrived);
   EXPECT_EQ(scripted({blocked, blocked}), NavState::trapped);
   EXPECT_EQ(scripted({blocked, end}), NavState::no_way);
-  EXPECT_EQ(scripted({junction, blocked, junction}), NavState::lost) << "comes back facing as before";
+  EXPECT_EQ(scripted({junction, blocked, junction}), NavState::lost)
+      << "back at the junction with the heading unchanged";
   EXPECT_EQ(scripted({end}), NavState::lost) << "a station instead of the junction";
   EXPECT_EQ(scripted({{LandmarkKind::junction, 0b0111, 1, {100, 0}, 10}, end}), NavState::lost)
       << "facing wrongly";

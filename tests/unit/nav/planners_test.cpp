@@ -328,7 +328,7 @@ TEST(Planners, RefuseUnknownNodesAndTooLittleMemory) {
     EXPECT_EQ(path.size(), 1);
     EXPECT_EQ(path[0], 3);
     EXPECT_EQ(planner(map, unknown, 3, path, work), Plan::unknown_node);
-    EXPECT_EQ(path.size(), 0) << "no way is left of the one before";
+    EXPECT_EQ(path.size(), 0) << "the previous path is deleted";
   };
   check("bfs", PLANNER(bfs), true);
   check("dfs", PLANNER(dfs), true);
@@ -379,7 +379,7 @@ TEST(Planners, FindTheCheapestWayWhateverTheirMemoryHeld) {
 TEST(ParentTable, RefusesAParentThatIsNotBeforeItsChildAndOneNodeTooMany) {
   nav::ParentTable<3> parents;
   parents.clear();
-  EXPECT_FALSE(parents.add(0)) << "the first has none";
+  EXPECT_FALSE(parents.add(0)) << "the first node has no parent";
   EXPECT_TRUE(parents.add(0xFF));
   EXPECT_FALSE(parents.add(1));
   EXPECT_TRUE(parents.add(0));
@@ -416,7 +416,7 @@ TEST(DijkstraNext, HalvesCostsThatAreTooLongForSixteenBits) {
   EXPECT_EQ(dijkstra.next(ring, 0, 63), 63);
   EXPECT_EQ(dijkstra.next(ring, 0, 31), 1);
   EXPECT_EQ(dijkstra.next(ring, 0, 33), 63);
-  EXPECT_EQ(plan(PLANNER(dijkstra), ring, 0, 63).way, (Way{0, 63})) << "sums that are too large stay so";
+  EXPECT_EQ(plan(PLANNER(dijkstra), ring, 0, 63).way, (Way{0, 63})) << "sums that are too large saturate";
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(BoardNames, AnotherBoardWithTheChipAndTheClockStandsIn) {
   EXPECT_EQ(board(board_with_chip("atmega328p", "MiniCore:avr:328:clock=20MHz_external")), "none");
   EXPECT_EQ(board(board_with_chip("atmega2560", "MegaCore:avr:2560:clock=16MHz_external")), "mega");
   EXPECT_EQ(board(board_with_chip("atmega1284p", "MightyCore:avr:1284")), "none");
-  EXPECT_EQ(board(board_with_chip("", "MiniCore:avr:328")), "none") << "the file does not say";
+  EXPECT_EQ(board(board_with_chip("", "MiniCore:avr:328")), "none") << "the file names no chip";
 }
 
 TEST_F(ProjectTest, AStandInIsRemarkedOnceItIsNeeded) {

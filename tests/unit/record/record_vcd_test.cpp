@@ -155,7 +155,7 @@ TEST_F(Vcd, IsInTheOrderOfTimeAndHoldsEachChangeOnceHoweverLongItIs) {
     }
   }
   EXPECT_EQ(changes, kChanges);
-  EXPECT_EQ(edges, kChanges - 899) << "those before the run began have no time of their own";
+  EXPECT_EQ(edges, kChanges - 899) << "changes before the run have no time of their own";
 }
 
 TEST_F(Vcd, AChangeThatIsToldTooLateToBePutInOrderStandsWhereItWasTold) {

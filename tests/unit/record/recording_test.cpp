@@ -262,8 +262,8 @@ TEST_F(ARecording, IsThinnedALittleAtATimeAndHoldsWhatItWouldHoldOtherwise) {
     for (Gatherer* both : {&slowly, &at_once}) both->add(piece);
     most_at_a_time = std::max(most_at_a_time, unpacked_bytes - before);
   }
-  EXPECT_GT(unpacked_bytes, kMost_bytes * 3 / 4) << "all that came before the limit";
-  EXPECT_LT(most_at_a_time, kMost_bytes / 10) << "as long as it takes, the run waits";
+  EXPECT_GT(unpacked_bytes, kMost_bytes * 3 / 4) << "everything before the limit";
+  EXPECT_LT(most_at_a_time, kMost_bytes / 10) << "each step unpacks only a small part";
   EXPECT_EQ(slowly.content({}), at_once.content({}));
   EXPECT_EQ(slowly.header().thinned_ns, Gatherer::kThinned_ns);
 }

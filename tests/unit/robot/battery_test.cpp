@@ -62,7 +62,7 @@ TEST(Battery, WhoseVoltsAScriptSaysDoesNotSagUntilThatIsOver) {
   bench.robot.set_battery(5.0);
   EXPECT_FALSE(bench.robot.fed_volts());
   bench.robot.set_battery(bench.robot.battery());
-  EXPECT_FALSE(bench.robot.fed_volts()) << "the healthy one's volts are volts like others";
+  EXPECT_FALSE(bench.robot.fed_volts()) << "a script may also set a healthy battery's voltage";
   bench.robot.set_battery(std::nullopt);
   bench.ticks(1);
   EXPECT_NEAR(*bench.robot.fed_volts(), 8.34, 0.01);

@@ -92,7 +92,7 @@ TEST(Bluetooth, TellsLineByLineWhatTheSketchSends) {
   bench.ticks(150);
   EXPECT_THAT(told(bench), IsEmpty());
   bench.ticks(100);
-  EXPECT_THAT(told(bench), ElementsAre("bt: 123")) << "nothing more has come for 200 ms";
+  EXPECT_THAT(told(bench), ElementsAre("bt: 123")) << "the line ends after 200 ms without a byte";
 }
 
 TEST(Bluetooth, HearsGarbageAtAnotherBaudRate) {

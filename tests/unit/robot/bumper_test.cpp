@@ -29,7 +29,7 @@ TEST(Bumper, IsPressedByWhatStandsAheadAndReleasedBehindIt) {
   EXPECT_TRUE(crash.bench.body().in_contact());
   EXPECT_FALSE(crash.bench.level(4));
   crash.drive(0.0);
-  EXPECT_FALSE(crash.bench.level(4)) << "it stands against it";
+  EXPECT_FALSE(crash.bench.level(4)) << "the robot still touches the disc";
   crash.drive(-0.1);
   EXPECT_TRUE(crash.bench.level(4));
 }

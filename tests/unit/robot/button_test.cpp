@@ -77,7 +77,7 @@ TEST(Button, BouncesInTheTypicalProfileAndSettles) {
     bool level = true;
     for (SimTime t = 0; t < 2 * kMillisecond; t += kMicrosecond)
       if (bench.board.read_level(4, t) != level) level = !level, ++changes;
-    EXPECT_EQ(changes % 2, 1) << "it ends pressed";
+    EXPECT_EQ(changes % 2, 1) << "the button ends up pressed";
     EXPECT_FALSE(bench.board.read_level(4, 2 * kMillisecond));
     bounced += changes > 1;
   }
@@ -135,7 +135,7 @@ pin = 11
 )");
   const auto value = [&](std::size_t i) { return bench.robot.readings().at(i).value; };
   EXPECT_EQ(value(0), 0.0);
-  EXPECT_EQ(value(1), 0.0) << "a pin that nobody drives lights nothing";
+  EXPECT_EQ(value(1), 0.0) << "an LED on an undriven pin is off";
   bench.board.output(13, true, 0);
   bench.board.pwm(9, 0.25, 0);
   bench.board.output(11, true, 0);

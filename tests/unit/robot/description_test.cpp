@@ -314,7 +314,7 @@ TEST_F(AnotherBoard, TakesThePlaceOfTheFilesOwn) {
   EXPECT_EQ(robot.name, "mine@bluepill");
   EXPECT_NE(robot.sha256, own.sha256);
   EXPECT_EQ(own.budget.flash_bytes, 20000);
-  EXPECT_EQ(robot.budget.flash_bytes, 0) << "another chip's programs have another size";
+  EXPECT_EQ(robot.budget.flash_bytes, 0) << "the budget holds for one chip only";
   ASSERT_EQ(robot.parts.size(), own.parts.size());
   for (std::size_t i = 0; i < own.parts.size(); ++i)
     for (std::size_t k = 0; k < own.parts[i]->wires.size(); ++k)
@@ -415,8 +415,8 @@ TEST(StockRobots, Uno5ReachesSixtyCentimetresPerSecondWithEverySeed) {
 TEST(StockRobots, OuterSensorsOfUno3AreOffACentredLineButNearIt) {
   for (const SensorPlace& sensor : describe(load_description("uno3")).sensors) {
     if (sensor.name == "middle_sensor") continue;
-    EXPECT_GT(std::abs(sensor.at.y), 0.0125) << "off a line of 20 mm with a footprint of 5 mm";
-    EXPECT_LT(std::abs(sensor.at.y), 0.025) << "or the line could hide between two sensors";
+    EXPECT_GT(std::abs(sensor.at.y), 0.0125) << "the 5 mm footprint is off the 20 mm line";
+    EXPECT_LT(std::abs(sensor.at.y), 0.025) << "otherwise the line could hide between two sensors";
   }
 }
 

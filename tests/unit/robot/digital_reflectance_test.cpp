@@ -125,7 +125,7 @@ TEST_F(RcReflectance, ItsFallIsAnEdgeInTheTickInWhichItHappens) {
   bench.board.edges_wanted = true;
   bench.board.output(kA0, true, 0);
   bench.board.input(kA0, false, 10 * kMicrosecond);
-  EXPECT_TRUE(bench.board.edges.empty()) << "it falls two ticks later";
+  EXPECT_TRUE(bench.board.edges.empty()) << "the pin falls two ticks later";
   bench.ticks(3);
   EXPECT_THAT(bench.board.edges, ::testing::ElementsAre(FakeBoard::Edge{kA0, false, 2510 * kMicrosecond}));
 }

@@ -81,7 +81,7 @@ TEST(LcdPart, TellsWhatItShowsWhenThatHasStayed) {
   EXPECT_THAT(told(lcd.bench, 80), ElementsAre("Hello, world|Lap 2"));
   lcd.write(false, 0x80 | 7);
   lcd.print("world");
-  EXPECT_THAT(told(lcd.bench, 80), IsEmpty()) << "the same again is nothing new";
+  EXPECT_THAT(told(lcd.bench, 80), IsEmpty()) << "repeated text is not reported";
   lcd.write(false, 0x08);
   EXPECT_THAT(told(lcd.bench, 80), ElementsAre(" ")) << "switched off";
 }
@@ -128,10 +128,11 @@ TEST(Ws2812, ShowsTheColoursAfterAReset) {
   EXPECT_EQ(bench.robot.readings().at(0).value, 2.0);
   t = shift(bench, bench.now, 0x00FF00);
   shift(bench, t, 0x800000);
-  EXPECT_THAT(told(bench, 60), IsEmpty()) << "the same again";
+  EXPECT_THAT(told(bench, 60), IsEmpty()) << "repeated colours are not reported";
   t = bench.now;
   for (int i = 0; i < 4; ++i) t = shift(bench, t, 0x010203);
-  EXPECT_THAT(told(bench, 60), ElementsAre("020103 020103 020103")) << "a fourth goes past the strip's end";
+  EXPECT_THAT(told(bench, 60), ElementsAre("020103 020103 020103"))
+      << "a fourth colour goes past the strip's end";
 }
 
 TEST(CurrentSensor, TellsWhatTheMotorsDraw) {

@@ -53,7 +53,7 @@ TEST(HcSr04, TellsTheWayToTheWallByItsEcho) {
   bench.ticks(60);
   trigger(bench, bench.now);
   EXPECT_NEAR(echo(bench) * 343.0 / 2.0, 0.3 - 0.033 - 0.06, 0.0005);
-  EXPECT_NEAR(bench.robot.readings().back().value, 20.7, 1e-9) << "what is shown is in cm";
+  EXPECT_NEAR(bench.robot.readings().back().value, 20.7, 1e-9) << "readings are in cm";
 }
 
 TEST(HcSr04, RisesAndFallsWhenInterruptsSeeIt) {
@@ -92,7 +92,7 @@ TEST(HcSr04, DoesNotHearATriggerBeforeItsEchoIsOver) {
   const double way = to_edge(bench) - 0.06;
   bench.world.add_obstacle(bench.line() + Vec2{0.2, 0.0}, 0.033);
   trigger(bench, bench.now);
-  EXPECT_NEAR(echo(bench) * 343.0 / 2.0, way, 0.1) << "the first one goes on";
+  EXPECT_NEAR(echo(bench) * 343.0 / 2.0, way, 0.1) << "the first measurement continues";
   bench.tick();
   EXPECT_EQ(echo(bench), 0.0);
 }
@@ -223,7 +223,7 @@ range = "10 cm"
   bench.world.remove_obstacle(can);
   bench.world.add_obstacle(bench.line() + Vec2{0.06 + 0.033 + 0.105, 0.0}, 0.033);
   bench.tick();
-  EXPECT_FALSE(bench.level(4)) << "it lets go a little farther away";
+  EXPECT_FALSE(bench.level(4)) << "it switches off slightly farther away";
   bench.body().place({bench.line() - Vec2{0.02, 0.0}, {1.0, 0.0}});
   bench.tick();
   EXPECT_TRUE(bench.level(4));

@@ -26,7 +26,7 @@ TEST(Electronics, WithoutThemTheSupplyNeverSinks) {
 TEST(Electronics, ABatteryReadsHigherWhereTheReferenceSinksWithIt) {
   BenchRobot bench(electronics("fed_by_battery = true\n"));
   bench.robot.set_battery(7.0);
-  EXPECT_DOUBLE_EQ(bench.volts(kA0), 3.5) << "5 V are left";
+  EXPECT_DOUBLE_EQ(bench.volts(kA0), 3.5) << "the reference is still 5 V";
   bench.robot.set_battery(5.8);
   EXPECT_NEAR(bench.volts(kA0), 2.9 / 4.0 * 5.0, 1e-12);
 }

@@ -606,7 +606,7 @@ TEST(Fidelity, TheLedgerSaysWhatOursAreAndWhyAnyIsOff) {
   ASSERT_NE(to, std::string::npos);
   const std::string wanted = page.substr(0, from + begin.size()) + table + page.substr(to);
   if (std::getenv("ROBOSIM_WRITE_DOCS")) write_file(file, wanted);
-  EXPECT_EQ(read_file(file), wanted) << "write it anew with ROBOSIM_WRITE_DOCS=1 and this test";
+  EXPECT_EQ(read_file(file), wanted) << "regenerate it with ROBOSIM_WRITE_DOCS=1 and this test";
 }
 
 }  // namespace

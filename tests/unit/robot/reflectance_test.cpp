@@ -143,14 +143,14 @@ TEST(AnalogReflectance, SeesTheBrightnessOfTheFloor) {
   EXPECT_NE(bright, 1.0);
   EXPECT_NEAR(bench.volts(kA0), 4.5 - 4.0 * bright, 1e-9);
   place_beside_line(bench, 0.0);
-  EXPECT_DOUBLE_EQ(bench.volts(kA0), 4.5) << "the line is even";
+  EXPECT_DOUBLE_EQ(bench.volts(kA0), 4.5) << "the line's reflectance does not vary";
 }
 
 TEST(AnalogReflectance, TheEmitterPinTurnsTheLightOff) {
   BenchRobot bench(reflectance_sensor("emitter = 3\n"));
   place_beside_line(bench, 0.03);
   const double lit = bench.volts(kA0);
-  EXPECT_LT(lit, 1.0) << "nobody drives the pin: the emitter is on";
+  EXPECT_LT(lit, 1.0) << "the pin is not driven: the emitter is on";
   bench.board.output(3, false, 0);
   EXPECT_GT(bench.volts(kA0), 4.0);
   bench.board.output(3, true, 0);
@@ -282,7 +282,7 @@ TEST(ReflectanceFaults, UnknownWordsSayWhatThereIs) {
   EXPECT_THAT(message("eye", "dead", {"3"}), ::testing::HasSubstr("expected nothing after it"));
   EXPECT_EQ(message("eye", "stuck", {"512"}), "accepted");
   place_beside_line(bench, 0.03);
-  EXPECT_LT(bench.volts(kA0), 1.0) << "checking breaks nothing";
+  EXPECT_LT(bench.volts(kA0), 1.0) << "the checks have no effect";
 }
 
 TEST(Reflectance, WhatIsShownDoesNotDependOnWhetherTheLineWasSoughtBefore) {
@@ -292,7 +292,7 @@ TEST(Reflectance, WhatIsShownDoesNotDependOnWhetherTheLineWasSoughtBefore) {
     const auto shown = [](BenchRobot& bench) { return bench.robot.readings().front().value; };
     for (const double aside : {0.0, 0.009, 0.011, 0.013, 0.03}) {
       for (BenchRobot* bench : {&seeks, &never}) place_beside_line(*bench, aside);
-      EXPECT_EQ(shown(seeks), shown(never)) << "it was sought where the robot no longer is";
+      EXPECT_EQ(shown(seeks), shown(never)) << "the robot has moved since the last search";
       seeks.robot.line_side();
       EXPECT_EQ(shown(seeks), shown(never)) << aside;
     }

@@ -62,7 +62,7 @@ TEST(SerialRadio, ReachesTheOthersAfterItsDelay) {
   ASSERT_EQ(pair.heard(), 1u);
   EXPECT_EQ(pair.board_b.edges[0].pin, 2);
   EXPECT_NEAR(static_cast<double>(pair.board_b.edges[0].at - sent), 29e6, 2e6);
-  EXPECT_TRUE(pair.board_a.edges.empty()) << "it does not hear itself";
+  EXPECT_TRUE(pair.board_a.edges.empty()) << "a radio does not receive its own bytes";
 }
 
 TEST(SerialRadio, LosesItsShareOfTheBytesTheSameOnesForTheSameSeed) {

@@ -139,7 +139,7 @@ TEST(WheelServo, DrivesTheRobot) {
   both(bench, 2000, 1300, 10);
   EXPECT_GT(bench.body().speed(), 0.5);
   both(bench, 1500, 1500, 20);
-  EXPECT_NEAR(bench.body().speed(), 0.0, 1e-3) << "a servo that is told to stand still brakes";
+  EXPECT_NEAR(bench.body().speed(), 0.0, 1e-3) << "a servo commanded to stop brakes";
 }
 
 TEST(WheelServo, RollsOutWhenThePulsesEnd) {

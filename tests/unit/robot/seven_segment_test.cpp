@@ -32,7 +32,7 @@ TEST(SevenSegment, ReadsTheTenFiguresDarknessAndAnythingElse) {
 
 TEST(SevenSegment, WithACommonAnodeALowPinLights) {
   BenchRobot bench(digit("anode"));
-  EXPECT_EQ(shown(bench), -1) << "nobody drives a segment yet";
+  EXPECT_EQ(shown(bench), -1) << "no segment is driven yet";
   drive(bench, 0x7F & ~0x5Bu);
   EXPECT_EQ(shown(bench), 2);
 }

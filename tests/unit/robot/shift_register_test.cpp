@@ -72,7 +72,7 @@ TEST(ShiftRegister, ShowsWhatWasShiftedInOnlyWhenItIsLatched) {
   bench.shift(0x3, 3, 0);
   EXPECT_EQ(bench.shown("REG1"), 0xA5u);
   bench.latch(0);
-  EXPECT_EQ(bench.shown("REG1"), 0x2Bu) << "three bits moved the others on";
+  EXPECT_EQ(bench.shown("REG1"), 0x2Bu) << "the other bits moved by three";
 }
 
 TEST(ShiftRegister, TheFirstByteEndsUpInTheLastRegisterOfTheChain) {

@@ -71,8 +71,8 @@ TEST(Steering, IsToldWithWhatADrawingNeeds) {
   EXPECT_NEAR(one.limit, 25.0 * kDegree, 1e-9);
   const SteeredWheels two = car_of(", limit = \"25 deg\", wheels = 2", reversed);
   EXPECT_EQ(two.wheels, 2);
-  EXPECT_NEAR(two.ratio, -1.0, 1e-9) << "longer pulses turn it to the right";
-  EXPECT_LT(two.limit, one.limit) << "the limit is that of the inner wheel";
+  EXPECT_NEAR(two.ratio, -1.0, 1e-9) << "longer pulses steer to the right";
+  EXPECT_LT(two.limit, one.limit) << "the limit applies to the inner wheel";
 }
 
 TEST(Steering, TurnsAsFastAsItsServoUpToItsLimit) {

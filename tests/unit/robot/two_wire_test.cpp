@@ -185,9 +185,9 @@ TEST(Mpu6050, FeelsHowAHandTiltsTheRobot) {
   bench.body().tilt({{0.5, 0.0}, 0.866025, {100 * degree, 0.0}});
   bench.ticks(5);
   EXPECT_NEAR(at(0x3B), 0, 1);
-  EXPECT_NEAR(at(0x3D), 8192, 1) << "its y axis points back, which is up";
+  EXPECT_NEAR(at(0x3D), 8192, 1) << "the sensor's y axis points back, which is up";
   EXPECT_NEAR(at(0x3F), 14189, 1);
-  EXPECT_NEAR(at(0x43), 13100, 1) << "a turn about the axis to the left, by the right hand";
+  EXPECT_NEAR(at(0x43), 13100, 1) << "a turn about the left axis, by the right-hand rule";
   EXPECT_NEAR(at(0x45), 0, 1);
   bench.body().tilt({{0.0, 1.0}, 0.0, {0.0, 0.0}});  // on its left side, at rest
   bench.ticks(5);
@@ -251,7 +251,7 @@ TEST(Pca9685, DrivesWhatHangsOnItsChannels) {
   bench.send(0x40, {0xFE, 121});                     // 50 Hz
   bench.send(0x40, {0x42, 0x00, 0x00, 0xEC, 0x01});  // channel 15: 492 of 4096, 2.4 ms
   bench.ticks(400);
-  EXPECT_NEAR(reading("arm"), 90.0, 1e-9) << "it sleeps";
+  EXPECT_NEAR(reading("arm"), 90.0, 1e-9) << "the chip sleeps";
   bench.send(0x40, {0x00, 0x20});
   bench.ticks(400);
   EXPECT_NEAR(reading("arm"), 180.0, 0.5);

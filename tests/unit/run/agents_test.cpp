@@ -81,9 +81,9 @@ TEST_F(AgentsTest, CollideOnOneFloorAndEachHasItsOwnGoalAndVerdict) {
   ASSERT_EQ(outcomes.size(), 2u);
   EXPECT_EQ(outcomes[0].verdict, judge::Verdict::reached) << outcomes[0].why;
   EXPECT_EQ(outcomes[1].verdict, judge::Verdict::timeout) << outcomes[1].why;
-  EXPECT_EQ(outcomes[1].time, 20 * kSecond) << "it goes on when the other has its verdict";
-  EXPECT_GT(outcomes[0].time, alone.time) << "it had to push the other out of its way";
-  EXPECT_GT(outcomes[1].metrics.distance_m, 0.01) << "it was pushed";
+  EXPECT_EQ(outcomes[1].time, 20 * kSecond) << "the run continues after the other robot's verdict";
+  EXPECT_GT(outcomes[0].time, alone.time) << "the first robot had to push the second one away";
+  EXPECT_GT(outcomes[1].metrics.distance_m, 0.01) << "the second robot was pushed";
   ASSERT_THAT(moving.kinds(), ElementsAre("collision_began", "lap_done"));
   ASSERT_THAT(standing.kinds(), Contains("collision_began"));
   EXPECT_EQ(moving.events[0].agent, 0);
@@ -130,7 +130,7 @@ TEST_F(AgentsTest, MeetInTheSameWayWhoeverIsNamedFirst) {
     EXPECT_GT(outcomes[1].metrics.collisions, 0);
     return outcomes[0].trace_hash + " " + outcomes[1].trace_hash;
   };
-  EXPECT_EQ(hashes(false), hashes(true)) << "without noise, which is drawn by number";
+  EXPECT_EQ(hashes(false), hashes(true)) << "without noise, which depends on the robot's number";
 }
 
 TEST_F(AgentsTest, HaveScriptsThatBreakTheirOwnPartsOnly) {

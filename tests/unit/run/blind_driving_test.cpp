@@ -87,7 +87,7 @@ std::vector<wire::Detected> detected(exec::Executor& firmware, SimTime limit, bo
 TEST(BlindDriving, IsWhoLosesTheLineBetweenTwoLooks) {
   Distracted firmware(700 * kMillisecond, false);
   const auto found = detected(firmware, 10 * kSecond);
-  ASSERT_THAT(found, SizeIs(1)) << "one place, however often";
+  ASSERT_THAT(found, SizeIs(1)) << "one finding for all occurrences at one line";
   EXPECT_EQ(found[0].detector, "blind");
   EXPECT_EQ(found[0].where.file, "A.ino");
   EXPECT_EQ(found[0].where.line, 9);

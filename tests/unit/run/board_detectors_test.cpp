@@ -100,7 +100,7 @@ TEST(BoardDetectors, TellOfAnalogWriteOnAPinWithoutPwmByTheCallThatChangesIt) {
   EXPECT_THAT(found[0].what, HasSubstr("analogWrite(7, 150)"));
   EXPECT_THAT(pins_of("analogWrite(7, 255)", 7), IsEmpty());
   EXPECT_THAT(pins_of("digitalWrite(7, 1)", 7), IsEmpty());
-  EXPECT_THAT(pins_of("analogWrite(5, 150)", 5), IsEmpty()) << "which has PWM";
+  EXPECT_THAT(pins_of("analogWrite(5, 150)", 5), IsEmpty()) << "pin 5 has PWM";
 }
 
 TEST(BoardDetectors, TellOfAPinThatIsReadBeforeItsWeakSourceHasChargedTheConverter) {
@@ -116,7 +116,7 @@ TEST(BoardDetectors, TellOfAPinThatIsReadBeforeItsWeakSourceHasChargedTheConvert
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_THAT(found[0].what, HasSubstr("A1 was read up to 0.30 V too high"));
   EXPECT_EQ(found[0].where.file, "A.ino");
-  EXPECT_EQ(found[0].times, 3) << "of the last nobody knows yet";
+  EXPECT_EQ(found[0].times, 3) << "the last reading is not yet known to be wrong";
   EXPECT_THAT(found_in({{14, 0.0}, {15, 0.3}, {15, 0.1}, {15, 0.03}}), IsEmpty()) << "read again";
   EXPECT_THAT(found_in({{14, 0.0}, {15, 0.03}}), IsEmpty()) << "less than 8 steps";
 }

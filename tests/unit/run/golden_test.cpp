@@ -68,7 +68,7 @@ TEST(Golden, TheProfileIdealIsFrozen) {
   EXPECT_EQ(outcome.verdict, judge::Verdict::reached) << outcome.why;
   EXPECT_EQ(outcome.trace_hash, "1:945f5f47cca2c19e");
   EXPECT_EQ(outcome.trace_hash, follow("oval", robot::Profile::ideal, 2).trace_hash)
-      << "no seed matters without noise";
+      << "without noise, the seed has no effect";
 }
 
 TEST(Golden, AnotherSeedIsAnotherRunAndTheSameSeedTheSame) {

@@ -190,7 +190,7 @@ int changes_of(const std::string& other_start) {
 
 TEST(RobotsThatAreApart, GoATenthOfASecondAtAStretch) {
   EXPECT_EQ(changes_of("10,24,E"), 10);
-  EXPECT_EQ(changes_of("12,7,E"), 1000) << "so near that they might meet";
+  EXPECT_EQ(changes_of("12,7,E"), 1000) << "the robots are near enough to meet";
 }
 
 }  // namespace

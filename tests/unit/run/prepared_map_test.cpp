@@ -46,7 +46,7 @@ TEST_F(SceneryTest, IsWhatASimulationWouldMakeItself) {
         auto prepared_map = std::make_unique<PreparedMap>(map_);
         prepared_map->prepare(0, prepared);
         expect_same(follow(mission, seed, &prepared_map), follow(mission, seed, nullptr));
-        EXPECT_FALSE(prepared_map) << "it is taken";
+        EXPECT_FALSE(prepared_map) << "the run takes the prepared map";
       }
 }
 

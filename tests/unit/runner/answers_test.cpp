@@ -85,7 +85,7 @@ TEST(Answers, AStandstillSaysWhyItStandsAndWhereItWasWorst) {
   EXPECT_TRUE(paused.driven);
   EXPECT_EQ(paused.serial_bytes, 42u);
   EXPECT_EQ(paused.metrics.collisions, 3);
-  EXPECT_FALSE(paused.resources) << "this is no chip";
+  EXPECT_FALSE(paused.resources) << "the executor is not a chip";
   EXPECT_EQ(paused.sample.t_us, 12'000);
 }
 

@@ -88,7 +88,7 @@ class WaysTest : public ::testing::Test {
     ASSERT_EQ(result.ways.size() + 1, request_.ways->scripts.size());
     for (std::size_t way = 0; way < request_.ways->scripts.size(); ++way)
       EXPECT_EQ(line_of(way == 0 ? result : result.ways[way - 1]), whole(request_.ways->scripts[way])) << way;
-    EXPECT_NE(result.trace_hash, result.ways.front().trace_hash) << "the ways make no difference";
+    EXPECT_NE(result.trace_hash, result.ways.front().trace_hash) << "the branches make no difference";
   }
 
   test::TemporaryFolder folder_;

@@ -85,7 +85,7 @@ TEST(FileIdentity, IsTrustedOnceTheClockOfItsFileSystemHasGoneOn) {
   const FileIdentity coarse = {1, 2, 3, 500, 0, 498, 223'456'789};
   EXPECT_FALSE(is_settled(coarse, 502 * kSecond));
   EXPECT_TRUE(is_settled(coarse, 504 * kSecond));
-  EXPECT_FALSE(is_settled(fine, 400 * kSecond)) << "of a clock that is ahead of ours";
+  EXPECT_FALSE(is_settled(fine, 400 * kSecond)) << "the file system's clock is ahead";
 }
 
 TEST_F(ReadingAhead, SoIsAChangeInARobotOrItsBase) {
@@ -99,7 +99,7 @@ TEST_F(ReadingAhead, SoIsAChangeInARobotOrItsBase) {
   ASSERT_TRUE(read());
   EXPECT_NE(read()->sha256, before);
   std::filesystem::remove(base_);
-  EXPECT_FALSE(read()) << "the run says what is missing";
+  EXPECT_FALSE(read()) << "the run reports the missing file";
 }
 
 TEST_F(ReadingAhead, AMapIsReadOnceAndStandsAsSimulationsFindIt) {
@@ -109,9 +109,9 @@ TEST_F(ReadingAhead, AMapIsReadOnceAndStandsAsSimulationsFindIt) {
   EXPECT_TRUE(map->prepared_map);
   EXPECT_EQ(map->sha256, grid::sha256_of_map(map_));
   request_.seed = 2;
-  EXPECT_EQ(read_the_map(), map) << "nothing of it has a spread";
+  EXPECT_EQ(read_the_map(), map) << "no value of the map has a spread";
   request_.profile = "ideal";
-  EXPECT_NE(read_the_map(), map) << "a figure may be another one in another profile";
+  EXPECT_NE(read_the_map(), map) << "values may depend on the profile";
 }
 
 TEST_F(ReadingAhead, SeveralMapsAreKept) {
@@ -132,7 +132,7 @@ TEST_F(ReadingAhead, SeveralMapsAreKept) {
     }
   request_.map = map_.string();
   EXPECT_EQ(read_the_map()->map.name, "a");
-  EXPECT_EQ(ahead_.maps.size(), 4u) << "the oldest one is gone";
+  EXPECT_EQ(ahead_.maps.size(), 4u) << "the oldest map is gone";
 }
 
 TEST_F(ReadingAhead, AMapThatIsWrittenAnewIsSeenAtOnce) {
@@ -145,9 +145,9 @@ TEST_F(ReadingAhead, AMapThatIsWrittenAnewIsSeenAtOnce) {
       EXPECT_EQ(ahead_.map->map.name, name);
     }
   write_file(map_, "_._\n???\n");
-  EXPECT_FALSE(read_the_map()) << "the run says what is wrong";
+  EXPECT_FALSE(read_the_map()) << "the run reports the error";
   std::filesystem::remove(map_);
-  EXPECT_FALSE(read_the_map()) << "the same";
+  EXPECT_FALSE(read_the_map()) << "the run reports the missing map";
 }
 
 // Each seed has its own map.
@@ -161,7 +161,7 @@ TEST_F(ReadingAhead, AMapWithASpreadIsReadForItsSeed) {
   request_.seed = 2;
   EXPECT_NE(read_the_map(), first.get());
   request_.seed = 1;
-  EXPECT_EQ(read_the_map(), first.get()) << "that of both is kept";
+  EXPECT_EQ(read_the_map(), first.get()) << "the maps of both seeds are stored";
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ TEST_F(Watching, LimitsTheProcessorTimeOfAWholeRunHoweverOftenItSaysThatItComesF
   };
   EXPECT_EQ(claim(1, 1.0), std::pair(60, Found::exhausts));
   processor_ns_ = 0;
-  EXPECT_EQ(claim(10 * kSecond, 1.0), std::pair(159, Found::exhausts)) << "and no longer than it may run";
+  EXPECT_EQ(claim(10 * kSecond, 1.0), std::pair(159, Found::exhausts)) << "the run's time limit also applies";
   processor_ns_ = 0;
   EXPECT_EQ(claim(kSecond, 0.1), std::pair(200, Found::nothing));
 }

@@ -218,7 +218,7 @@ TEST_F(SessionTest, BeginsWithHelloAndEndsWithItsInput) {
   EXPECT_EQ(hello.target, "built-in");
   EXPECT_FALSE(hello.version.empty());
   EXPECT_TRUE(session.end().ok());
-  EXPECT_EQ(session.line(), "") << "and says no more";
+  EXPECT_EQ(session.line(), "") << "the output ends";
 }
 
 TEST_F(SessionTest, RefusesWhatIsNoRequestAndServesTheNext) {
@@ -234,10 +234,10 @@ TEST_F(SessionTest, RefusesWhatIsNoRequestAndServesTheNext) {
     ASSERT_TRUE(error) << odd.substr(0, 40);
     EXPECT_EQ(error->kind, "input");
     EXPECT_EQ(said.id, odd.starts_with("{\"id\"") ? 3 : -1) << odd.substr(0, 40);
-    EXPECT_LT(error->message.size(), 400u) << "a sentence, however long the line";
+    EXPECT_LT(error->message.size(), 400u) << "the message does not quote a long line";
   }
   const wire::Line said = session.ask("\n\n" + kDescribe);
-  EXPECT_EQ(said.id, 7) << "empty lines are none";
+  EXPECT_EQ(said.id, 7) << "empty lines are ignored";
   EXPECT_EQ(std::get<wire::RobotInfo>(said.content).name, "uno5");
   EXPECT_TRUE(session.end().ok());
 }
@@ -330,7 +330,7 @@ TEST_F(SessionTest, GivesTheResultThatTheSimulationHasWithoutIt) {
   EXPECT_EQ(result.map_sha256, sha256_of_file(request_.map));
   EXPECT_EQ(result.robot_sha256, robot.sha256);
   const auto again = session.ask_for<wire::RunResult>(wire::Request(request_));
-  EXPECT_EQ(again.trace_hash, result.trace_hash) << "one runner, many runs";
+  EXPECT_EQ(again.trace_hash, result.trace_hash) << "one runner repeats a run";
 }
 
 TEST_F(SessionTest, SaysNothingButItsAnswerToAClientThatWaitsForThatAlone) {
@@ -369,7 +369,7 @@ TEST_F(SessionTest, RunsSeveralRobotsAndAnswersWithAResultForEach) {
       notes[static_cast<std::size_t>(one->agent)] += one->is<wire::ScriptActed>() != nullptr;
   }
   EXPECT_THAT(started, ::testing::ElementsAre(1, 1));
-  EXPECT_EQ(samples[1], 201) << "it goes on to the end of the time";
+  EXPECT_EQ(samples[1], 201) << "the second robot runs until the time limit";
   EXPECT_GT(samples[0], 50);
   EXPECT_THAT(notes, ::testing::ElementsAre(0, 2)) << "each has its own script";
 }
@@ -423,8 +423,8 @@ TEST_F(SessionTest, StreamsWhatWasAskedForAndNothingElse) {
   }
   EXPECT_TRUE(std::holds_alternative<wire::Started>(session.events[0]));
   EXPECT_THAT(samples_us, ::testing::ElementsAre(0, 50'000, 100'000, 150'000, 200'000));
-  EXPECT_EQ(notes, 2u) << "the script has pressed a button, and let go of it";
-  EXPECT_GT(pins, 6u) << "of both motors";
+  EXPECT_EQ(notes, 2u) << "the script pressed and released a button";
+  EXPECT_GT(pins, 6u) << "pins of both motors";
   EXPECT_EQ(1 + samples_us.size() + notes + pins, session.events.size());
 }
 
@@ -467,7 +467,7 @@ TEST_F(SessionTest, ARunMayTellMoreThanWaitsForItsReader) {
   Session session(confined_drivers());
   session.line();
   session.send(wire::to_line(1, wire::Request(request_)));
-  EXPECT_TRUE(session.comes_to_wait()) << "nobody reads, and there is not room for all of it";
+  EXPECT_TRUE(session.comes_to_wait()) << "the test does not read, so the pipe is full";
   session.answer();
   wire::BatchReader reader(request_);
   std::vector<std::int64_t> samples_us;

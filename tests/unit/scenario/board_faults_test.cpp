@@ -137,7 +137,7 @@ TEST_F(BoardFaultsTest, ASagMovesNothingThatTheSwitchHasTurnedOff) {
   faults.switch_power(false, 10 * ms);
   fail({"power", "sag", "3V"}, 20 * ms);
   faults.switch_power(true, 30 * ms);
-  EXPECT_FALSE(faults.powered()) << "it is on, but has too little";
+  EXPECT_FALSE(faults.powered()) << "the switch is on, but the voltage is too low";
   fail({"power", "ok"}, 40 * ms);
   EXPECT_THAT(probe.power, ElementsAre(-10, 40));
 }
@@ -154,7 +154,7 @@ TEST_F(BoardFaultsTest, AByteIsBeingWrittenFor3400Microseconds) {
   EXPECT_EQ(probe.state.eeprom()[12], 0x5A);
   faults.leave_half_written({HalfWritten::Kind::value, 0x77}, 23 * ms);
   EXPECT_EQ(probe.state.eeprom()[12], 0x77);
-  EXPECT_FALSE(faults.leave_half_written({HalfWritten::Kind::value, 0}, 24 * ms)) << "it was done";
+  EXPECT_FALSE(faults.leave_half_written({HalfWritten::Kind::value, 0}, 24 * ms)) << "the write was complete";
   EXPECT_EQ(probe.state.eeprom()[12], 0x77);
 }
 

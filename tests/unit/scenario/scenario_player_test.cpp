@@ -85,11 +85,12 @@ TEST_F(Scripts, HoldAButtonUntilTheLastFingerLeavesIt) {
   };
   EXPECT_EQ(held("at 10ms press start 20ms\n"), 20);
   EXPECT_EQ(held("at 10ms press start 20ms\nat 20ms press start 40ms\n"), 50) << "until the later end";
-  EXPECT_EQ(held("at 10ms press start 50ms\nat 20ms press start 10ms\n"), 50) << "not the shorter one's";
+  EXPECT_EQ(held("at 10ms press start 50ms\nat 20ms press start 10ms\n"), 50)
+      << "the shorter press does not end the longer one";
   EXPECT_EQ(held("at 10ms press start 20ms\nat 10ms press start 20ms\n"), 20);
   EXPECT_EQ(held("at 10ms press start\nat 20ms press start 10ms\nat 50ms release start\n"), 40);
   EXPECT_EQ(held("at 10ms press start 30ms\nat 20ms release start\nat 30ms press start 30ms\n"), 40)
-      << "what was let go of ends nothing more";
+      << "a released press does not end a later one";
 }
 
 TEST_F(Scripts, SayOnceThatTheyLetGo) {
@@ -134,7 +135,7 @@ TEST_F(Scripts, HoldTheRobotInTheHandForLongWithoutAVerdict) {
 
 TEST_F(Scripts, PutALiftedRobotDownWhereTheySay) {
   play("at 100ms lift for 1s\nat 200ms place 13,2,E\n", 1.5);
-  EXPECT_GT(seen.at(1.0).speed, 0.1) << "placed, it drives, and is not put down once more";
+  EXPECT_GT(seen.at(1.0).speed, 0.1) << "the placed robot drives, and the lift has ended";
   EXPECT_THAT(seen.happenings,
               ElementsAre("100 script_acted verb=lift", "200 script_acted verb=place argument=13,2,E"));
 }

@@ -217,7 +217,7 @@ TEST(AFigureWithASpread, IsReadAsWrittenAndDrawnByItsShare) {
   const Step most = parse_varied(step, [](std::size_t n) { return n == 1 ? 1.0 : 0.0; });
   EXPECT_EQ(most.trigger.time, 2 * kSecond);
   EXPECT_EQ(most.action.text, "14,3");
-  EXPECT_TRUE(parse_step("at 1s send \"5+-1\"", {})->varies.empty()) << "a text is a text";
+  EXPECT_TRUE(parse_step("at 1s send \"5+-1\"", {})->varies.empty()) << "texts do not vary";
 }
 
 TEST(AFigureWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {

@@ -119,7 +119,7 @@ TEST_F(ChangingWorld, ALineThatIsErasedIsNoLongerSeen) {
   play("at 300ms erase 3,14 20,14 for 20ms\n", 1.0);
   EXPECT_GT(at(0.299).readings[2], 0.9);
   EXPECT_EQ(at(0.310).readings[2], 0.0);
-  EXPECT_GT(at(0.321).readings[2], 0.9) << "and there again";
+  EXPECT_GT(at(0.321).readings[2], 0.9) << "the line is back";
   EXPECT_THAT(happenings, ElementsAre("line erased, 3,14 to 20,14", "floor restored, 3,14 to 20,14"));
 }
 
@@ -139,7 +139,7 @@ TEST_F(ChangingWorld, ALineThatIsPaintedIsSeenBesideTheMapsOwn) {
 TEST_F(ChangingWorld, AShutDoorStopsTheRobotUntilItOpens) {
   const judge::Outcome outcome = play("at 0s door 15,13 15,15 shut for 3s\n", 6.0);
   EXPECT_EQ(outcome.metrics.collisions, 1);
-  EXPECT_LT(length(place(2.9) - place(2.0)), 0.05) << "it stands before the door";
+  EXPECT_LT(length(place(2.9) - place(2.0)), 0.05) << "the robot is stopped by the door";
   EXPECT_GT(length(place(5.0) - place(3.0)), 0.3);
   EXPECT_THAT(happenings, Contains("door shut, 15,13 to 15,15"));
   EXPECT_THAT(happenings, Contains("door open, 15,13 to 15,15"));
@@ -150,8 +150,8 @@ TEST_F(ChangingWorld, AnObstacleThatMovesPushesTheRobotThatStandsInItsWay) {
        6.0);
   const Vec2 before = place(0.1);
   EXPECT_EQ(place(0.5).x, before.x);
-  EXPECT_GT(length(place(4.5) - before), 0.05) << "out of the way";
-  EXPECT_LT(length(place(6.0) - place(4.5)), 0.01) << "and it stands still at the end of its way";
+  EXPECT_GT(length(place(4.5) - before), 0.05) << "the obstacle pushed the robot";
+  EXPECT_LT(length(place(6.0) - place(4.5)), 0.01) << "the obstacle has stopped";
 }
 
 TEST_F(ChangingWorld, LightsGoOffAndOn) {

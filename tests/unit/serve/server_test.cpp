@@ -216,7 +216,7 @@ TEST_F(Serving, TakesNoRequestFromTheBodyOfARefusedOne) {
     const std::string answer = read_all(socket);
     EXPECT_THAT(answer, testing::StartsWith("HTTP/1.1 4")) << own;
     EXPECT_EQ(answer.find("HTTP/1.1", 1), answer.npos) << answer;
-    EXPECT_THAT(answer, testing::EndsWith("}")) << "its sender sees the answer";
+    EXPECT_THAT(answer, testing::EndsWith("}")) << "the answer is complete";
   }
 }
 
@@ -234,7 +234,8 @@ TEST_F(Serving, ReadsNoBodyThatGrows) {
               "HTTP/1.1 415")
         << coding;
   EXPECT_EQ(answer(head + "Transfer-Encoding: chunked\r\n\r\n2\r\n{}\r\n0\r\n\r\n"), "HTTP/1.1 411");
-  EXPECT_EQ(answer(head + "\r\n{}"), "HTTP/1.1 411") << "it would be read until the client closes";
+  EXPECT_EQ(answer(head + "\r\n{}"), "HTTP/1.1 411")
+      << "without a length, the body would end only with the connection";
   EXPECT_EQ(answer(head + "Content-Length: 2\r\nContent-Length: 2\r\n\r\n{}"), "HTTP/1.1 411");
   EXPECT_EQ(answer(head + "Content-Length: 999999999\r\n\r\n{}"), "HTTP/1.1 413");
 }
@@ -287,7 +288,7 @@ TEST_F(Serving, RemovesTheFolderOfAServerThatWasKilled) {
   EXPECT_EQ(folders().size(), 1u);
   {
     const PageFolder first, second;
-    EXPECT_EQ(folders().size(), 2u) << "the killed server's is gone, and no living one's";
+    EXPECT_EQ(folders().size(), 2u) << "only the killed server's folder is removed";
   }
   EXPECT_TRUE(folders().empty());
   before.empty() ? ::unsetenv("TMPDIR") : ::setenv("TMPDIR", before.c_str(), 1);
@@ -389,7 +390,7 @@ TEST_F(Serving, KeepsFilesInTheFolderAndNothingOverWhatIsThereUnasked) {
   EXPECT_EQ(read_file(root() / "hall.map"), "S..\n");
   EXPECT_EQ(keep(file_json("hall.map", true, "...\n"))->status, 200);
   EXPECT_EQ(read_file(root() / "hall.map"), "...\n");
-  EXPECT_EQ(keep(file_json("./floors/hall.map", true))->status, 200) << "one that is listed";
+  EXPECT_EQ(keep(file_json("./floors/hall.map", true))->status, 200) << "a listed map may be replaced";
   const auto text = http_->Post("/api/map", R"({"name": "./floors/hall.map"})", "application/json");
   EXPECT_EQ(Json::parse(text->body)["text"], "S..\n");
   const auto floor = http_->Post("/api/floor", R"({"text": "S..\n"})", "application/json");
@@ -404,7 +405,7 @@ TEST_F(Serving, FillsNoDisk) {
     return http_->Post("/api/file", file_json(name, true, std::string(size, ' ')), "application/json");
   };
   EXPECT_EQ(keep("A.ino", 5000)->status, 200);
-  EXPECT_EQ(keep("B.ino", 10'000)->status, 400) << "more than is left";
+  EXPECT_EQ(keep("B.ino", 10'000)->status, 400) << "more bytes than remain";
   EXPECT_EQ(keep("A.ino", 10)->status, 200);
   const auto refused = keep("C.ino", 10);
   EXPECT_EQ(refused->status, 400) << "a small file occupies a block of the disk";
@@ -429,7 +430,7 @@ TEST_F(Serving, KeepsAnImageAndRunsItOnItsOwnChip) {
   EXPECT_EQ(read_file(root() / "Mine.elf"), elf);
   EXPECT_EQ(keep("Other.elf", "no program")->status, 400);
   EXPECT_EQ(keep("Other.hex", "no lines")->status, 400);
-  EXPECT_EQ(keep("Other.ino", "void setup() {}")->status, 400) << "base64 is of images alone";
+  EXPECT_EQ(keep("Other.ino", "void setup() {}")->status, 400) << "only images use base64";
   EXPECT_EQ(http_->Post("/api/file", file_json("Other.hex", false, hex), "application/json")->status, 400);
   EXPECT_EQ(keep("Large.elf", elf + std::string(2'500'000, 'x'))->status, 413);
   const auto answer = run(R"({"sketch": "./Mine.hex", "target": "host"})");
@@ -493,7 +494,7 @@ TEST_F(Serving, WritesNothingElseAndNowhereElse) {
 TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
   serve("echo warned >&2; echo '{\"event\": 1}'; while read -r line; do echo \"$line\"; exit 4; done\n");
   EXPECT_EQ(http_->Post("/api/live/1", R"({"do": "play"})", "application/json")->status, 409)
-      << "there is none yet";
+      << "no run has started yet";
   const auto prepared = http_->Post("/api/live", R"({"sketch": "./Mine"})", "application/json");
   ASSERT_TRUE(prepared);
   const std::string path = "/api/live/" + std::to_string(Json::parse(prepared->body)["live"].get<int>());
@@ -517,7 +518,7 @@ TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
   EXPECT_THAT(events, HasSubstr("data: {\"say\":\"warned\\n\"}\n\n"));
   EXPECT_THAT(events, HasSubstr("data: {\"do\":\"play\"}\n\n")) << "in one line";
   EXPECT_THAT(events, HasSubstr("\"status\":4"));
-  EXPECT_THAT(http_->Get(path)->body, HasSubstr("no such run to watch")) << "it is watched once";
+  EXPECT_THAT(http_->Get(path)->body, HasSubstr("no such run to watch")) << "a run can be watched only once";
   EXPECT_EQ(http_->Get("/api/live/1234567890")->status, 404);
 }
 

@@ -69,7 +69,7 @@ TEST(BrokenRows, HaveTheirRestAtTheLabelsColumn) {
                            "//   on\n"
                            "//             in this run\n"),
               ElementsAre("2"))
-      << "before a line in place";
+      << "before a line at the right column";
   EXPECT_THAT(broken_lines("  ///   bytes()   made before: look there\n"
                            "  ///   again\n"
                            "  /// Then the rest.\n"),
@@ -82,7 +82,7 @@ TEST(BrokenRows, HaveTheirRestAtTheLabelsColumn) {
   EXPECT_THAT(broken_lines("//   duty = over / full;  brake = 1 -\n"
                            "//   |duty|\n"),
               ElementsAre("2"))
-      << "behind an operator";
+      << "after an operator";
 }
 
 TEST(BrokenRows, AreJoinedWithTheNextRow) {
@@ -114,7 +114,7 @@ TEST(BrokenRows, AreNotWhatTablesMayHave) {
                            "//           noise\n"
                            "//   temperature  25 degrees\n"),
               IsEmpty())
-      << "a rest in its column, and a label wider than it";
+      << "text at the last cell's column, and a label that is too wide";
   EXPECT_THAT(broken_lines("//   start tile   when it is left: points\n"
                            "//   each tile up to a checkpoint\n"
                            "//                5 points\n"),

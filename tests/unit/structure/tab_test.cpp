@@ -59,8 +59,8 @@ TEST(Tab, IsGivenNothingThatItsCompilerLacks) {
       if (header.starts_with("toml++/impl")) continue;
       EXPECT_TRUE(headers.contains(header))
           << file << " includes <" << header
-          << ">, which is not there in a browser's tab: give the file another "
-          << "in sim/tab/instead, or leave it out (sim/tab/CMakeLists.txt)";
+          << ">, which a browser's tab does not have: replace the file by one "
+          << "in sim/tab/instead, or add it to left_out (sim/tab/CMakeLists.txt)";
     }
     std::smatch found;
     EXPECT_FALSE(std::regex_search(text, found, lacking))

@@ -74,7 +74,7 @@ TEST_F(FailedTests, TellOfTheRobotThoughTheExpectationKnowsNothingOfIt) {
   const std::size_t at = said.find(told);
   ASSERT_NE(at, std::string::npos) << said;
   EXPECT_LT(said.find("robot.station()"), at);
-  EXPECT_EQ(said.find(told, at + 1), std::string::npos) << "the second failure is of the same moment";
+  EXPECT_EQ(said.find(told, at + 1), std::string::npos) << "the second failure is at the same time";
   EXPECT_THAT(said.substr(at),
               AllOf(HasSubstr("the sketch says \"go\\r\\n\""), HasSubstr("\n  at 1.00 s it is at column "),
                     HasSubstr("\n  replay: " + text("kept/PassesBy.StopsAtAStation/command.txt")),
@@ -140,7 +140,7 @@ TEST_F(FailedTests, KeepWhatIsNeededToUnderstandThem) {
 
 TEST_F(FailedTests, InRandomWorldsAreReplayedInTheSmallestOne) {
   const std::string kept = path("kept/StopsAtTees.ToursEveryTree");
-  EXPECT_FALSE(fs::exists(kept + "-2")) << "the worlds on the way are not kept";
+  EXPECT_FALSE(fs::exists(kept + "-2")) << "intermediate worlds are not saved";
   const std::string map = read_file(kept + "/map.map");
   EXPECT_EQ(std::count(map.begin(), map.end(), '.'), 6) << "a single bend is enough\n" << map;
   std::istringstream rows(map);
@@ -173,7 +173,8 @@ TEST_F(FailedTests, OfSeveralRobotsKeepAFileOfThemThatRunsAgain) {
 TEST_F(FailedTests, AreAnnotationsAndATableOnGitHub) {
   EXPECT_THAT(text("out.txt"), HasSubstr("::error file="));
   EXPECT_THAT(text("out.txt"), HasSubstr("failing.cpp,line=12,title=TooFast.KeepsToTheLine::"));
-  EXPECT_THAT(text("out.txt"), HasSubstr("%0A  at 1.00 s it is at column ")) << "of robot.station()";
+  EXPECT_THAT(text("out.txt"), HasSubstr("%0A  at 1.00 s it is at column "))
+      << "the message of robot.station()";
   EXPECT_THAT(
       text("summary.md"),
       AllOf(HasSubstr("### Robosim: 0 passed, 7 failed, 0 skipped"), HasSubstr("| `WrongButton."),
@@ -201,7 +202,8 @@ TEST_F(FailedTests, CountTheLinesThatTheyHaveRunWhereCoverageIsAskedFor) {
   EXPECT_THAT(info, AllOf(HasSubstr("/TooFast.ino\n"), HasSubstr("/Forgetful.ino\n")));
   EXPECT_THAT(info, HasSubstr("DA:17,")) << "speedOn() of Forgetful";
   for (const auto& entry : fs::directory_iterator(path("coverage")))
-    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".counters"))) << "it is left behind";
+    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".counters")))
+        << "no file of counters is left";
 }
 
 TEST_F(FailedTests, AreTheExamplesOfTheGuide) {

@@ -41,7 +41,7 @@ TEST(Follows, NeedsADriveAndEveryMillisecondOfIt) {
   EXPECT_GT(worst.mm, 1.0);
   EXPECT_THAT(drive, Follows(line(), within(worst)));
   EXPECT_THAT(drive, Not(Follows(line(), within(mm(worst.mm - 0.01)))));
-  EXPECT_THAT(robot, Follows(line(), within(worst))) << "a simulation is all that has happened";
+  EXPECT_THAT(robot, Follows(line(), within(worst))) << "a Simulation stands for the run so far";
 }
 
 TEST(NeverDrives, LooksAtTheDriveAlone) {
@@ -139,11 +139,10 @@ TEST(SerialEvents, ReadOnAndLookBehindTheLastDeed) {
   const Drive boot = robot.run_for(500_ms);
   EXPECT_THAT(boot, SerialSays("ready"));
   EXPECT_THAT(boot, SerialMatches("^Put me .* scan\\.$"));
-  ASSERT_TRUE(robot.run_until(serial_says("ready"), within(10_ms)))
-      << "it has said so, and nobody has read it";
+  ASSERT_TRUE(robot.run_until(serial_says("ready"), within(10_ms))) << "the text was sent, but not yet read";
   EXPECT_FALSE(robot.run_until(serial_says("ready"), within(10_ms))) << "it was read";
   robot.send("1\n");
-  EXPECT_FALSE(robot.run_until(serial_says("I will scan"), within(1_ms))) << "said before the question";
+  EXPECT_FALSE(robot.run_until(serial_says("I will scan"), within(1_ms))) << "printed before the request";
   const Drive answer = robot.run_until(serial_says("I will scan"), within(100_ms));
   EXPECT_TRUE(answer);
   EXPECT_THAT(answer, Not(SerialSays("ready")));
@@ -194,7 +193,7 @@ TEST(ARunThatFailsByItself, FailsTheTestUnlessItAsksHowTheRunEnded) {
   Simulation robot(forgetful());
   EXPECT_TRUE(robot.run_until(ends("crashed"), within(20_s)));
   EXPECT_THAT(robot, EndsAs("crashed"));
-  EXPECT_THROW(robot.press("start"), std::exception) << "it is over";
+  EXPECT_THROW(robot.press("start"), std::exception) << "the run is over";
 }
 
 TEST(ARunInWhichADetectorSeesSomething, FailsTheTestUnlessItAsksNone) {
@@ -268,7 +267,7 @@ TEST(SuccessRate, CountsRunsThatReachTheirGoal) {
   Trial laps = pid_on_oval();
   laps.goal = "laps:1";
   EXPECT_SUCCESS_RATE(laps, 0.9, kTenSeeds);
-  EXPECT_THAT(success_rate(laps, 0.5, kTenSeeds).message(), HasSubstr("5 of 5 runs")) << "enough is known";
+  EXPECT_THAT(success_rate(laps, 0.5, kTenSeeds).message(), HasSubstr("5 of 5 runs")) << "five runs suffice";
 }
 
 TEST(SuccessRate, MayBeAskedForSurely) {

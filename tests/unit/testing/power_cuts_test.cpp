@@ -57,7 +57,7 @@ TEST(AtEveryPowerCut, EndsWithTheFirstRunThatFailsAndNamesTheWrite) {
   EXPECT_THAT(failures[0],
               HasSubstr("in a run with a power cut during write 1 to the EEPROM, its byte left new"));
   EXPECT_THAT(failures[0], HasSubstr(", with the command that replays it"));
-  EXPECT_EQ(runs, 1 + 3 + 1) << "the failing one is run again for all to see";
+  EXPECT_EQ(runs, 1 + 3 + 1) << "the failing run is repeated to report it";
 }
 
 TEST(AtEveryPowerCut, FailsWithoutACutIfTheBodyDoes) {

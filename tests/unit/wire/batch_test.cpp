@@ -111,7 +111,7 @@ TEST(Batches, TellWhatIsAskedForAndNothingElse) {
     BatchReader reader(request);
     return told(reader, writer.take().bytes).size();
   };
-  EXPECT_EQ(kinds(), 2u) << "the bytes of the serial line, which are told only where they are wanted";
+  EXPECT_EQ(kinds(), 2u) << "serial bytes are reported only on request";
   request.pins = true;
   EXPECT_EQ(kinds(), 5u);
   request.io = true;
@@ -203,7 +203,7 @@ TEST(Batches, ThatAreCutOffOrDamagedAreRefused) {
   EXPECT_EQ(refusal(whole), "");
   std::size_t refused = 0;
   for (std::size_t size = 1; size < whole.size(); ++size) refused += !refusal(whole.substr(0, size)).empty();
-  EXPECT_GE(refused, whole.size() - 20) << "but where an event ends";
+  EXPECT_GE(refused, whole.size() - 20) << "except at the end of an event";
   EXPECT_THAT(refusal("?" + whole.substr(1)), HasSubstr("a batch with an incomplete event"));
   const std::string zero(8, '\0'), back = std::string("b\0\0\0\xFF\xFF\xFF\xFF", 8);
   EXPECT_THAT(refusal(back), HasSubstr("incomplete event")) << "a time before 0";

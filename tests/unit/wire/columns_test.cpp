@@ -36,7 +36,7 @@ TEST(Columns, GoOnWhereTheLastPieceEnded) {
   for (double t = 0; t < 100; t += 10) {
     stream.add(&t);
     const Rows rows = stream.take();
-    EXPECT_EQ(rows.columns.empty(), t > 0) << "told once";
+    EXPECT_EQ(rows.columns.empty(), t > 0) << "the columns are sent once";
     const auto read = reader.read(rows.bytes[0], 1);
     ASSERT_TRUE(read);
     EXPECT_THAT(*read, ElementsAre(t));

@@ -207,7 +207,7 @@ TEST(Docs, TablesOfKeysSayWhatTheDescriptionsSay) {
     const std::string wanted = brought_up_to_date(page, all, found);
     if (write && page != wanted) write_file(entry.path(), wanted);
     EXPECT_TRUE(write || page == wanted)
-        << entry.path() << ": write its tables anew with ROBOSIM_WRITE_DOCS=1 and this test";
+        << entry.path() << ": regenerate its tables with ROBOSIM_WRITE_DOCS=1 and this test";
   }
   for (const Table& each : all)
     EXPECT_EQ(found.count(each.name), 1u) << "docs/ has one table of the keys of " << each.name;

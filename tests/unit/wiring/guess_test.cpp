@@ -60,7 +60,7 @@ TEST(Guess, AMotorOnAnL298NHasAnEnableByPwmAndTwoInputs) {
   EXPECT_THAT(text, HasSubstr("type = \"motor\"\npins = { en = 9, in1 = 8, in2 = 7 }"));
   EXPECT_THAT(text, HasSubstr("type = \"motor\"\npins = { en = 10, in1 = 6, in2 = 5 }"));
   EXPECT_THAT(text, HasSubstr("chip = \"l298n\""));
-  EXPECT_THAT(text, Not(HasSubstr("guessed from the order"))) << "names say which is the left one";
+  EXPECT_THAT(text, Not(HasSubstr("guessed from the order"))) << "the names identify the left motor";
 }
 
 TEST(Guess, WithoutNamesTheWayThatItMostlyDrivesIsForward) {
@@ -255,7 +255,7 @@ TEST(Guess, PinsThatMakeNoTwoMotorsAlikeAreAskedFor) {
       "analogWrite(rightPwm, 9); }",
       run);
   EXPECT_THAT(text, Not(HasSubstr("type = \"motor\"")))
-      << "no driver has one motor with three inputs and one with one";
+      << "no driver has three inputs for one motor and one for the other";
   EXPECT_THAT(text,
               HasSubstr("# ? pin 6 (rightPwm, a.ino:1) is driven by analogWrite: what is wired to it?"));
   const std::string both =

@@ -28,8 +28,7 @@ TEST(SketchNames, AConstantIsANameWhereAFunctionOfPinsTakesIt) {
   std::vector<std::string> list;
   for (const Named& named : found.named)
     if (named.sure) list.push_back(named.name);
-  EXPECT_THAT(list, ElementsAre("IN1", "LED", "ALIAS"))
-      << "a speed is no pin, and ENA only by its other name";
+  EXPECT_THAT(list, ElementsAre("IN1", "LED", "ALIAS")) << "a speed is not a pin, and ENA is found as ALIAS";
   EXPECT_THAT(found.named.back().pins, ElementsAre(pin("D5")));
   EXPECT_EQ(found.named[0].spot.line, 2);
 }
@@ -63,7 +62,7 @@ TEST(SketchNames, LibrariesAreToldWithTheirPinsInOrder) {
   ASSERT_EQ(found.given.size(), 5u);
   EXPECT_EQ(found.given[0].type, "NewPing");
   EXPECT_EQ(found.given[0].name, "sonar");
-  EXPECT_THAT(found.given[0].pins, ElementsAre(12, 11, kNoPin)) << "200 is none";
+  EXPECT_THAT(found.given[0].pins, ElementsAre(12, 11, kNoPin)) << "200 is not a pin";
   EXPECT_THAT(found.given[1].pins, ElementsAre(5, 7, 8));
   EXPECT_THAT(found.given[2].pins, ElementsAre(6, 9, 10));
   EXPECT_EQ(found.given[3].name, "pan");

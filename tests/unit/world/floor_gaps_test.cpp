@@ -102,7 +102,7 @@ TEST_F(JointsTest, SinkAWheelByTheClosedForm) {
       EXPECT_NEAR(joints.sunk({10.0, 10.0}, {r, {}, 0.1}).depth, r - std::sqrt(r * r - 0.25 * gap * gap),
                   1e-12);
       EXPECT_EQ(joints.sunk({10.0 + 0.501 * gap, 10.0}, wheel).depth, 0.0);
-      EXPECT_EQ(joints.sunk({10.0, 12.1}, wheel).depth, 0.0) << "beside its end";
+      EXPECT_EQ(joints.sunk({10.0, 12.1}, wheel).depth, 0.0) << "past the gap's end";
       // The wheel sinks towards the middle, along a circle around the edge.
       const double away = 0.3 * gap, slope = away / std::sqrt(r * r - away * away);
       EXPECT_NEAR(joints.sunk({10.0 - 0.2 * gap, 10.0}, wheel).rise.x, -slope, 1e-12);
@@ -110,7 +110,7 @@ TEST_F(JointsTest, SinkAWheelByTheClosedForm) {
       const double v = 3.0 * std::sqrt(kFall * r);
       EXPECT_NEAR(joints.sunk({10.0, 10.0}, {r, {1.0, 0.0}, v}).depth,
                   0.25 * joints.sunk({10.0, 10.0}, wheel).depth, 1e-12)
-          << "it flies over";
+          << "a fast wheel flies over the gap";
     }
 }
 

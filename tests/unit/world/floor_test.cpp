@@ -200,7 +200,7 @@ TEST(Floor, AVariedFloorHasPatchesOfThatSpreadAndSizeAndAnEvenOneHasNone) {
   EXPECT_NEAR(beside[2] / squares, 0.0, 0.05) << "20 mm apart";
   const double here = floor.brightness({1.0, 1.0});
   floor.vary(NoiseStream(2, 0, "floor", "brightness"), 0.05);
-  EXPECT_NE(floor.brightness({1.0, 1.0}), here) << "another seed is another floor";
+  EXPECT_NE(floor.brightness({1.0, 1.0}), here) << "another seed gives another floor";
 }
 
 TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {

@@ -90,7 +90,7 @@ TEST_F(GroundTest, WithoutPowerItRollsBackByTheSine) {
   const double expected = -p.mass_kg * kG * 0.3 * 0.5 / inertia_mass(p);
   EXPECT_NEAR(body.speed(), expected, kWithin * -expected);
   EXPECT_NEAR(body.pose().position.x - 10.0, 0.25 * expected, kWithin * -expected * 0.25);
-  EXPECT_LT(body.wheel_rate(left), 0.0) << "its wheels turn with it";
+  EXPECT_LT(body.wheel_rate(left), 0.0) << "the wheels turn with the body";
 }
 
 TEST_F(GroundTest, StallsWhereItsMotorsTorqueEnds) {

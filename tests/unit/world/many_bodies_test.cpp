@@ -43,7 +43,7 @@ TEST(NearBodies, HoldEveryPairThatMeets) {
         EXPECT_TRUE(holds(found, i, j)) << i << " and " << j;
       }
     EXPECT_TRUE(count <= 9 || meet > 0);
-    EXPECT_EQ(near.pairs(bodies), found) << "again";
+    EXPECT_EQ(near.pairs(bodies), found) << "a repeated query";
   }
 }
 
@@ -99,7 +99,7 @@ TEST(RadioChannel, CarriesBytesToAllOthersOfTheChannelByTheirTimes) {
   air.send(d, 'y', 10);
   EXPECT_FALSE(air.take(a, 10)) << "not before its time";
   EXPECT_EQ(air.take(a, 100)->byte, 'y');
-  EXPECT_FALSE(air.take(a, 100)) << "not what it has sent itself";
+  EXPECT_FALSE(air.take(a, 100)) << "a radio does not receive its own byte";
   EXPECT_EQ(air.take(b, 100)->byte, 'y');
   EXPECT_EQ(air.take(b, 100)->at, 20);
   EXPECT_FALSE(air.take(c, 100)) << "another channel";

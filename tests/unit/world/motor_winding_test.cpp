@@ -187,7 +187,7 @@ TEST_F(WoundBody, GivesBackWhatASlowerDutyTakesOffItsSpeed) {
     run(4.0);
     EXPECT_NEAR(body.speed(), 0.5 * speed, kWithinFormula * speed);
     if (period > 0.1) {
-      EXPECT_EQ(body.energy_back(), 0.0) << "slow pulses draw, and what is between them burns";
+      EXPECT_EQ(body.energy_back(), 0.0) << "between slow pulses, the energy heats the winding";
       continue;
     }
     const double expected = 0.5 * p.supply_volts * mass(p) * (speed - body.speed()) * w.radius_m /
@@ -220,7 +220,7 @@ TEST_F(WoundBody, CoastsAsFarAsItsFrictionLetsItAndBrakesAsFarAsItsWindingDoes) 
                                 : speed * speed / (2.0 * slows);
     EXPECT_NEAR(body.distance() - from, expected, kWithinFormula * expected) << brake;
     EXPECT_EQ(body.energy(), drawn);
-    EXPECT_EQ(body.energy_back(), 0.0) << "shorted, it burns in the winding";
+    EXPECT_EQ(body.energy_back(), 0.0) << "in a shorted motor, the energy heats the winding";
   }
 }
 

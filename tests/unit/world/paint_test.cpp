@@ -45,7 +45,7 @@ TEST(Paints, OfSegmentsAreAsWideAndAsDarkAsTheySay) {
   EXPECT_EQ(floor.on_line({1.7, 0.518}, kSeen), 1.0);
   EXPECT_NEAR(floor.on_line({1.7, 0.520}, kSeen), 0.5, 1e-9);
   EXPECT_EQ(floor.on_line({1.7, 0.522}, kSeen), 0.0);
-  EXPECT_NEAR(floor.on_line({1.7, 0.520}, 0.02), 0.5, 1e-9) << "wider than what the index looks up";
+  EXPECT_NEAR(floor.on_line({1.7, 0.520}, 0.02), 0.5, 1e-9) << "the footprint exceeds the index's reach";
 }
 
 TEST(Paints, OfAWideSegmentAreTheLineThere) {
@@ -59,7 +59,7 @@ TEST(Paints, OfAWideSegmentAreTheLineThere) {
   EXPECT_EQ(floor.on_line({0.3, 0.275}, kSeen), 1.0);
   EXPECT_EQ(floor.on_line({0.45, 0.25}, kSeen), 0.0) << "a gap";
   EXPECT_EQ(floor.on_line({0.2, 0.15}, kSeen), 1.0) << "a line of cells";
-  EXPECT_EQ(floor.on_line({0.2, 0.165}, kSeen), 0.0) << "which is not wider for that";
+  EXPECT_EQ(floor.on_line({0.2, 0.165}, kSeen), 0.0) << "lines of cells are not wider";
 }
 
 // Means over points along the line's middle.

@@ -35,7 +35,7 @@ TEST(Range, IsTheWayToAWallOrTheMapsEdge) {
   EXPECT_DOUBLE_EQ(world.range_along(0, {0.25, 0.25}, kWest, kMost), 0.25);
   EXPECT_NEAR(world.range_along(0, {0.25, 0.25}, {0.6, 0.8}, kMost), 0.25 / 0.8, 1e-12);
   EXPECT_DOUBLE_EQ(world.range_along(0, {0.25, 0.05}, kEast, kMost), 0.15);
-  EXPECT_EQ(world.range_along(0, {0.25, 0.25}, kEast, 0.5), 0.5) << "nothing within the range asked for";
+  EXPECT_EQ(world.range_along(0, {0.25, 0.25}, kEast, 0.5), 0.5) << "nothing within the requested range";
   EXPECT_EQ(world.range_along(0, {1.05, 0.25}, kWest, kMost), 0.0) << "from inside a wall";
 }
 
@@ -45,7 +45,7 @@ TEST(Range, OfADiscIsToItsNearSide) {
   world.add_obstacle({0.55, 0.25}, 0.05);
   EXPECT_NEAR(world.range_along(0, {0.15, 0.25}, kEast, kMost), 0.35, 1e-12);
   EXPECT_NEAR(world.range_along(0, {0.15, 0.28}, kEast, kMost), 0.4 - 0.04, 1e-12);
-  EXPECT_DOUBLE_EQ(world.range_along(0, {0.15, 0.31}, kEast, kMost), 0.85) << "it passes";
+  EXPECT_DOUBLE_EQ(world.range_along(0, {0.15, 0.31}, kEast, kMost), 0.85) << "the ray misses the disc";
   EXPECT_EQ(world.range_along(0, {0.55, 0.26}, kEast, kMost), 0.0);
 }
 

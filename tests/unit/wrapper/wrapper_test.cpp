@@ -106,7 +106,7 @@ TEST_F(Wrapper, HandsItsArgumentsToTheBuiltCommandInTheUsersFolder) {
   const Result result = run("../link run 'my sketch' --json");
   EXPECT_EQ(result.out, (folder_ / "elsewhere").string() + "\n<run><my sketch><--json>");
   EXPECT_EQ(result.err, "");
-  EXPECT_EQ(result.status, 4) << "the command's own";
+  EXPECT_EQ(result.status, 4) << "the command's own status";
 }
 
 TEST_F(Wrapper, NamesThePackageThatTheSystemDoesNotHave) {
@@ -238,14 +238,14 @@ TEST_F(Wrapper, BuildsTheRunnersThatACompareIsFor) {
   run("../checkout/robosim compare X --target host,stm32");
   EXPECT_THAT(calls(), AllOf(HasSubstr("robosim-stm32"), Not(HasSubstr("robosim-avr"))));
   run("../checkout/robosim compare X --map avr");
-  EXPECT_THAT(calls(), HasSubstr("robosim-avr")) << "where none are named it takes all";
+  EXPECT_THAT(calls(), HasSubstr("robosim-avr")) << "compare without --target uses all targets";
 }
 
 TEST_F(Wrapper, BuildsTheRunnerOfAChipForAHunt) {
   run("../checkout/robosim hunt X --target host");
   EXPECT_THAT(calls(), Not(HasSubstr("robosim-avr")));
   run("../checkout/robosim hunt X");
-  EXPECT_THAT(calls(), HasSubstr("robosim-avr")) << "it is that of most boards";
+  EXPECT_THAT(calls(), HasSubstr("robosim-avr")) << "most boards have an AVR";
 }
 
 TEST_F(Wrapper, BuildsAndRunsTheTests) {
@@ -301,7 +301,7 @@ exit 8)";
 TEST_F(Wrapper, SumsUpTheTestsAndShowsEachFailureWithTheCommandThatRepeatsIt) {
   tool("ctest", kFourTests);
   const Result result = run("ROBOSIM_PRESET=ci ../checkout/robosim test", "checkout");
-  EXPECT_EQ(result.status, 8) << "ctest's own";
+  EXPECT_EQ(result.status, 8) << "ctest's own status";
   EXPECT_THAT(result.out, HasSubstr("FAILED  On/Line.IsLost/avr  (Failed 0.02 sec)\n"
                                     "line_test.cpp:7: Failure\n"
                                     "2/4 Test #4: Line.IsBlack ... Passed 0.01 sec\n"
