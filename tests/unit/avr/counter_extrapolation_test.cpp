@@ -1,4 +1,4 @@
-// Tests that branches and held results of a computation do not change while the counter is in the window.
+// Tests that a counter within the window changes neither the branches nor the held results of a computation.
 #include "sim/avr/counter_extrapolation.h"
 
 #include <gtest/gtest.h>

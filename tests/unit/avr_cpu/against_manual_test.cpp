@@ -47,7 +47,7 @@ TEST_P(Manual, SaysWhatTheProcessorDoesWithRandomInstructions) {
     count = 0;
     for (const std::uint64_t ran : pair.manual.ran) count += ran;
   }
-  // Checks that each instruction has run, and that each conditional one has gone both ways.
+  // Checks that each instruction has run, and that each condition has been true and false.
   for (std::size_t row = 0; row < ManualModel::rows().size(); ++row) {
     const std::string name = ManualModel::rows()[row].name;
     if (!long_pc && (name.starts_with("ELPM") || name.starts_with("EI"))) continue;

@@ -79,7 +79,7 @@ TEST(AvrTimer, ClocksAreDividedAsTables15_9And16_5And18_9Say) {
 TEST(AvrTimer, APeriodIsTopAndOneTickOrTwiceTop) {
   EXPECT_EQ(period_of(counting(kTimers[0], 3, 0), 0xFF), 256);
   EXPECT_EQ(period_of(counting(kTimers[0], 1, 0), 0xFF), 510);
-  EXPECT_EQ(period_of(counting(kTimers[1], 0, 0x10), 0), 1) << "it cannot count to a TOP of 0";
+  EXPECT_EQ(period_of(counting(kTimers[1], 0, 0x10), 0), 1) << "no timer counts to a TOP of 0";
 }
 
 PinDrive driven(int timer, std::uint8_t a, std::uint8_t b, std::uint16_t compare, int channel,
@@ -148,7 +148,7 @@ TEST(AvrAdc, AConversionTakesWhatTable24_1Says) {
 }
 
 TEST(AvrAdc, ReferencesAreThoseOfTable24_3) {
-  EXPECT_EQ(adc_reference_volts(kAdc, 0x00, 5.0), 5.0) << "AREF, where nothing is wired to it";
+  EXPECT_EQ(adc_reference_volts(kAdc, 0x00, 5.0), 5.0) << "AREF, which is not connected";
   EXPECT_EQ(adc_reference_volts(kAdc, 0x40, 3.3), 3.3) << "AVCC";
   EXPECT_EQ(adc_reference_volts(kAdc, 0xC7, 5.0), 1.1);
 }

@@ -162,8 +162,8 @@ INSTANTIATE_TEST_SUITE_P(All, Sample,
                                          Facts{"island", 48, 4, 2, 0, 1}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// The paper's scan times, by v1's formula T = 2(L-1) + S + 2W + W0 for trees of three-way forks. W and W0
-// count the stations that face a wall; these maps have none.
+// Expects the paper's scan times, by v1's formula T = 2(L-1) + S + 2W + W0 for trees of three-way forks. W
+// and W0 count the stations that face a wall; these maps have none.
 TEST(SampleMaps, CToFTakeTheScanTimesOfThePaper) {
   const std::pair<const char*, std::size_t> times[] = {{"c", 94}, {"d", 141}, {"e", 129}, {"f", 247}};
   for (const auto& [name, time] : times) {

@@ -189,8 +189,8 @@ double lifted_rate(Profile profile, std::uint64_t seed, double duty) {
   return Lifted(profile, seed).rate_at(duty);
 }
 
-// Returns the duty cycle, in steps of 1 / 255, below which the wheel does not turn: from rest, or while the
-// duty cycle falls.
+// Returns the least duty cycle at which a resting wheel starts. If not `from_rest`, returns the duty cycle at
+// which a turning wheel stops. Both are in steps of 1 / 255.
 double least_duty(Profile profile, std::uint64_t seed, bool from_rest) {
   Lifted mouse(profile, seed);
   if (from_rest) {

@@ -1,4 +1,4 @@
-// Tests the detectors of a board (sim/run/board_detectors.h) in whole runs.
+// Tests the detectors of a board (sim/run/board_detectors.h) in complete runs.
 
 #include <gmock/gmock.h>
 

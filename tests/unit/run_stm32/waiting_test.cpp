@@ -1,5 +1,5 @@
-// Tests that skipping busy-wait loops does not change whole runs on the target stm32: the chip at each
-// tick, and the trace.
+// Tests runs on the target stm32: skipping busy-wait loops changes neither the chip's state at any tick nor
+// the trace.
 #include <gtest/gtest.h>
 
 #include "sim/exec/stm32/stm32_executor.h"

@@ -71,7 +71,7 @@ class WaysTest : public ::testing::Test {
       return error.what();
     }
   }
-  /// Returns the result of a run from power-on whose script includes all of one branch.
+  /// Returns the result of a run from power-on, with the complete script of one branch.
   std::string whole(const std::string& way) const {
     wire::RunRequest request = request_;
     request.ways.reset();

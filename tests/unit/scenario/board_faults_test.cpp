@@ -1,4 +1,4 @@
-// Tests faults between board and world, on a board whose firmware is the test itself.
+// Tests faults between board and world. The test acts as the board's firmware.
 #include "sim/scenario/board_faults.h"
 
 #include <gmock/gmock.h>
