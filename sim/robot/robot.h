@@ -123,7 +123,7 @@ class Robot {
   void restore(const SnapshotRegistry::Snapshot& saved);
 
   // Functions for scripts. Each throws InputError with a list of the existing parts or fault kinds.
-  /// Press and release a button from `t` on, which is not before the current tick.
+  /// Press or release a button from `t` on; `t` must not be before the current tick.
   void press(const std::string& part, SimTime t);
   void release(const std::string& part, SimTime t);
   /// Sends a message to a receiver; `t` as in press().

@@ -99,7 +99,7 @@ std::string text_of(std::size_t agent, const std::vector<std::uintptr_t>& offset
   return text;
 }
 
-// Parses the result of text_of(). Skips invalid and excessive parts.
+// Parses the result of text_of(), up to the first invalid number, and at most kMost numbers.
 std::vector<std::uintptr_t> offsets_in(const std::string& text) {
   constexpr std::size_t kMost = 257;
   std::vector<std::uintptr_t> offsets;
@@ -153,7 +153,8 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   run.setup().interrupted = &interrupted;
   run.setup().reached = proxy ? &proxy->reached() : &reached;
   if (!request.agents.empty()) run.setup().acting = proxy ? &proxy->acting() : &acting_robot;
-  if (!debugger && !proxy) start_watchdog();  // a chip never hangs within a tick
+  // A proxy watches its run. A debugger requires an emulated chip, which never hangs within a tick.
+  if (!debugger && !proxy) start_watchdog();
 
   RemoteController controller(id, request.script_file, interrupted, [&](SimTime t) { run.flush(t); });
   if (request.interactive) run.setup().controller = &controller;
@@ -190,7 +191,7 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   } catch (const std::exception& error) {
     const std::string fault = system_error_of(error);
     if (!fault.empty() && exec::is_confined())
-      exec::keyed_exit(exec::kNoMemoryStatus);  // only memory is still acquired this late
+      exec::keyed_exit(exec::kNoMemoryStatus);  // this late, only memory can run out
     if (!fault.empty()) return wire::ErrorAnswer{"tool", fault};
     return wire::ErrorAnswer{"internal", error.what()};
   }

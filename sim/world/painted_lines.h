@@ -24,7 +24,7 @@ class PaintedLines {
 
   bool empty() const { return !stripes_; }
 
-  /// Draws the places without paint from `noise`.
+  /// Sets the noise that selects the places without paint.
   void wear(const NoiseStream& noise) { noise_ = noise; }
 
   /// Returns the reflectance of a band, as a share of white's, in a square of side `footprint` about p.

@@ -27,7 +27,7 @@ class CliCompare : public ::testing::Test {
     if (!IsSkipped() && !HasFatalFailure()) needs_target("stm32");
   }
 
-  /// Compares a planted difference between two targets.
+  /// Runs `robosim compare` on a sketch whose behaviour differs between targets.
   Ended compare(const std::string& sketch, const std::string& targets,
                 std::vector<std::string> more = {}) const {
     std::vector<std::string> words{
@@ -46,9 +46,9 @@ class CliCompare : public ::testing::Test {
     EXPECT_EQ(ended.status, 1) << ended.err;
     return json_of(ended)["difference"];
   }
-  /// Returns the comparison with the first seed for which the robot is on the edge on both host and stm32.
-  /// The seed depends on microseconds, and therefore on the releases of both compilers. With each earlier
-  /// seed, the comparison must blame no target.
+  /// Returns the comparison with the first seed for which chance decides on both host and stm32. The seed
+  /// depends on microseconds, and therefore on the releases of both compilers. With each earlier seed, the
+  /// comparison must blame no target.
   static nlohmann::json first_on_the_edge(const std::vector<std::string>& words, int first_seed) {
     for (int seed = first_seed; seed < first_seed + 6; ++seed) {
       std::vector<std::string> all = words;
@@ -154,8 +154,9 @@ TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
   EXPECT_NE(result["edges"][0]["texts"][0], result["edges"][0]["texts"][1]);
 }
 
-// An Uno's millis() may lag by one tick, so it prints "even" when a Blue Pill prints "odd". The host prints
-// half a millisecond later. These differences must not hide later ones.
+// An Uno's millis() may lag by one tick, so it prints "even" when a Blue Pill prints "odd". A host
+// that is delayed by a fraction of a millisecond prints what the Blue Pill prints. These differences must not
+// hide later ones.
 TEST_F(CliCompare, WhatHangsOnATickOfTheClockBlamesNoTarget) {
   const Ended ended = compare("DiffersAtTick", "host,stm32");
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;

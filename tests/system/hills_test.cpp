@@ -1,6 +1,6 @@
 // Tests effects of hills and wet floors on a sketch. A pair of runs, one with the effect and one without,
-// shows that a value changes as docs/explanation/models.md describes. One sketch succeeds, the other one
-// fails.
+// shows that a value changes as docs/explanation/models.md describes. Where a variant of the sketch fails
+// because of the effect, another variant succeeds.
 #include <fstream>
 
 #include "sim/base/file.h"
@@ -143,8 +143,9 @@ TEST_F(Hills, ThatEndHighAreFallenOff) {
 }
 
 // Runs the sample Robotracer at two speeds, 0.5 and 0.7 m/s, on its course dry and wet, without and with a
-// fan. In bends of 150 mm it slides above sqrt(grip * load / mass * g * 0.15 m / sqrt 2). The limit is 0.91
-// m/s when dry, 0.71 m/s when wet, and 1.27 m/s when wet with the fan.
+// fan. In bends of 150 mm radius it slides if it is faster than
+// sqrt(grip * load / mass * g * 0.15 m / sqrt 2). The limit is 0.91 m/s when dry, 0.71 m/s when wet, and 1.27
+// m/s when wet with the fan.
 class Wet : public testing::Test {
  protected:
   wire::RunResult run(int speed, bool wet, const std::string& fan, std::uint64_t seed) {

@@ -22,7 +22,7 @@ std::string to_hex(std::string_view bytes) {
   return text;
 }
 
-/// Reads the fields of a packet from its front. If the packet is malformed, all results are 0 or empty.
+/// Reads the fields of a packet from its front. If the packet is malformed, sound() returns false.
 class Fields {
  public:
   explicit Fields(std::string_view text) : text_(text) {}
@@ -140,7 +140,7 @@ std::string Server::query(Processor& processor, const std::string& packet) {
   return kUnknown;
 }
 
-/// Executes a write. Refuses if the run has gone back, since the write would change times already reported.
+/// Executes a write. Refuses if the run has gone back, since later events have already been reported.
 std::string Server::write(Processor& processor, const std::string& packet) {
   if (history_ && !history_->is_at_front()) return kRefused;
   const std::string said = write_to(processor, packet);

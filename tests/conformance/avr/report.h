@@ -5,7 +5,7 @@
 //   // Source: DS40002061B, 15.7.2
 //   // Expect: 05 05 ff          bytes in hex; `..` matches any byte
 //   // Ends: 20000               optional: cycle limit; default 100000
-//   // Chips: atmega2560         optional: chips with this behaviour; other emulators run the first
+//   // Chips: atmega2560         optional: chips with this behaviour; foreign emulators test only the first
 //   // Loop: 0                   optional: connects TX of USART 0 to its RX
 //
 // Programs are compiled by avr-gcc -Os with C's start-up code, without an Arduino core. A call of report()

@@ -94,7 +94,7 @@ TEST(PonyWalkerTest, KnowsHowLongALineOfMoreThanAMinuteIs) {
   const nav::Landmark end = ride.walker.follow();
   EXPECT_EQ(end.kind, nav::LandmarkKind::end);
   EXPECT_GT(fake::board.now_us - left_us, 66'000'000u) << "beyond 16 bits of ms";
-  EXPECT_NEAR(end.cost, fake::board.now_us / 20'000, 2) << "since the walker began to look around";
+  EXPECT_NEAR(end.cost, fake::board.now_us / 20'000, 2) << "the cost includes the duration of begin()";
 }
 
 TEST(PonyWalkerTest, CountsItsHeadingAnewWhereItBeginsAnew) {
@@ -391,7 +391,7 @@ TEST_F(PonyTest, BelievesASensorAfterTwoLooks) {
 }
 
 TEST_F(PonyTest, ShowsEachNumberByItsSegments) {
-  // The lit segments of the digits 0..9: e g f a b c d, bit 0 last.
+  // The lit segments of the digits 0..9, from bit 0 to bit 6: e g f a b c d.
   const int digits[] = {0x7D, 0x30, 0x5B, 0x7A, 0x36, 0x6E, 0x6F, 0x38, 0x7F, 0x3E};
   for (int n = 0; n < 100; ++n) {
     pony.show(static_cast<std::uint8_t>(n));

@@ -13,7 +13,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 const IncludeTable kTable = read_include_table("table", R"(
-search: . hal/arduino  # the contract is found by its bare name
+search: . hal/arduino  # so that <Arduino.h> is found
 hal/arduino:
 firmware: hal/arduino
 firmware/src/nav:
