@@ -103,8 +103,8 @@ void Timer::refresh_turn() {
   }
 }
 
-/// Returns whether the board is notified of each level of a pin, instead of PWM or a tone: if the timer has
-/// no clock, if a pin with COM = 1 toggles at less than 20 Hz, or if a pin with another COM has no PWM.
+/// Returns whether the board is notified of each level of a pin, not of PWM or a tone. The timer then has no
+/// clock, or the pin toggles (COM = 1) at less than 20 Hz, or it has another COM and no PWM.
 bool Timer::steps(int channel) const {
   constexpr int64_t kLowestTone_hz = 20;
   if (prescaler_ == 0) return true;

@@ -104,7 +104,7 @@ class Build {
   }
 
   /// Calls `fail`, which throws. If libraries are used, may instead request a retry that compiles as for an
-  /// AVR, because a library may then declare names that the sketch needs.
+  /// AVR: a library may then declare the missing names.
   template <typename Fail>
   void fail_or_try_as_avr(Fail fail, bool about_library = false) const {
     if (libraries_.empty() || toolchain_.target.as_avr.empty() || toolchain_.registers == Registers::as_avr)

@@ -6,8 +6,8 @@
 // first direction.
 //
 // A line is the same from both ends. Unless a watcher follows each move, the robot therefore walks along a
-// line only once. The walker records each line. When the robot goes back over the latest recorded line, it
-// reaches the other end at once, and the moves of that line are counted again. An explorer goes back over
+// line only once. The walker records each line. If the robot goes back over the latest recorded line, it
+// reaches the other end at once. That line's moves are counted again. An explorer goes back over
 // every line of a tree.
 //
 // If an obstacle is directly next to a junction, the robot senses the obstacle before it moves. Finding it

@@ -66,7 +66,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   bool evaluate(SimTime end);
 
   // --- turns of several ticks, for a robot far from all others ---
-  /// A report that is delayed until all agents have reached its time.
+  /// A report, delayed until all agents have reached its time.
   struct Untold {
     SimTime tick;  ///< beginning of the report's tick
     int step;      ///< step of the tick, as above

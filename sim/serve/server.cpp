@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -357,6 +358,7 @@ struct Server::Impl {
   JobManager jobs;
   const std::uintmax_t most_saved;        // bytes
   std::atomic<std::uintmax_t> saved = 0;  // bytes
+  std::atomic<bool> serving = false, stopped = false;
   const int port;
   const OriginCheck origin_check;
   RequestDeadline deadline;
@@ -365,9 +367,17 @@ struct Server::Impl {
 Server::Server(const Settings& settings) : impl_(std::make_unique<Impl>(settings)) {}
 Server::~Server() = default;
 std::string Server::url() const { return impl_->origin_check.url(); }
-void Server::serve() { impl_->http.listen_after_bind(); }
+void Server::serve() {
+  impl_->serving = true;
+  if (!impl_->stopped) impl_->http.listen_after_bind();
+  impl_->serving = false;
+}
+// The library ignores stop() until it listens.
 void Server::stop() {
+  impl_->stopped = true;
   impl_->jobs.end();
+  while (impl_->serving && !impl_->http.is_running())
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   impl_->http.stop();
 }
 

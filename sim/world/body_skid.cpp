@@ -10,8 +10,8 @@
 // at any grip and speed. The moment of the ground against the turn is
 //   M = mu m g (L / 2) / sqrt(1 + (L / B)^2)
 // A body with wheelbase_m > 0 is computed like a body with track B_eff. Its moment of inertia and M are
-// multiplied by B_eff / B, so that the motors' moment and M have the effect described above. For tracks of
-// length l, evenly loaded, L is l / sqrt(3), which has the same mean square.
+// multiplied by B_eff / B: the motors' moment and M then have the effect described above. For evenly loaded
+// tracks of length l, L is l / sqrt(3), which has the same mean square.
 //
 // Source: Coulomb's law at each tyre. No published measurement of B_eff was found, at any speed. Not
 // modelled: sideways forces in fast bends, which change M; a centre of mass away from the middle of the

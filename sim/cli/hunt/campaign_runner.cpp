@@ -78,8 +78,8 @@ void CampaignRunner::prepare(const HuntArguments& arguments, tui::Progress& prog
                         std::find(targets.begin(), targets.end(), "host") != targets.end();
   for (const std::string& target : targets) {
     for (const bool checked : {false, true}) {
-      // Skips builds with checks for a finished image and for the STM32. Skips the host's build without checks
-      // if there are several targets.
+      // Skips builds with checks for a finished image and for the STM32. If there are several targets, skips
+      // the host's build without checks.
       if (checked && (!sketch.elf_target.empty() || target == "stm32")) continue;
       if (!checked && target == "host" && targets.size() > 1) continue;
       launch.target = target;

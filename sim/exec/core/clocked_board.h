@@ -13,7 +13,7 @@ class ClockedBoard final : public FirmwarePort {
  public:
   explicit ClockedBoard(BoardState& board) : board_(board) {}
 
-  // --- for executors; times are the firmware's unless the comment or name says the world's
+  // --- for executors; times are the firmware's, except where stated
   /// Begins a tick that ends at `end`, a time of the world. Returns `end` by the firmware's clock. If an
   /// instruction begins before `end` and ends after it, its effects appear in the world at `end`.
   SimTime begin_tick(SimTime end) {

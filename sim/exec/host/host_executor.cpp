@@ -129,8 +129,8 @@ class HostExecutor::Instance final : public host::Host {
   // Functions of host::Host, called on the fiber.
   void yield() override { suspend(); }
   void block_begins(const std::uint8_t* stack) override {
-    // Checks interrupts again: at watch(), a handler may have been running, or the sketch may have cleared
-    // the I flag for a moment to read a shared variable.
+    // Checks interrupts again: at watch(), a handler may have been running. Or the sketch may have cleared
+    // the I flag to read a shared variable.
     const bool alive = image_.entry().may_interrupt(false);
     goes_round_ = !alive && cycle_detector_.sees(state_.place, from(stack));
     if (goes_round_ || alive) state_.watched = false;

@@ -1,4 +1,4 @@
-// A write to TCNT0 blocks a match at the next clock, and the clear on that match, even if the timer was
+// A write to TCNT0 blocks a match at the next clock, and its clear. This holds even if the timer was
 // stopped.
 // Source: DS40002061B, 15.5.3
 // Expect: 00 02 00 42

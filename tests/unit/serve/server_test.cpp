@@ -87,6 +87,12 @@ TEST_F(Serving, TakesAnotherPortWhereTheUsualOneIsInUse) {
   EXPECT_NE(second.url(), server_->url());
 }
 
+TEST_F(Serving, EndsIfItIsStoppedBeforeItServes) {
+  Server server(Settings{root(), outside_.path() / "robosim"});
+  server.stop();
+  server.serve();
+}
+
 TEST_F(Serving, ListsWhatIsInTheFolderAndWhatIsOursAndNothingThatALinkLeadsTo) {
   serve("");
   const auto answer = http_->Get("/api/folder");

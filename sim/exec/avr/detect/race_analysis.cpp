@@ -109,8 +109,8 @@ void RaceAnalysis::find_accesses(const DebugInfo& debug) {
   accesses_.erase(same, accesses_.end());
 }
 
-/// Adds an access if the instruction at word address `pc` accesses one byte of a number, and a nearby later
-/// instruction accesses another byte of the number.
+/// Adds an access if the instruction at word address `pc`, and one soon after it, access different bytes of
+/// one number.
 void RaceAnalysis::add_group(std::uint32_t pc, const DebugInfo& debug) {
   const Cpu& cpu = chip_.cpu();
   const Instruction& first = cpu.instruction(pc);

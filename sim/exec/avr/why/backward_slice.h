@@ -5,8 +5,8 @@
 //   branches          belong to the slice if they decided that an instruction of the slice ran
 //   external inputs   (pins, converter, clock, received bytes) end the slice
 //
-// Each instruction maps to its line of the sketch, or else to the line that called its function, and to that
-// line's callers. The distance of a cause from the effect is counted in lines.
+// Each instruction maps to its line of the sketch, or else to the line that called its function. The callers
+// of that line are included. The distance of a cause from the effect is counted in lines.
 #pragma once
 
 #include <array>

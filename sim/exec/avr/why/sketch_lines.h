@@ -25,8 +25,7 @@ class SketchLines {
   /// Returns the place of the instruction at word address `pc`.
   const Place& at(std::uint32_t pc) const;
   Line line(const SourceLine& where) const;
-  /// Returns the line that declares the variable or constant at an ELF address, and the line that declares
-  /// its member at that address.
+  /// Returns the lines that declare what is at an ELF address: the variable or constant, and its member.
   const std::vector<Line>& declarations(std::uint32_t address) const;
 
  private:
