@@ -146,7 +146,7 @@ class Comparer {
                    "",
                    {}};
       d.sides[first ? 0 : 1] = came_to(longer[at]);
-      d.sides[first ? 1 : 0] = "comes to no other place";
+      d.sides[first ? 1 : 0] = "reaches no other place";
       d.place[first ? 0 : 1] = at;
       return d;
     });
@@ -165,7 +165,7 @@ class Comparer {
         return report({Difference::Kind::line,
                        what,
                        t,
-                       {"says " + quoted(a[i].text), "says " + quoted(b[i].text)},
+                       {"prints " + quoted(a[i].text), "prints " + quoted(b[i].text)},
                        "",
                        line});
       if (!same_numbers(a[i], b[i], what, line)) return;
@@ -182,8 +182,8 @@ class Comparer {
                    {},
                    "",
                    {}};
-      d.sides[first ? 0 : 1] = "says " + quoted(said.text);
-      d.sides[first ? 1 : 0] = "says nothing";
+      d.sides[first ? 0 : 1] = "prints " + quoted(said.text);
+      d.sides[first ? 1 : 0] = "prints nothing";
       d.line[first ? 0 : 1] = said.number;
       return d;
     });
@@ -200,7 +200,7 @@ class Comparer {
       report({Difference::Kind::number,
               what,
               {a.t_ns, b.t_ns},
-              {"says " + quoted(a.text), "says " + quoted(b.text)},
+              {"prints " + quoted(a.text), "prints " + quoted(b.text)},
               width_cause(x, y),
               line});
       return false;
@@ -222,7 +222,7 @@ class Comparer {
     const bool first = a.end_ns <= b.end_ns;
     const std::array<std::int64_t, 2> t{first ? a.end_ns : clocks_.to_a(b.end_ns),
                                         first ? clocks_.to_b(a.end_ns) : b.end_ns};
-    report({Difference::Kind::verdict, "how it ends", t, {text(a), text(b)}, "", {}});
+    report({Difference::Kind::verdict, "the verdict", t, {text(a), text(b)}, "", {}});
   }
 
   std::array<const History*, 2> sides_;

@@ -47,8 +47,8 @@ class StreamComparer {
                  {}};
     d.t_ns[has] = said.t_ns;
     d.t_ns[1 - has] = other_clock(has, said.t_ns);
-    d.sides[has] = "says " + quoted(said.text) + ", and often";
-    d.sides[1 - has] = "says nothing like it";
+    d.sides[has] = "prints " + quoted(said.text) + " repeatedly";
+    d.sides[1 - has] = "prints no such line";
     d.line[has] = said.number;
     found_.push_back(std::move(d));
   }
@@ -91,8 +91,8 @@ class StreamComparer {
       Difference d{Difference::Kind::time, "the line " + quoted(first->text), {}, {}, "", {}};
       d.t_ns[side] = first->t_ns;
       d.t_ns[1 - side] = other_clock(side, first->t_ns);
-      d.sides[side] = "says it again and again";
-      d.sides[1 - side] = "does not, for " + seconds(said.t_ns - first->t_ns) + " and more";
+      d.sides[side] = "prints it repeatedly";
+      d.sides[1 - side] = "does not print it for at least " + seconds(said.t_ns - first->t_ns);
       d.line[side] = first->number;
       found_.push_back(std::move(d));
       return;
@@ -141,8 +141,8 @@ class StreamComparer {
         Difference d{Difference::Kind::number, "the line " + quoted(form), {}, {}, "", {}};
         d.t_ns[side] = said.t_ns;
         d.t_ns[1 - side] = t;
-        d.sides[side] = "says " + quoted(said.text);
-        d.sides[1 - side] = "says " + quoted(near.text) + ", and nothing like it within a second";
+        d.sides[side] = "prints " + quoted(said.text);
+        d.sides[1 - side] = "prints " + quoted(near.text) + ", and no similar value within a second";
         d.cause = width_cause(x, near.parts.numbers[n]);
         d.line[side] = said.number;
         d.line[1 - side] = near.number;

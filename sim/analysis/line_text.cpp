@@ -130,7 +130,7 @@ std::string width_cause(const Number& a, const Number& b) {
   const auto times = static_cast<long long>(apart / unit);
   return "integer width: " + smaller.text + " = " + larger.text + " - " +
          (times == 1 ? "" : std::to_string(times) + " * ") + (lost_32 ? "2^32" : "2^16") +
-         (lost_32 ? ", what does not fit 32 bits" : ", what does not fit 16 bits");
+         (lost_32 ? ", which does not fit 32 bits" : ", which does not fit 16 bits");
 }
 
 }  // namespace robosim::analysis

@@ -76,8 +76,8 @@ TEST_F(CliCompare, ANumberThatDoesNotFitAnIntIsFoundWithItsLines) {
   const Ended ended = compare("DiffersInWidth", "host,avr");
   EXPECT_EQ(ended.status, 1) << ended.err;
   EXPECT_THAT(ended.out,
-              AllOf(HasSubstr("host   says \"path 40000\"\n         DiffersInWidth.ino:7 in report()"),
-                    HasSubstr("avr    says \"path -25536\"\n         DiffersInWidth.ino:7 in report()"),
+              AllOf(HasSubstr("host   prints \"path 40000\"\n         DiffersInWidth.ino:7 in report()"),
+                    HasSubstr("avr    prints \"path -25536\"\n         DiffersInWidth.ino:7 in report()"),
                     HasSubstr("integer width: -25536 = 40000 - 2^16"),
                     HasSubstr("checks    160 * 250 does not fit an int"), HasSubstr("DiffersInWidth.ino:5")))
       << ended.out;
@@ -86,8 +86,8 @@ TEST_F(CliCompare, ANumberThatDoesNotFitAnIntIsFoundWithItsLines) {
 TEST_F(CliCompare, ADivisionByZeroIsFound) {
   const auto found = difference("DiffersInDivision", "avr,stm32");
   EXPECT_EQ(found["kind"], "number");
-  EXPECT_EQ(found["sides"][0]["text"], "says \"-1\"");
-  EXPECT_EQ(found["sides"][1]["text"], "says \"0\"");
+  EXPECT_EQ(found["sides"][0]["text"], "prints \"-1\"");
+  EXPECT_EQ(found["sides"][1]["text"], "prints \"0\"");
   EXPECT_EQ(found["sides"][1]["source"]["line"], 9);
   EXPECT_EQ(found["sides"][0]["finding"]["line"], 4) << found;
 }
@@ -181,8 +181,8 @@ TEST_F(CliCompare, SoDoesWhatHangsOnAHostThatIsSlowerThanAChip) {
 TEST_F(CliCompare, WhatDiffersBehindSuchATickIsFound) {
   const auto found = difference("DiffersAtTick", "host,stm32", {"--for", "8s"});
   EXPECT_EQ(found["kind"], "number");
-  EXPECT_EQ(found["sides"][0]["text"], "says \"-1\"");
-  EXPECT_EQ(found["sides"][1]["text"], "says \"0\"");
+  EXPECT_EQ(found["sides"][0]["text"], "prints \"-1\"");
+  EXPECT_EQ(found["sides"][1]["text"], "prints \"0\"");
   expect_both_at(found, "DiffersAtTick.ino", 9, "loop");
 }
 

@@ -142,7 +142,7 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
       host = pair.target_runs[side], done[side] = true, as = side;
   if (!host) host = make_host_();
   if (!host) return {};
-  progress_.say("checking whether the host does both when slightly later …");
+  progress_.say("checking whether the host shows both behaviours when slightly delayed …");
   const analysis::Difference& difference = *compared.difference;
   const bool drives = analysis::is_of_driving(difference);
   // Checks output only for a short time: behind_tick() compares later output, with the host equally late.

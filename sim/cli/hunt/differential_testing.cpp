@@ -71,8 +71,10 @@ bool is_near(double x, double y) {
 
 std::optional<Divergence> divergence(const std::vector<Line>& a, const std::vector<Line>& b, bool numbers) {
   for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
-    if (i >= a.size()) return Divergence{"says nothing then", says(b[i].text), "|" + b[i].parts.form, {}, {}};
-    if (i >= b.size()) return Divergence{says(a[i].text), "says nothing then", a[i].parts.form + "|", {}, {}};
+    if (i >= a.size())
+      return Divergence{"prints nothing at that point", says(b[i].text), "|" + b[i].parts.form, {}, {}};
+    if (i >= b.size())
+      return Divergence{says(a[i].text), "prints nothing at that point", a[i].parts.form + "|", {}, {}};
     if (a[i].parts.form != b[i].parts.form)
       return Divergence{says(a[i].text), says(b[i].text), a[i].parts.form + "|" + b[i].parts.form, {}, {}};
     const std::vector<double> x = values_of(a[i]), y = values_of(b[i]);

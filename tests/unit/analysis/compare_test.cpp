@@ -173,8 +173,8 @@ TEST(Compare, TheLineOfAStreamThatIsShownIsTheOneOfThatMoment) {
   for (int i = 0; i < 20; ++i) rising.push_back(1000 * i);
   const auto d = compare(readings(rising, 8, 500), readings(rising, 8, 8000)).first;
   ASSERT_TRUE(d);
-  EXPECT_EQ(d->sides[0], "says \"e 500\"");
-  EXPECT_EQ(d->sides[1], "says \"e 8000\", and nothing like it within a second");
+  EXPECT_EQ(d->sides[0], "prints \"e 500\"");
+  EXPECT_EQ(d->sides[1], "prints \"e 8000\", and no similar value within a second");
 }
 
 /// Returns a run that prints a line each second: "on" before `off_from`, then "off".
@@ -194,8 +194,8 @@ TEST(Compare, AStreamMayEndALittleSoonerButNotLongBefore) {
   EXPECT_EQ(d->kind, Kind::time);
   EXPECT_EQ(d->what, "the line \"off\"");
   EXPECT_EQ(d->t_ns[1], 5 * kS);
-  EXPECT_EQ(d->sides[1], "says it again and again");
-  EXPECT_EQ(d->sides[0], "does not, for 9.000 s and more");
+  EXPECT_EQ(d->sides[1], "prints it repeatedly");
+  EXPECT_EQ(d->sides[0], "does not print it for at least 9.000 s");
 }
 
 TEST(Compare, AStreamThatOneSideHadNoTimeForIsNoDifference) {

@@ -70,10 +70,10 @@ TEST(LineText, TheLastDigitsOfAFloatAreKnownToDiffer) {
 }
 
 TEST(LineText, WhatIntegersLoseIsNamed) {
-  EXPECT_EQ(cause("40000", "-25536"), "integer width: -25536 = 40000 - 2^16, what does not fit 16 bits");
+  EXPECT_EQ(cause("40000", "-25536"), "integer width: -25536 = 40000 - 2^16, which does not fit 16 bits");
   EXPECT_EQ(cause("100000", "-31072"),
-            "integer width: -31072 = 100000 - 2 * 2^16, what does not fit 16 bits");
-  EXPECT_EQ(cause("4294967301", "5"), "integer width: 5 = 4294967301 - 2^32, what does not fit 32 bits");
+            "integer width: -31072 = 100000 - 2 * 2^16, which does not fit 16 bits");
+  EXPECT_EQ(cause("4294967301", "5"), "integer width: 5 = 4294967301 - 2^32, which does not fit 32 bits");
   EXPECT_EQ(cause("40000", "100"), "");
   EXPECT_EQ(cause("7", "7"), "");
 }

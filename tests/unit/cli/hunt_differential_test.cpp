@@ -39,7 +39,7 @@ HuntSpace space_of_a_talker() {
 
 TEST(HuntTwin, PartsWhereAnotherLineIsSaid) {
   EXPECT_EQ(apart(sent("ready\r\nok\r\n"), sent("ready\r\nunknown\r\n")), "says “ok”; says “unknown”");
-  EXPECT_EQ(apart(sent("ready\n"), sent("ready\ngoing\n")), "says nothing then; says “going”");
+  EXPECT_EQ(apart(sent("ready\n"), sent("ready\ngoing\n")), "prints nothing at that point; says “going”");
   EXPECT_EQ(apart(sent("ready\nok\n"), sent("ready\nok\nbe")), "");  // the next line may still be arriving
 }
 
