@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 
 #include "sim/avr/cycle.h"
 
@@ -34,7 +35,7 @@ class Events {
   /// a few cycles further, in the middle of an instruction.
   template <auto Method, typename Owner>
   Id add(Owner* owner) {
-    if (count_ == kMost) throw std::logic_error("a chip with more events than Events::kMost");
+    if (count_ == kMost) throw std::logic_error("too many events: expected at most " + std::to_string(kMost));
     actions_[count_] = {[](void* self, Cycle at) { (static_cast<Owner*>(self)->*Method)(at); }, owner};
     return static_cast<Id>(count_++);
   }

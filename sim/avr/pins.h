@@ -65,7 +65,7 @@ class Pins final : public Peripheral {
                              (static_cast<Owner*>(self)->*Method)(number, level, at);
                            },
                            owner}});
-    if (listeners_.size() > kMostListeners) throw std::logic_error("a chip with more listeners than 64");
+    if (listeners_.size() > kMostListeners) throw std::logic_error("too many listeners: expected at most 64");
     return static_cast<int>(listeners_.size() - 1);
   }
   void listen(int listener, bool on);

@@ -55,7 +55,7 @@ ElfFile::ElfFile(std::string content, std::string file)
 void ElfFile::End::operator()(Elf* elf) const { ::elf_end(elf); }
 
 void ElfFile::damaged() const {
-  throw InputError({file_}, "the ELF file is damaged: it ends before its announced end");
+  throw InputError({file_}, "the ELF file is damaged: a table or section is outside the file");
 }
 
 std::vector<ElfSegment> ElfFile::segments() const {

@@ -34,7 +34,7 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   const nlohmann::json result = json_of(checked);
   EXPECT_EQ(result["verdict"], "crashed");
   EXPECT_EQ(result["why"],
-            "The sketch crashed: index 5 is outside of the array, an int [5]: its first is 0 and its last 4 "
+            "The sketch crashed: index 5 is outside of the array, an int [5]: valid indices are 0 to 4 "
             "in average, Speeds.ino:4.");
   EXPECT_EQ(result["crash"]["function"], "average");
   EXPECT_EQ(result["crash"]["file"], "Speeds.ino");

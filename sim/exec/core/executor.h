@@ -116,7 +116,8 @@ class Executor {
   }
   /// Sets the value at which millis() starts at the next power-on. Throws InputError if that is impossible.
   virtual void set_clock_start(SimTime) {
-    throw InputError("setting the clock requires an emulated chip; on the host it is wider and never wraps");
+    throw InputError(
+        "setting the clock requires an emulated chip; on the host, millis() is wider and never wraps");
   }
   /// Delays the sketch at these times, in ascending order, as if its code took longer. Takes effect at the
   /// next power-on. Throws InputError if that is impossible.

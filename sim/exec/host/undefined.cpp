@@ -135,7 +135,7 @@ std::string explain_index(const TwoTypes& data, std::uintptr_t index) {
   const std::size_t open = array.find('[');
   const int length = open == array.npos ? 0 : std::atoi(array.c_str() + open + 1);
   std::string valid = "it has no elements";
-  if (length > 0) valid = fmt::format("its first is 0 and its last {}", length - 1);
+  if (length > 0) valid = fmt::format("valid indices are 0 to {}", length - 1);
   return fmt::format("index {}{} is outside of the array, {}: {}", text(integer(*data.second, index)),
                      if_never_set(*data.second, index), with_article(array), valid);
 }

@@ -162,7 +162,7 @@ TEST(ElfFile, AFileThatEndsTooEarlyIsRefused) {
   ASSERT_EQ(read_all(good), std::to_string(5 + 4 + 6 + 4 + 5 + 5));
   for (std::size_t size = sizeof(Elf32_Ehdr); size < good.size(); ++size)
     EXPECT_EQ(read_all(good.substr(0, size)),
-              "x.elf: the ELF file is damaged: it ends before its announced end")
+              "x.elf: the ELF file is damaged: a table or section is outside the file")
         << size;
 }
 

@@ -33,12 +33,11 @@ class SanitizeTest : public HostTest {
 
 TEST_F(SanitizeTest, AnIndexOutsideOfAnArray) {
   expect_found("int a[5]; volatile int i = 5;", "a[i] = 1;",
-               "index 5 is outside of the array, an int [5]: its first is 0 and its last 4");
+               "index 5 is outside of the array, an int [5]: valid indices are 0 to 4");
   expect_found("char a[3]; volatile int i = -1;", "a[i] = 1;",
-               "index -1 is outside of the array, a char [3]: its first is 0 and its last 2");
-  expect_found(
-      "volatile unsigned long i = 1234567890;", "volatile byte a[2]; a[i] = 1;",
-      "index 1234567890 is outside of the array, an unsigned char [2]: its first is 0 and its last 1");
+               "index -1 is outside of the array, a char [3]: valid indices are 0 to 2");
+  expect_found("volatile unsigned long i = 1234567890;", "volatile byte a[2]; a[i] = 1;",
+               "index 1234567890 is outside of the array, an unsigned char [2]: valid indices are 0 to 1");
 }
 
 TEST_F(SanitizeTest, AnOverflowOfASignedNumber) {
@@ -96,7 +95,7 @@ TEST_F(SanitizeTest, ABoolOrEnumThatIsNone) {
 TEST_F(SanitizeTest, ALocalVariableThatWasNeverSet) {
   expect_found("int a[5]; void (*volatile nothing)(int*) = [](int*) {};", "int i; nothing(&i); a[i] = 1;",
                "index -16843010 (a local variable that was never set?) is outside of the array, an int [5]: "
-               "its first is 0 and its last 4");
+               "valid indices are 0 to 4");
 }
 
 TEST_F(SanitizeTest, AFunctionWithoutItsReturn) {

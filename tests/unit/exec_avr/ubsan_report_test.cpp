@@ -51,7 +51,7 @@ TEST_F(CheckTest, AShiftAnIndexAndADivisor) {
   expect("l = 1 << (x / 30);", "shift_out_of_bounds",
          "a shift by 20 bits, but an int has 16 here: 0 to 15 are possible");
   expect("table[x / 100] = 1;", "out_of_bounds",
-         "index 6 is outside of the array, an int [5]: its first is 0 and its last 4");
+         "index 6 is outside of the array, an int [5]: valid indices are 0 to 4");
   expect("n = x % zero;", "divrem_overflow", "division by zero");
 }
 

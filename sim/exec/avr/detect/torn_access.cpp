@@ -37,13 +37,13 @@ std::string torn_text(const RaceAnalysis::Found& found, const DebugInfo& debug, 
       at.file.empty() ? "a handler" : fmt::format("the handler at {}:{}", at.file, at.line);
   if (found.kind == RaceAnalysis::AccessKind::writes_back)
     return fmt::format(
-        "lost update of {}, which is read, changed and written back: {} changes it in an interrupt, and ran "
-        "only {:.1f} µs too late for its change to be lost",
+        "lost update of {}, which is read, changed and written back: {} changes it in an interrupt; "
+        "{:.1f} µs earlier, that change would have been lost",
         demangle(found.number->name), handler, later_us);
   const bool writes = found.kind == RaceAnalysis::AccessKind::writes;
   return fmt::format(
-      "torn {} of {}, whose {} bytes the chip {} one by one: {} changes them in an interrupt, and ran only "
-      "{:.0f} µs too late to mix bytes of the old and the new number",
+      "torn {} of {}, whose {} bytes the chip {} one by one: {} changes them in an interrupt; {:.0f} µs "
+      "earlier, old and new bytes would have been mixed",
       writes ? "write" : "read", demangle(found.number->name), found.number->size,
       writes ? "writes" : "reads", handler, later_us);
 }

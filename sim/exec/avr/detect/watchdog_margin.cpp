@@ -102,7 +102,8 @@ std::vector<Detected> WatchdogMargin::found() const {
   seen.detector = "watchdog_margin";
   seen.what = fmt::format(
       "the watchdog, with a timeout of {:.0f} ms, was reset {:.0f} ms after the previous reset, {:.0f} % of "
-      "the timeout; its clock is up to about 10 % off, so that another chip, or a warm one, resets there",
+      "the timeout; its clock may be off by up to about 10 %, so it may reset another chip, or a warm chip, "
+      "there",
       1e3 * waits_s, 1e3 * passed_s, 100.0 * passed_s / waits_s);
   seen.mend = mended(longest_power_);
   return all;
