@@ -165,12 +165,11 @@ std::string batch_line(const Id& id, std::size_t bytes) {
 Hello parse_hello(std::string_view text, const std::string& program) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("hello") || !json.contains("protocol")) {
-    throw RunnerError(program + " is not a runner of Robosim: expected the hello of a runner, got " +
-                      excerpt(text));
+    throw RunnerError(program + " is not a Robosim runner: expected a hello message, got " + excerpt(text));
   }
   const Json& protocol = json["protocol"];
   if (protocol != kProtocol) {
-    throw RunnerError("the runner " + program + " is of another version of Robosim: expected protocol " +
+    throw RunnerError("the runner " + program + " has another Robosim version: expected protocol " +
                       std::to_string(kProtocol) + ", got " +
                       (protocol.is_number() ? text_of(protocol) : "an unknown one"));
   }

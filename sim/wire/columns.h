@@ -34,8 +34,8 @@ struct ColumnSpec {
 template <class V>
 void fields(V& v, Same<V, ColumnSpec>& c) {
   v("name", c.name, "with its unit");
-  v("scale", c.scale, "the stored whole number is the value times this");
-  v("order", c.order, "1: the differences of neighbours are kept; 2: the differences of these");
+  v("scale", c.scale, "stored integer = value x scale");
+  v("order", c.order, "1: differences of neighbours; 2: differences of those differences");
 }
 
 /// The rows that were added to one stream since its previous Rows.
@@ -51,7 +51,7 @@ void fields(V& v, Same<V, Rows>& r) {
   v("stream", r.stream, "`\"samples\"`, `\"pin D5\"`, `\"volts A0\"`");
   v("count", r.count, "number of rows", {.least = 0});
   v("columns", r.columns, "with the first rows of a stream", {.presence = when(!r.columns.empty())});
-  v("bytes", r.bytes, "bytes of each column in base64; its numbers go on from the last ones");
+  v("bytes", r.bytes, "bytes of each column in base64; they continue the previous bytes");
 }
 
 /// The changes since the previous Columns.
@@ -65,7 +65,7 @@ struct Columns {
 template <class V>
 void fields(V& v, Same<V, Columns>& c) {
   agent_field(v, c.agent);
-  v("streams", c.streams, "those in which something happened");
+  v("streams", c.streams, "streams with new rows");
   v("sources", c.sources,
     "lines of the sketch that drive pins, on a chip: those that a column `source` names for the first time. "
     "They are counted from 1 over all `columns` of the run",

@@ -51,9 +51,9 @@ void fields(V& v, Same<V, Stop>& s) {
   using Kind = Stop::Kind;
   v.choice(s.kind, Kind::serial, "serial", s.text, "the firmware has sent this text");
   v.choice(s.kind, Kind::line, "line", s.text,
-           "a whole line that it has sent matches this regular expression (RE2's) somewhere; the first "
-           "1000 bytes of a line count");
-  v.choice(s.kind, Kind::note, "note", s.text, "a note came whose `text` holds this");
+           "a complete line sent by the firmware matches this regular expression (RE2) somewhere; only its "
+           "first 1000 bytes count");
+  v.choice(s.kind, Kind::note, "note", s.text, "a note whose `text` contains this has occurred");
   v.choice(s.kind, Kind::event, "event", s.text,
            "something of this kind happened: `\"collision_began\"` or another `kind` of a note");
   v.choice(s.kind, Kind::visited, "visited", s.text,

@@ -42,7 +42,7 @@ struct Text {
     if (e.verb == "place") return "robot placed at " + e.text;
     if (e.verb == "lift") return "robot lifted";
     if (e.verb == "tilt") return "robot held up and tilted";
-    if (e.verb == "sweep") return "robot moved to and fro by hand";
+    if (e.verb == "sweep") return "robot moved back and forth manually";
     if (e.verb == "lower") return "robot put down";
     if (e.verb == "cover") return e.part + " covered";
     if (e.verb == "uncover") return e.part + " uncovered";
@@ -64,7 +64,7 @@ struct Text {
   }
   std::string operator()(const PowerLost& e) const {
     if (!e.byte) return "power off";
-    return fmt::format("power off, while byte {} of the EEPROM was being written: it holds 0x{:02X}",
+    return fmt::format("power cut while byte {} of the EEPROM was being written; it now contains 0x{:02X}",
                        e.byte->address, e.byte->value);
   }
   std::string operator()(const PowerBack&) const { return "power on"; }

@@ -71,7 +71,7 @@ Asked<Any> parse(std::string_view text, const char* who) {
   const Json json = parsed_json(text);
   if (!json.is_object()) {
     asked.fault =
-        "the request to this runner of Robosim: expected one JSON object in a line, got " + excerpt(text);
+        "the request to this runner of Robosim: expected one JSON object per line, got " + excerpt(text);
     return asked;
   }
   asked.id = id_of(json);

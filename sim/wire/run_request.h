@@ -179,7 +179,7 @@ void fields(V& v, Same<V, RunRequest>& r) {
     {.otherwise = "none", .presence = when(r.pins || r.serial || r.notes || r.io)});
   v("name", r.name, "name of the robot, for messages, if there are several",
     {.otherwise = "none", .presence = when(!r.name.empty())});
-  v("target", r.target, "whose firmware it has, one that the runner has",
+  v("target", r.target, "target of its firmware, one that the runner supports",
     {.otherwise = "the runner's", .presence = when(!r.target.empty())});
   v("late", r.late,
     "when the sketch is late, as if its code took longer, in the order of these times; on the host only "

@@ -95,10 +95,10 @@ struct Detected {
 template <class V>
 void fields(V& v, Same<V, Detected>& d) {
   v("detector", d.detector, "which one: `\"blind\"`");
-  v("what", d.what, "a sentence: what was seen, and how it breaks");
+  v("what", d.what, "a sentence: the finding, and how it fails");
   v("mend", d.mend, "a sentence: how to fix it");
   fields(v, d.where);
-  v("first_s", d.first_s, "when it was seen first", {.unit = "s"});
+  v("first_s", d.first_s, "time of the first occurrence", {.unit = "s"});
   v("times", d.times, "how often it was seen there");
 }
 
@@ -123,7 +123,7 @@ void fields(V& v, Same<V, Resources>& r) {
   v("flash_bytes", r.flash_bytes, "code, constants and the variables' initial values");
   v("ram_bytes", r.ram_bytes, "variables");
   v("stack_bytes_max", r.stack_bytes_max,
-    "the deepest the stack was, interrupt handlers included: from the stack pointer at every change");
+    "maximum stack use, including interrupt handlers: from the stack pointer at every change");
   v("interrupt_share", r.interrupt_share, "share of the time in interrupt handlers, 0..1");
   v("cpu_load", r.cpu_load, "share of the time not asleep, 0..1; a loop that waits is load");
   v("loops", r.loops,
@@ -148,7 +148,7 @@ template <class V>
 void fields(V& v, Same<V, ScorePart>& p) {
   v("part", p.part, "name of the part: `\"time\"`, `\"gap\"` …");
   v("count", p.count, "how often");
-  v("value", p.value, "its total in the score; below 0: deducted");
+  v("value", p.value, "its total in the score; negative = deducted");
 }
 
 /// Measurements of a run.
@@ -179,16 +179,16 @@ void fields(V& v, Same<V, Metrics>& m) {
     "distance from the midpoint of the line sensors to the nearest centre line: root of the mean square over "
     "all ticks after the first 0.5 s",
     {.unit = "mm"});
-  v("cross_track_max_mm", m.cross_track_max_mm, "the same distance: its maximum", {.unit = "mm"});
+  v("cross_track_max_mm", m.cross_track_max_mm, "maximum of this distance", {.unit = "mm"});
   v("off_line_s", m.off_line_s, "time with no sensor over a line", {.unit = "s"});
   v("collisions", m.collisions, "contacts with walls and the map's edge; a lasting one counts once");
   v("energy_j", m.energy_j, "drawn from the battery by the motors", {.unit = "J"});
   v("energy_back_j", m.energy_back_j,
-    "given back to the battery by motors that brake; absent if nothing was, as without `inductance` of "
+    "returned to the battery by braking motors; absent if zero, as without `inductance` of "
     "[motors](robots.md#motors)",
     {.unit = "J", .presence = when(m.energy_back_j != 0.0)});
   v("stations", m.stations, "names of the visited ones, in the order of the first visit");
-  v("junctions", m.junctions, "how many different ones were visited");
+  v("junctions", m.junctions, "number of different junctions visited");
   v("score", m.score,
     "what the [competition](courses.md) of the goal counts, s or points; absent if there is none, or none "
     "yet",
@@ -258,9 +258,9 @@ struct Cause {
 
 template <class V>
 void fields(V& v, Same<V, Cause>& c) {
-  v("t_s", c.t_s, "when; 0 of what has been so from the beginning", {.unit = "s"});
+  v("t_s", c.t_s, "time; 0 = since the start", {.unit = "s"});
   v("text", c.text, "what was done then: `\"read S1 0.31 V\"`");
-  v("lines", c.lines, "the lines of the sketch that have done it, the nearest first");
+  v("lines", c.lines, "responsible lines of the sketch, nearest first");
 }
 
 struct RunResult {
@@ -313,17 +313,18 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("why", r.why, "one sentence");
   v("next", r.next, "what to try next; may be empty", {.presence = kOptional});
   v("next_by", r.next_by,
-    "what that takes: a run on the `\"host\"`, `\"watching\"`, or a `\"script\"`; else absent",
+    "how to take that step: a run on the `\"host\"`, `\"watching\"`, or a `\"script\"`; else absent",
     {.presence = when(!r.next_by.empty())});
   v("status", r.status, "exit status that belongs to the verdict");
   v("time_s", r.time_s, "simulated time at the end", {.unit = "s"});
   v("metrics", r.metrics, "measurements of the run");
   v("crash", r.crash, "absent unless the firmware crashed");
   v("divisions_by_zero", r.divisions_by_zero,
-    "on the host: lines that divided an integer by zero, the first 8; the run went on with what a chip gives",
+    "on the host: lines that divided an integer by zero, the first 8; the run continued with the chip's "
+    "result",
     {.presence = when(!r.divisions_by_zero.empty())});
   v("lacks", r.lacks,
-    "on the host: what of the chip the firmware used that the host lacks; from then on it may do what the "
+    "on the host: chip features that the firmware used and the host lacks; from then on it may do what the "
     "chip does not",
     {.presence = when(!r.lacks.empty())});
   v("detected", r.detected, "what [detectors](../howto/sanitizers.md#detectors) have seen; absent if nothing",
@@ -331,7 +332,7 @@ void fields(V& v, Same<V, RunResult>& r) {
   v("resources", r.resources, "resources of the chip that the firmware used; absent on the host");
   v("usage", r.usage, "parts of the wiring that the firmware used, and did not use", {.presence = kOptional});
   v("because", r.because,
-    "back from the verdict what caused it ([why](../howto/why.md)); absent unless asked for",
+    "chain of causes, back from the verdict ([why](../howto/why.md)); absent unless asked for",
     {.presence = when(!r.because.empty())});
   v("events", r.events, "the last ones, at most 8");
   v("serial", r.serial, "all that the firmware sent, up to 1 MiB");

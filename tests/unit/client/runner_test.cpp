@@ -131,9 +131,9 @@ TEST_F(RunnerTest, AProgramThatSaysNoHelloIsRefused) {
     }
     return std::string();
   };
-  EXPECT_EQ(refusal("hi"), "fake is not a runner of Robosim: expected the hello of a runner, got “hi”");
+  EXPECT_EQ(refusal("hi"), "fake is not a Robosim runner: expected a hello message, got “hi”");
   EXPECT_EQ(refusal(R"({"hello": "fake", "protocol": 2, "greeting": [1]})"),
-            "the runner fake is of another version of Robosim: expected protocol 1, got 2");
+            "the runner fake has another Robosim version: expected protocol 1, got 2");
   EXPECT_THROW(Runner::from_program("/nonexistent/robosim-host"), wire::RunnerError);
   expect_no_children();
 }

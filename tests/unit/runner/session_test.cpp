@@ -596,7 +596,7 @@ TEST_F(DrivenSessionTest, RefusesWhatMakesNoSenseAndStandsWhereItStood) {
   EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {wire::Stop::line("(")}}).message, HasSubstr("("));
   EXPECT_THAT(session_.ask_for<wire::Refused>(kDescribe).message, HasSubstr("a paused run"));
   EXPECT_THAT(session_.ask_for<wire::Refused>(std::string("{")).message,
-              HasSubstr("one JSON object in a line"));
+              HasSubstr("one JSON object per line"));
   EXPECT_EQ(ask<wire::Paused>(wire::GoOn{kMillisecond, {}}).t_ns, kMillisecond);
 }
 

@@ -92,7 +92,7 @@ TEST_F(FailedTests, OfPowerCutsTellOfTheRobotToo) {
   const std::string test = "Diary.StartsAfreshAtEveryPowerCut";
   EXPECT_THAT(part_of(test, text("out.txt")),
               AllOf(HasSubstr("in a run with a power cut during write 1"), HasSubstr("\n  Diary on oval"),
-                    HasSubstr("power off, while byte 0 of the EEPROM was being written"),
+                    HasSubstr("power cut while byte 0 of the EEPROM was being written"),
                     HasSubstr("the sketch says \"was 0 255\\r\\n\"\n  at 0.10 s it is at column "),
                     HasSubstr("\n  replay: " + text("kept/" + test + "/command.txt"))));
   EXPECT_THAT(text("kept/" + test + "/script.txt"), HasSubstr("after eeprom 1 power off"));

@@ -20,7 +20,7 @@ TEST(RunEvents, HaveOneTextEach) {
   EXPECT_EQ(text(FaultEnded{"S2", {"stuck", "1023"}}), "fault over: S2 stuck 1023");
   EXPECT_EQ(text(FaultEnded{"S2", {"ok"}, true}), "fault: S2 ok");
   EXPECT_EQ(text(PowerLost{{{12, 0x5A}}}),
-            "power off, while byte 12 of the EEPROM was being written: it holds 0x5A");
+            "power cut while byte 12 of the EEPROM was being written; it now contains 0x5A");
   EXPECT_EQ(text(PowerLost{}), "power off");
   EXPECT_EQ(text(PartTold{"lcd", "Lap 2|12.4 s"}), "lcd: \"Lap 2|12.4 s\"");
   EXPECT_EQ(text(PowerBack{}), "power on");

@@ -60,12 +60,11 @@ std::string whole_result() {
 TEST(Hostile, ARequestThatIsNoObjectIsToldWhoItIsThatListens) {
   for (const char* line : {"GET / HTTP/1.1", "", "[]", "42", "null", "{", "{\"id\": NaN}", "{\"id\": 1e999}",
                            "{\"id\": 1, \"do\": \"\xff\"}"}) {
-    EXPECT_THAT(request_fault(line), HasSubstr("one JSON object in a line")) << line;
-    EXPECT_THAT(driven_fault(line), HasSubstr("one JSON object in a line")) << line;
+    EXPECT_THAT(request_fault(line), HasSubstr("one JSON object per line")) << line;
+    EXPECT_THAT(driven_fault(line), HasSubstr("one JSON object per line")) << line;
   }
-  EXPECT_EQ(
-      request_fault("GET / HTTP/1.1"),
-      "the request to this runner of Robosim: expected one JSON object in a line, got “GET / HTTP/1.1”");
+  EXPECT_EQ(request_fault("GET / HTTP/1.1"),
+            "the request to this runner of Robosim: expected one JSON object per line, got “GET / HTTP/1.1”");
 }
 
 TEST(Hostile, ARequestOfAnotherVersionOrNameIsToldWhatIsKnown) {
