@@ -61,7 +61,7 @@ std::vector<std::string> what_is_not_told(const Calibration& c, bool supply_meas
     if (c.sweep.track.value == 0.0) all.push_back("track: requires encoders, and sweeps of more than a turn");
   }
   if (!c.drive) {
-    all.push_back("the motors: no log has a drive, and there is no --stopwatch");
+    all.push_back("the motors: no log has a drive, and --stopwatch is not given");
     return all;
   }
   all.push_back("stall_current, gear, rotor_inertia and mass: motion shows only their combined effect");
@@ -75,9 +75,8 @@ std::vector<std::string> what_is_not_told(const Calibration& c, bool supply_meas
   all.push_back("grip and static_friction: no wheel slips or sticks in these drives");
   if (!supply_measured)
     all.push_back(
-        "supply: measure the battery during the drives, and give --supply; until then no_load is as "
-        "uncertain "
-        "as the supply");
+        "supply: measure the battery's voltage during the drives and pass it with --supply; until then "
+        "no_load is as uncertain as the supply");
   return all;
 }
 

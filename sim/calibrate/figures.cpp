@@ -174,7 +174,7 @@ std::vector<Figure> figures_of(const SweepFit& fit, const robot::Description& ro
                        before_of(robot.chassis.track),
                        0.02,
                        0.5,
-                       "if wheel is right"});
+                       "if wheel is correct"});
   return figures;
 }
 
@@ -209,7 +209,7 @@ std::vector<Figure> figures_of(const DriveFit& fit, const robot::Description& ro
                        before_of(m.stall_torque),
                        0.0001,
                        10.0,
-                       "if mass, rotor_inertia and stall_current are right"});
+                       "if mass, rotor_inertia and stall_current are correct"});
   if (fit.friction_told)
     figures.push_back({"motors",
                        false,
@@ -221,7 +221,7 @@ std::vector<Figure> figures_of(const DriveFit& fit, const robot::Description& ro
                        before_of(m.no_load_current),
                        0.0,
                        0.8 * before_of(m.stall_current),
-                       "if stall_current is right"});
+                       "if stall_current is correct"});
   if (fit.inertia.value > 0.0)
     figures.push_back({"chassis",
                        false,
@@ -233,7 +233,7 @@ std::vector<Figure> figures_of(const DriveFit& fit, const robot::Description& ro
                        before_of(robot.chassis.inertia),
                        1e-6,
                        0.5,
-                       "if mass and rotor_inertia are right"});
+                       "if mass and rotor_inertia are correct"});
   return figures;
 }
 

@@ -43,7 +43,7 @@ Walk run_custom(CellRobot& robot, const std::filesystem::path& shared_object) {
   void* const library = ::dlopen(shared_object.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library) throw InputError(std::string("the algorithm cannot be loaded: ") + ::dlerror());
   const auto navigate = reinterpret_cast<void (*)(Cells&)>(::dlsym(library, "navigate"));
-  if (!navigate) throw InputError("it defines no function void navigate(robosim::Cells& robot)");
+  if (!navigate) throw InputError("missing function: expected void navigate(robosim::Cells& robot)");
   DeadEnds visited;
   Adapter adapter(robot, visited);
   Walk walk;

@@ -23,11 +23,11 @@ Direction direction_of(nav::Heading heading) { return static_cast<Direction>(hea
 const char* reason(nav::Plan plan) {
   switch (plan) {
     case nav::Plan::not_a_tree:
-      return "it can do trees only, and this network has cycles";
+      return "it supports only trees, but this network has cycles";
     case nav::Plan::not_preorder:
-      return "it needs nodes numbered in preorder, and these are not";
+      return "it requires nodes numbered in preorder";
     default:
-      return "it has no room for this network";
+      return "it has no memory for this network";
   }
 }
 

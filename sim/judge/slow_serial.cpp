@@ -54,7 +54,7 @@ std::vector<exec::Detected> SlowSerial::found() const {
   told.detector = "slow_serial";
   told.what = fmt::format(
       "Serial's buffer was full, and {} waited for room: for up to {:.0f} ms ({:.0f} mm) the driving robot "
-      "did not read its line sensors, in total for {:.0f} % of its time",
+      "did not read its line sensors, {:.0f} % of its driving time in total",
       first_.call, 1e3 * longest_s_, 1e3 * furthest_m_,
       100.0 * static_cast<double>(waited_) / static_cast<double>(driven_));
   told.mend = kPrintLess;

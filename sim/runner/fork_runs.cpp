@@ -98,7 +98,7 @@ wire::RunResult in_copy_of_process(const std::function<wire::Answer()>& work) {
   pipe.write.close();
   const std::string line = read_all(pipe.read);
   const Ending ending = child.wait();
-  if (!ending.ok() || line.empty()) throw std::runtime_error("the process of a way " + ending.text());
+  if (!ending.ok() || line.empty()) throw std::runtime_error("the process of a branch " + ending.text());
   const wire::Line answer = wire::parse_line(line);
   if (const auto* error = std::get_if<wire::ErrorAnswer>(&answer.content)) throw InputError(error->message);
   return std::get<wire::RunResult>(answer.content);

@@ -261,8 +261,7 @@ void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
     if (side->size() <= kMostPinsOfAMotor) continue;
     draft.questions.push_back(
         fmt::format("{} pins are driven for the motors on one side: which of them belong to the same motor? "
-                    "Two motors in "
-                    "parallel are one part",
+                    "Motors in parallel count as one part",
                     side->size()));
   }
   if (!left.found() || !right.found() || left.is_transistor() != right.is_transistor()) return;

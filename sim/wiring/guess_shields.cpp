@@ -66,9 +66,9 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
   }
   if (named)
     for (const Numbered& motor : unknown)
-      draft.questions.push_back(
-          fmt::format("the name of motor {} of the shield ({}) gives no side: which side does it drive?",
-                      motor.number + 1, where(*motor.given)));
+      draft.questions.push_back(fmt::format(
+          "the name of motor {} of the shield ({}) does not name a side: which side does it drive?",
+          motor.number + 1, where(*motor.given)));
   for (const bool is_left : {true, false}) {
     const std::vector<Numbered>& side = is_left ? left : right;
     if (side.empty()) continue;

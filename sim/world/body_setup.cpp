@@ -54,7 +54,8 @@ void check(const BodyParams& p) {
   require(not_negative(p.centre_height_m), "centre_height_m must not be negative");
   require(not_negative(p.wheelbase_m), "wheelbase_m must not be negative");
   require(not_negative(p.steer_base_m), "steer_base_m must not be negative");
-  require(!(p.steer_base_m > 0.0 && p.wheelbase_m > 0.0), "wheelbase_m is of bodies without steered wheels");
+  require(!(p.steer_base_m > 0.0 && p.wheelbase_m > 0.0),
+          "wheelbase_m requires a body without steered wheels");
   require(not_negative(p.downforce_n), "downforce_n must not be negative");
   if (p.outline.empty()) {
     require(positive(p.radius_m), "radius_m must be more than 0 where there is no outline");

@@ -163,8 +163,9 @@ TEST_F(Untrusted, RunsAreOnTheChipOfTheRobotsBoardAndTheHostIsRefused) {
   folder_.write("checks.toml", check + "target = [\"avr\", \"host\"]\n");
   const Ended host = robosim({"test", "--untrusted", "./S", "--checks", "checks.toml"});
   EXPECT_EQ(host.status, 2);
-  EXPECT_THAT(host.err, StartsWith("robosim: checks.toml:1:1: target: expected avr, stm32 or none "
-                                   "(then it is the chip of the robot's board) with --untrusted, got host"));
+  EXPECT_THAT(host.err,
+              StartsWith("robosim: checks.toml:1:1: target: with --untrusted, expected avr, stm32, or no "
+                         "target (the chip of the robot's board), got host"));
 }
 
 TEST_F(Untrusted, ChecksBesideASketchAreToldToBeItsAuthorsAndNameNoFileOutsideOfItsFolder) {

@@ -80,10 +80,10 @@ void confine(Check& check, const fs::path& folder) {
   sweep.each.untrusted = sweep.each.chip_only = true;
   for (const std::string& target : sweep.targets)
     if (target == "host")
-      throw InputError(check.place,
-                       "target: expected avr, stm32 or none (then it is the chip of the robot's board) with "
-                       "--untrusted, got "
-                       "host, where a sketch shares the memory of its judge");
+      throw InputError(
+          check.place,
+          "target: with --untrusted, expected avr, stm32, or no target (the chip of the robot's board), "
+          "got host; there the sketch would share its judge's memory");
   if (folder.empty()) return;
   std::vector<std::string> files = sweep.each.libraries;
   if (!sweep.each.script.empty()) files.push_back(sweep.each.script);

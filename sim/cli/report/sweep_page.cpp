@@ -89,9 +89,9 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
   }
   body += "</table></div>\n";
   body +=
-      "<p class=\"dim\">The worst run of each row is linked: of those that failed the one with the fewest "
-      "laps and stations, "
-      "then the shortest way; where none failed the slowest, then the farthest off the line.</p>\n";
+      "<p class=\"dim\">Each row links its worst run. Among failed runs, this is the one with the fewest "
+      "laps and stations, then the shortest distance. Without failures, it is the slowest run, then the one "
+      "farthest off the line.</p>\n";
   body += places_left(extras);
   std::string failures;
   std::size_t told = 0;

@@ -221,7 +221,7 @@ std::vector<wire::Detected> detect_clock_wrap(client::Runner& runner, wire::RunR
     seen.detector = "clock_wrap";
     const bool ends_otherwise = wrapped.result.verdict != usual.result.verdict;
     seen.what = fmt::format(
-        "when {} goes back to 0, as it does after {}, here at {:.2f} s, the robot does something else{}",
+        "when {} goes back to 0, as it does after {}, here at {:.2f} s, the robot behaves differently{}",
         by_micros ? "micros()" : "millis()", by_micros ? "71.6 minutes" : "49.7 days",
         1e-9 * static_cast<double>(moment),
         ends_otherwise ? fmt::format(": {} instead of {}", wrapped.result.verdict, usual.result.verdict)

@@ -206,8 +206,9 @@ TEST(Guess, NumbersOfMotorsOnAShieldAreNoSides) {
       "AF_DCMotor motor1(1);\nAF_DCMotor motor2(2);\nAF_DCMotor motor3(3);\nAF_DCMotor motor4(4);\n", Seen());
   EXPECT_THAT(four, HasSubstr("motors 1 and 2 are assumed to drive this side"));
   EXPECT_THAT(four, HasSubstr("motors 3 and 4 are assumed to drive this side"));
-  EXPECT_THAT(guessed("AF_DCMotor left(1);\nAF_DCMotor right(2);\nAF_DCMotor arm(4);\n", Seen()),
-              HasSubstr("# ? the name of motor 4 of the shield (AF_DCMotor(4), a.ino:3) gives no side"));
+  EXPECT_THAT(
+      guessed("AF_DCMotor left(1);\nAF_DCMotor right(2);\nAF_DCMotor arm(4);\n", Seen()),
+      HasSubstr("# ? the name of motor 4 of the shield (AF_DCMotor(4), a.ino:3) does not name a side"));
 }
 
 TEST(Guess, AnEnablePinThatStaysHighIsNoMotor) {
