@@ -52,7 +52,7 @@ int write_table(const std::filesystem::path& file) {
     std::string page = read_file(file);
     const auto begin = page.find(kBegin), end = page.find(kEnd);
     if (begin == page.npos || end == page.npos)
-      throw std::runtime_error(file.string() + " has no place for the table");
+      throw std::runtime_error(file.string() + " lacks the marks of the table");
     const auto from = begin + std::string(kBegin).size();
     page.replace(from, end - from, made);
     std::ofstream(file) << page;

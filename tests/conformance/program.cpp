@@ -30,7 +30,7 @@ std::vector<std::optional<std::uint8_t>> bytes_of(const std::filesystem::path& f
     }
     std::size_t used = 0;
     const unsigned long value = std::stoul(word, &used, 16);
-    if (used != word.size() || value > 0xFF) refuse(file, "'" + word + "' is no byte in hex");
+    if (used != word.size() || value > 0xFF) refuse(file, "'" + word + "' is not a hexadecimal byte");
     bytes.push_back(static_cast<std::uint8_t>(value));
   }
   return bytes;
@@ -65,9 +65,9 @@ Program read(const std::filesystem::path& file) {
       program.sentence += (program.sentence.empty() ? "" : " ") + text;
     }
   }
-  if (program.sentence.empty()) refuse(file, "begins without the sentence that must hold");
-  if (program.source.empty()) refuse(file, "names no source");
-  if (!has_expectation) refuse(file, "expects nothing");
+  if (program.sentence.empty()) refuse(file, "the required behaviour is missing");
+  if (program.source.empty()) refuse(file, "Source: is missing");
+  if (!has_expectation) refuse(file, "Expect: is missing");
   return program;
 }
 

@@ -14,7 +14,7 @@ tolerance=2  # per cent
 # comparable.
 if [[ $(uname -m) != x86_64 || $(g++ -dumpversion) != 12 ]] || ! grep -qw avx2 /proc/cpuinfo ||
   ! command -v valgrind >/dev/null; then
-  echo 'not counted: the table holds for g++ 12 on x86-64 with AVX2, under valgrind'
+  echo 'not counted: the table requires g++ 12 on x86-64 with AVX2, and valgrind'
   exit 0
 fi
 rm -rf "$work"
@@ -130,6 +130,6 @@ if [[ $way == performance_table ]]; then
   exit 0
 fi
 [[ -z $worse ]] || {
-  echo "${worse}If that is meant: cmake --build build/ci --target performance_table rewrites docs/explanation/performance.md."
+  echo "${worse}If this is intended: cmake --build build/ci --target performance_table rewrites docs/explanation/performance.md."
   exit 1
 }

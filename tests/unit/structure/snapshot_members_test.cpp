@@ -100,7 +100,7 @@ std::vector<std::string> forgotten(const MembersTable& table, const Files& files
     for (const char* way : {"keep(state_)", "add(state_)", "return state_;", "{state_,"})
       saved += count(both, way);
     if (file.ends_with(".h") && count(text, "State state_;") > saved)
-      sentences.push_back(fmt::format("{}: a state_ that nobody saves", file));
+      sentences.push_back(fmt::format("{}: a state_ that is not saved", file));
   }
   return sentences;
 }
@@ -139,7 +139,7 @@ TEST(SnapshotMembers, AreConstOrInStateOrInTheTable) {
       ElementsAre("sim/run/a.h:1: n_ is neither const nor in State",
                   "sim/run/a.h:1: m_ is neither const nor in State",
                   "sim/run/a.h:2: b_ is neither const nor in State",
-                  "sim/run/a.h: a state_ that nobody saves"));
+                  "sim/run/a.h: a state_ that is not saved"));
 }
 
 }  // namespace
