@@ -34,7 +34,7 @@ namespace {
 using testing::ElementsAreArray;
 using testing::HasSubstr;
 
-/// One in so many runs continues to the end; the others end earlier.
+/// One in kToTheEnd runs continues to the end; the others end earlier.
 constexpr std::size_t kToTheEnd = 10;
 
 struct Case {

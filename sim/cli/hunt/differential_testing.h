@@ -22,8 +22,8 @@ struct Divergence {
 };
 
 /// Returns the first difference between two runs. Compares frequent lines separately, and ignores times.
-/// With `numbers`, numbers in lines differ if one is more than twice the other. A chip is compared with itself
-/// without `numbers`: then frequencies of lines differ if one is more than five times the other.
+/// With `numbers`, numbers in lines differ if one is more than twice the other. A chip is compared with
+/// itself without `numbers`: then frequencies of lines differ if one is more than five times the other.
 std::optional<Divergence> divergence(const wire::RunResult& ours, const wire::RunResult& other, bool numbers);
 /// Returns whether two pairs of runs diverge in the same way. Numbers that vary each time count as chance.
 bool is_same(const Divergence& a, const Divergence& b);

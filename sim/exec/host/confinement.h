@@ -20,8 +20,8 @@ enum ConfinedDescriptor : int {
   kFirstSealed = 8  ///< this and higher ones: images for this process, with fixed content and places
 };
 
-/// A key in argument registers that a system call does not use. The kernel requires it to read or write the
-/// first three descriptors above, to replace the file at kImageFd, and to end the process.
+/// A key in argument registers that a system call does not use. Without it, the kernel rejects calls that use
+/// the first three descriptors above, replace the file at kImageFd, or end the process.
 using CallKey = std::array<std::uint32_t, 2>;
 
 /// Returns why this kernel cannot confine processes, as a clause: "the kernel has no filter of system calls
