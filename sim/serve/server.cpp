@@ -235,16 +235,21 @@ struct Server::Impl {
     });
   }
 
-  // Several requests may be answered at the same time.
+  /// Saves a file within the limit. Concurrent requests count, rejected ones do not.
   std::string save(const Offered& offered) {
     const std::uintmax_t size = std::max<std::uintmax_t>(offered.text.size(), kBlock);
-    if (saved += size; saved > most_saved) {
+    const bool is_too_much = (saved += size) > most_saved;
+    try {
+      if (is_too_much)
+        throw InputError(fmt::format(
+            "no space is left: expected at most {} MB of saved files until the server ends; start "
+            "it again",
+            most_saved / 1'000'000));
+      return keep(jobs.folder(), offered);
+    } catch (...) {
       saved -= size;
-      throw InputError(
-          fmt::format("no more files are saved: expected at most {} MB until the server ends; start it again",
-                      most_saved / 1'000'000));
+      throw;
     }
-    return keep(jobs.folder(), offered);
   }
 
   httplib::Server::HandlerResponse check(const Request& request, Response& response) {

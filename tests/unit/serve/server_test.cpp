@@ -415,7 +415,7 @@ TEST_F(Serving, FillsNoDisk) {
   EXPECT_EQ(keep("A.ino", 10)->status, 200);
   const auto refused = keep("C.ino", 10);
   EXPECT_EQ(refused->status, 400) << "a small file occupies a block of the disk";
-  EXPECT_THAT(refused->body, HasSubstr("no more files are saved: expected at most"));
+  EXPECT_THAT(refused->body, HasSubstr("no space is left: expected at most"));
   EXPECT_FALSE(fs::exists(root() / "C"));
 }
 
