@@ -8,7 +8,7 @@ namespace {
 struct Word {
   std::uint16_t value, mask = 0xFFFF;
 };
-constexpr Word kAddress{0, 0};  // matches any address of a variable
+constexpr Word kAnyAddress{0, 0};  // matches any address of a variable
 // Masks for instructions with a constant: summands and limits depend on the board's clock.
 constexpr std::uint16_t kConstant = 0xF0F0, kSmall = 0xFF30;
 
@@ -16,22 +16,22 @@ constexpr std::uint16_t kConstant = 0xF0F0, kSmall = 0xFF30;
 constexpr Word kHandler[] = {
     {0x921F}, {0x920F}, {0xB60F}, {0x920F}, {0x2411},            // push r1, r0, SREG; eor r1, r1
     {0x932F}, {0x933F}, {0x938F}, {0x939F}, {0x93AF}, {0x93BF},  // push r18, r19, r24 to r27
-    {0x9180}, kAddress, {0x9190}, kAddress,                      // lds r24 to r27, millis
-    {0x91A0}, kAddress, {0x91B0}, kAddress,
-    {0x9130}, kAddress,                                          // lds r19, fraction
+    {0x9180}, kAnyAddress, {0x9190}, kAnyAddress,                // lds r24 to r27, millis
+    {0x91A0}, kAnyAddress, {0x91B0}, kAnyAddress,
+    {0x9130}, kAnyAddress,                                       // lds r19, fraction
     {0xE020, kConstant}, {0x0F23},                               // ldi r18, step; add r18, r19
     {0x3020, kConstant}, {0xF420},                               // cpi r18, limit; brcc to the other LDI
     {0x9600, kSmall}, {0x1DA1}, {0x1DB1}, {0xC005},              // adiw r24, few; adc; adc; rjmp to the STS
     {0xE020, kConstant}, {0x0F23},                               // ldi r18, carried_step; add r18, r19
     {0x9600, kSmall}, {0x1DA1}, {0x1DB1},                        // adiw r24, many; adc; adc
-    {0x9320}, kAddress,                                          // sts fraction, r18
-    {0x9380}, kAddress, {0x9390}, kAddress,                      // sts millis, r24 to r27
-    {0x93A0}, kAddress, {0x93B0}, kAddress,
-    {0x9180}, kAddress, {0x9190}, kAddress,                      // lds r24 to r27, overflows
-    {0x91A0}, kAddress, {0x91B0}, kAddress,
+    {0x9320}, kAnyAddress,                                       // sts fraction, r18
+    {0x9380}, kAnyAddress, {0x9390}, kAnyAddress,                // sts millis, r24 to r27
+    {0x93A0}, kAnyAddress, {0x93B0}, kAnyAddress,
+    {0x9180}, kAnyAddress, {0x9190}, kAnyAddress,                // lds r24 to r27, overflows
+    {0x91A0}, kAnyAddress, {0x91B0}, kAnyAddress,
     {0x9600, kSmall}, {0x1DA1}, {0x1DB1},                        // adiw r24, one; adc; adc
-    {0x9380}, kAddress, {0x9390}, kAddress,                      // sts overflows, r24 to r27
-    {0x93A0}, kAddress, {0x93B0}, kAddress,
+    {0x9380}, kAnyAddress, {0x9390}, kAnyAddress,                // sts overflows, r24 to r27
+    {0x93A0}, kAnyAddress, {0x93B0}, kAnyAddress,
     {0x91BF}, {0x91AF}, {0x919F}, {0x918F}, {0x913F}, {0x912F},  // pop r27 to r24, r19, r18
     {0x900F}, {0xBE0F}, {0x900F}, {0x901F}, {0x9518},            // pop SREG, r0, r1; reti
 };

@@ -7,7 +7,7 @@
 namespace robosim::judge {
 namespace {
 
-constexpr std::int64_t kMany = 8;
+constexpr std::int64_t kManyWrites = 8;
 constexpr SimTime kRightAfter = kEepromWriteTime + kMillisecond, kLongest = 5 * kSecond;
 
 }  // namespace
@@ -19,7 +19,7 @@ void OverwrittenRecord::written(std::uint16_t address, std::uint8_t before, std:
   if (!goes_on) row_ = {address, t};
   row_.last = t;
   ++row_.writes;
-  if (row_.writes == kMany && !found_) {
+  if (row_.writes == kManyWrites && !found_) {
     row_.where = executor.sketch_source();
     row_.found = t;
     found_ = row_;

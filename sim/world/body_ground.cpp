@@ -52,7 +52,6 @@ namespace {
 constexpr double kMostSine = 0.99;
 constexpr double kToppled = 0.78539816339744831;       // rad: 45 degrees
 constexpr double kNoWay = 1e-6;                        // m
-constexpr double kSteepest = 4.0;                      // as in ground.h
 constexpr double kFaceSlope = 3.0, kFaceLeast = 1e-4;  // m per m of movement, and m
 
 }  // namespace

@@ -9,7 +9,6 @@ namespace robosim::world {
 
 namespace {
 
-constexpr double kSteepest = 4.0;
 constexpr double kPoint = 1e-9;  // m: a smaller reach counts as 0
 
 // The profile along a hill.

@@ -11,7 +11,7 @@
 // A wheel therefore meets a step of height H when its axle is r sqrt(1 - (1 - H/r)^2) before the step. The
 // slope is then tan(acos(1 - H/r)). A wheel at rest climbs only as far as its grip allows: H <= r (1 - 1 /
 // sqrt(1 + grip^2)), if it carries all of the weight. Where hills overlap, the highest hill counts. dz/ds is
-// limited to 4.
+// limited to kSteepest.
 //
 // A seesaw is a thin, even plank on a pivot at height p, with mass M and length L:
 //   (M L^2 / 12 + sum m s^2) d2(sine)/dt2 = - sum N s       m, N: mass and force at s from the pivot
@@ -29,6 +29,8 @@
 #include "sim/world/floor_gaps.h"
 
 namespace robosim::world {
+
+inline constexpr double kSteepest = 4.0;  // m per m
 
 /// The floor under a wheel.
 struct Footing {

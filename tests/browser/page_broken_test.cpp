@@ -11,7 +11,7 @@
 #include "tests/browser/page.h"
 
 namespace robosim::test {
-namespace {
+namespace page_broken_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -112,5 +112,5 @@ TEST_F(Page, SaysWhatIsBrokenInAFileThatIsToBeComparedWith) {
   }
 }
 
-}  // namespace
+}  // namespace page_broken_test
 }  // namespace robosim::test

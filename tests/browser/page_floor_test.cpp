@@ -6,7 +6,7 @@
 #include "tests/browser/page.h"
 
 namespace robosim::test {
-namespace {
+namespace page_floor_test {
 
 using Json = nlohmann::json;
 
@@ -185,5 +185,5 @@ TEST_F(Page, ZoomsAboutThePointer) {
   EXPECT_GT(moved[2], 1.5);
 }
 
-}  // namespace
+}  // namespace page_floor_test
 }  // namespace robosim::test

@@ -6,7 +6,7 @@
 #include "tests/browser/page.h"
 
 namespace robosim::test {
-namespace {
+namespace page_pictures_test {
 
 using Json = nlohmann::json;
 
@@ -75,5 +75,5 @@ TEST_F(Page, IsInTheDocs) {
   picture("report.html", "report.png", 860);
 }
 
-}  // namespace
+}  // namespace page_pictures_test
 }  // namespace robosim::test

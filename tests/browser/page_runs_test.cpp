@@ -7,7 +7,7 @@
 #include "tests/browser/page.h"
 
 namespace robosim::test {
-namespace {
+namespace page_runs_test {
 
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
@@ -105,5 +105,5 @@ TEST_F(Page, ShowsOfSeveralRobotsTheOneThatIsChosenAndWhereTheOthersAre) {
   EXPECT_EQ(rows[3], rows[1]) << "a click on B's body selects B";
 }
 
-}  // namespace
+}  // namespace page_runs_test
 }  // namespace robosim::test

@@ -10,7 +10,7 @@
 #include "tests/browser/page.h"
 
 namespace robosim::test {
-namespace {
+namespace page_test {
 
 using ::testing::HasSubstr;
 using Json = nlohmann::json;
@@ -258,5 +258,5 @@ TEST_F(Page, IsDrawnAgainAfterItWasHidden) {
   EXPECT_EQ(scales[0], scales[1]);
 }
 
-}  // namespace
+}  // namespace page_test
 }  // namespace robosim::test

@@ -6,7 +6,7 @@
 #include "tests/browser/driver.h"
 
 namespace robosim::test {
-namespace {
+namespace serve_test {
 
 using ::testing::AllOf;
 using ::testing::Contains;
@@ -357,5 +357,5 @@ TEST_F(Serve, SaysThatItsServerIsGone) {
         HasSubstr("start robosim serve again"));
 }
 
-}  // namespace
+}  // namespace serve_test
 }  // namespace robosim::test

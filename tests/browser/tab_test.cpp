@@ -6,7 +6,7 @@
 #include "tests/browser/driver.h"
 
 namespace robosim::test {
-namespace {
+namespace tab_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -136,5 +136,5 @@ TEST_F(Tab, SaysWhatIsWrongWithAFile) {
             "own.elf: expected a program for a chip that Robosim knows (an AVR or an ARM microcontroller)");
 }
 
-}  // namespace
+}  // namespace tab_test
 }  // namespace robosim::test

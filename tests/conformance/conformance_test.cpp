@@ -7,7 +7,7 @@
 #include "tests/support/require_target.h"
 
 namespace robosim::conformance {
-namespace {
+namespace conformance_test {
 
 /// A program on one of its chips.
 struct Case {
@@ -42,5 +42,5 @@ TEST_P(Conformance, ReportsWhatTheDataSheetSays) {
 INSTANTIATE_TEST_SUITE_P(Of, Conformance, testing::ValuesIn(cases()),
                          [](const auto& of) { return of.param.program.name + "_" + of.param.chip; });
 
-}  // namespace
+}  // namespace conformance_test
 }  // namespace robosim::conformance

@@ -4,7 +4,7 @@
 #include "tests/firmware/ai_navigator.h"
 #include "tests/firmware/maps.h"
 
-namespace {
+namespace ai_navigator_mishaps_test {
 
 using namespace robosim::testing;
 
@@ -175,4 +175,4 @@ TEST_F(AiNavigatorAgain, SaysThatItGoesOnWhenItDoes) {
   ASSERT_TRUE(robot().run_until(motors_start(), within(100_ms)));
 }
 
-}  // namespace
+}  // namespace ai_navigator_mishaps_test

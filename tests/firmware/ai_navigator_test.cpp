@@ -4,7 +4,7 @@
 #include "tests/firmware/explored.h"
 #include "tests/firmware/maps.h"
 
-namespace {
+namespace ai_navigator_test {
 
 using namespace robosim::testing;
 using testing::ContainsRegex;
@@ -196,4 +196,4 @@ TEST_P(AiNavigatorOnMap, ExploresTheGraphThatIsThere) {
   EXPECT_THAT(robot, NeverCollides());
 }
 
-}  // namespace
+}  // namespace ai_navigator_test

@@ -4,7 +4,7 @@
 #include "tests/firmware/explored.h"
 #include "tests/firmware/maps.h"
 
-namespace {
+namespace ai_navigator_ways_test {
 
 using namespace robosim::testing;
 using testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST_F(AiNavigatorAgain, SaysThatNoWayRoundLeadsToAStationBehindAnObstacle) {
   EXPECT_EQ(robot().station(), "3");
 }
 
-}  // namespace
+}  // namespace ai_navigator_ways_test

@@ -1,7 +1,7 @@
 // Tests two robots on one map, with the second one's firmware on the host or on its chip.
 #include <robosim/testing.h>
 
-namespace {
+namespace fleet_test {
 
 using namespace robosim::testing;
 using ::testing::ElementsAre;
@@ -59,4 +59,4 @@ TEST_P(TwoFollowers, OneHasItsVerdictWhileTheOtherDrivesOn) {
   EXPECT_EQ(both.robot("A").verdict(), "reached");
 }
 
-}  // namespace
+}  // namespace fleet_test

@@ -3,7 +3,7 @@
 
 #include "tests/firmware/sketches.h"
 
-namespace {
+namespace parts_on_pins_test {
 
 using namespace robosim::testing;
 
@@ -184,4 +184,4 @@ TEST_P(OnPins, ARobotOnServosFollowsALine) {
   EXPECT_THAT(robot.run_to_the_end(), Reaches("laps:1"));
 }
 
-}  // namespace
+}  // namespace parts_on_pins_test

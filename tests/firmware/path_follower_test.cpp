@@ -4,7 +4,7 @@
 
 #include "tests/firmware/maps.h"
 
-namespace {
+namespace path_follower_test {
 
 using namespace robosim::testing;
 
@@ -56,4 +56,4 @@ TEST_P(PathSketchOnMapD, LeftPathVisitsThemTheOtherWayRound) {
   EXPECT_THAT(robot.run_to_the_end(), VisitsInOrder({7, 6, 5, 4, 3, 2, 1}));
 }
 
-}  // namespace
+}  // namespace path_follower_test

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace {
+namespace pid_follower_test {
 
 using namespace robosim::testing;
 
@@ -100,4 +100,4 @@ TEST_P(PidFollowerOnEveryLoop, DrivesALap) {
   EXPECT_THAT(robot.run_to_the_end(), Reaches("laps:1"));
 }
 
-}  // namespace
+}  // namespace pid_follower_test

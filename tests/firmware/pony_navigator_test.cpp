@@ -6,7 +6,7 @@
 
 #include "tests/firmware/maps.h"
 
-namespace {
+namespace pony_navigator_test {
 
 using namespace robosim::testing;
 
@@ -170,4 +170,4 @@ TEST(PonyNavigatorsDigits, ShowTheTensToo) {
   EXPECT_EQ(robot.reading("ones"), 2);
 }
 
-}  // namespace
+}  // namespace pony_navigator_test

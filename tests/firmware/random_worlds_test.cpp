@@ -4,7 +4,7 @@
 
 #include "tests/firmware/explored.h"
 
-namespace {
+namespace random_worlds_test {
 
 using namespace robosim::testing;
 
@@ -59,4 +59,4 @@ TEST(PidFollowerInRandomWorlds, KeepsToTheLineOfEveryTrackThoughASensorIsOff) {
                  });
 }
 
-}  // namespace
+}  // namespace random_worlds_test

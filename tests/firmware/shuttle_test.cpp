@@ -5,7 +5,7 @@
 
 #include "tests/firmware/sketches.h"
 
-namespace {
+namespace shuttle_test {
 
 using namespace robosim::testing;
 
@@ -49,4 +49,4 @@ TEST_P(Shuttle, SaysHowFarItHasComeAndHowSoonItsWheelStarted) {
   EXPECT_LT(std::stoi(figures[2]), 100000);
 }
 
-}  // namespace
+}  // namespace shuttle_test

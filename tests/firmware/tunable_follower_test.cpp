@@ -6,7 +6,7 @@
 
 #include "tests/firmware/sketches.h"
 
-namespace {
+namespace tunable_follower_test {
 
 using namespace robosim::testing;
 
@@ -269,4 +269,4 @@ TEST_P(TunableFollowerAfterSevenWeeks, DrivesAndBlinksOnWhenItsClockWraps) {
   }
 }
 
-}  // namespace
+}  // namespace tunable_follower_test

@@ -14,7 +14,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::hostile {
-namespace {
+namespace class_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -133,5 +133,5 @@ TEST(Class, OfThirtyGetsTwentyFiveRightVerdictsAndReadsAndWritesNothingOutside) 
   }
 }
 
-}  // namespace
+}  // namespace class_test
 }  // namespace robosim::hostile

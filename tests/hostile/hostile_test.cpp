@@ -26,7 +26,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::hostile {
-namespace {
+namespace hostile_test {
 
 namespace fs = std::filesystem;
 
@@ -481,5 +481,5 @@ TEST_P(Requests, DoNoHarm) {
 INSTANTIATE_TEST_SUITE_P(Hostile, Requests, testing::ValuesIn(requests(Server::host())),
                          name_of<HostileRequest>);
 
-}  // namespace
+}  // namespace hostile_test
 }  // namespace robosim::hostile

@@ -13,7 +13,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace samples_test {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
@@ -96,5 +96,5 @@ TEST(Samples, AreWhatARobotFileAndChecksMake) {
   }
 }
 
-}  // namespace
+}  // namespace samples_test
 }  // namespace robosim::test

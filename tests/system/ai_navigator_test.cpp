@@ -11,7 +11,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace ai_navigator_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -233,5 +233,5 @@ TEST_P(AiNavigatorsStart, DoesNotMatter) {
                                    std::to_string(graph.junctions.size()) + " junctions"));
 }
 
-}  // namespace
+}  // namespace ai_navigator_test
 }  // namespace robosim::test

@@ -8,7 +8,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_build_test {
 
 using ::testing::AllOf;
 using ::testing::AnyOf;
@@ -90,5 +90,5 @@ TEST(CliBuild, AnAssignmentForAComparisonAndAnEmptyIfAreWarnedOf) {
                                HasSubstr("Slip.ino:5:9: warning: suggest braces around empty body")));
 }
 
-}  // namespace
+}  // namespace cli_build_test
 }  // namespace robosim::test

@@ -11,7 +11,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_calibrate_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -176,5 +176,5 @@ TEST(Calibrate, FromFourPlacesTellsTheSensorsWhiteFromTheFloors) {
   EXPECT_LT(spreads.at(1), 0.85 * spreads.at(0)) << "four circles have more patches than one";
 }
 
-}  // namespace
+}  // namespace cli_calibrate_test
 }  // namespace robosim::test

@@ -6,7 +6,7 @@
 #include "tests/system/json_of.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_classic_test {
 
 using nlohmann::json;
 using ::testing::HasSubstr;
@@ -192,5 +192,5 @@ TEST(CliClassic, AnAlgorithmThatDoesNotCompileShowsFileAndLine) {
   EXPECT_THAT(run.err, HasSubstr("./bad.cpp:2:"));
 }
 
-}  // namespace
+}  // namespace cli_classic_test
 }  // namespace robosim::test

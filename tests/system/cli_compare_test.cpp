@@ -13,7 +13,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_compare_test {
 
 using ::testing::AllOf;
 using ::testing::AnyOf;
@@ -264,5 +264,5 @@ TEST_F(CliCompare, WhatCannotBeComparedIsSaidInOneSentence) {
   EXPECT_THAT(ended.err, HasSubstr("arduino"));
 }
 
-}  // namespace
+}  // namespace cli_compare_test
 }  // namespace robosim::test

@@ -11,7 +11,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_coverage_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -180,5 +180,5 @@ TEST_F(CliCoverage, MakesAPageWhereGenhtmlIsThere) {
   EXPECT_THAT(read_file(folder_ / "out/html/index.html"), HasSubstr("coverage.info"));
 }
 
-}  // namespace
+}  // namespace cli_coverage_test
 }  // namespace robosim::test

@@ -9,7 +9,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_flash_test {
 
 using ::testing::AllOf;
 using ::testing::EndsWith;
@@ -195,5 +195,5 @@ TEST_F(CliFlash, AMissingPortIsStatus2AndTheSentenceSaysHowToFindIt) {
   EXPECT_THAT(ended.err, AllOf(HasSubstr("/dev/ttyACM0"), HasSubstr("/dev/ttyUSB0"), HasSubstr("ls /dev/")));
 }
 
-}  // namespace
+}  // namespace cli_flash_test
 }  // namespace robosim::test

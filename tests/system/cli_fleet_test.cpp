@@ -11,7 +11,7 @@
 #include "tests/system/on_terminal.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_fleet_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -334,5 +334,5 @@ TEST(CliFleet, WhatCannotBeSaidIsOneSentence) {
               HasSubstr("invalid name of a robot: expected up to 32 letters, digits, _ and -, got “B b”"));
 }
 
-}  // namespace
+}  // namespace cli_fleet_test
 }  // namespace robosim::test

@@ -16,7 +16,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_gdb_test {
 
 using ::testing::AllOf;
 using ::testing::AnyOf;
@@ -210,5 +210,5 @@ TEST_P(CliGdb, WhatCannotBeDebuggedIsSaidInOneSentence) {
   EXPECT_THAT(ended.err, AllOf(HasSubstr("--gdb"), HasSubstr("--target avr")));
 }
 
-}  // namespace
+}  // namespace cli_gdb_test
 }  // namespace robosim::test

@@ -8,7 +8,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_help_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -76,5 +76,5 @@ TEST(ManPages, AreGoodTroff) {
   }
 }
 
-}  // namespace
+}  // namespace cli_help_test
 }  // namespace robosim::test

@@ -8,7 +8,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_hunt_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -210,5 +210,5 @@ TEST_F(CliHunt, RefusesWhatItCannotDo) {
   EXPECT_THAT(there.err, HasSubstr("hunt-Tries: exists already; --resume continues it"));
 }
 
-}  // namespace
+}  // namespace cli_hunt_test
 }  // namespace robosim::test

@@ -9,7 +9,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_live_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -79,5 +79,5 @@ TEST(CliLive, TellsSeveralRobotsAndActsOnTheOneThatIsNamed) {
   EXPECT_GT(paused["sample"]["x"], 1000.0);
 }
 
-}  // namespace
+}  // namespace cli_live_test
 }  // namespace robosim::test

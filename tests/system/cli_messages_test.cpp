@@ -9,7 +9,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_messages_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -127,5 +127,5 @@ TEST_F(Newcomers, LearnWhichOfSeveralInoFilesIsTheMainOne) {
                 "rename the main file to that, or name one of them, as in ./Line/a.ino"));
 }
 
-}  // namespace
+}  // namespace cli_messages_test
 }  // namespace robosim::test

@@ -9,7 +9,7 @@
 #include "tests/system/json_of.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_mutate_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -121,5 +121,5 @@ TEST_F(CliMutate, RefusesWhatIsNoProgramOfTests) {
   EXPECT_THAT(ended.err, HasSubstr("true ended with status 0 and wrote no report as GoogleTest does"));
 }
 
-}  // namespace
+}  // namespace cli_mutate_test
 }  // namespace robosim::test

@@ -9,7 +9,7 @@
 #include "tests/system/on_terminal.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_play_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -181,5 +181,5 @@ TEST(CliPlay, ATooSmallWindowSaysSoAndGrowsAgain) {
   EXPECT_EQ(session.finish(), 0);
 }
 
-}  // namespace
+}  // namespace cli_play_test
 }  // namespace robosim::test

@@ -10,7 +10,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_project_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -190,5 +190,5 @@ TEST(CliProject, WithSerialTheStandardOutputIsWhatTheSketchSends) {
   EXPECT_THAT(ended.err, HasSubstr("ended: The sketch ended"));
 }
 
-}  // namespace
+}  // namespace cli_project_test
 }  // namespace robosim::test

@@ -15,7 +15,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_record_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -177,5 +177,5 @@ TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {
   }
 }
 
-}  // namespace
+}  // namespace cli_record_test
 }  // namespace robosim::test

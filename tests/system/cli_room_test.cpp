@@ -8,7 +8,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_room_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -66,5 +66,5 @@ TEST_F(CliRoom, AiNavigatorAsItIsCouldHoldAllNodesThatOneByteNumbers) {
   EXPECT_THAT(scan_with(254, 0).err, HasSubstr("1 to 253 nodes"));
 }
 
-}  // namespace
+}  // namespace cli_room_test
 }  // namespace robosim::test

@@ -11,7 +11,7 @@
 #include "tests/system/json_of.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_run_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -226,5 +226,5 @@ TEST(CliRun, PutsABoardOfTheTargetOnARobotThatHasNone) {
   EXPECT_THAT(same.err, Not(HasSubstr("replaces it")));
 }
 
-}  // namespace
+}  // namespace cli_run_test
 }  // namespace robosim::test

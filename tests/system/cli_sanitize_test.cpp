@@ -6,7 +6,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_sanitize_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -251,5 +251,5 @@ TEST(CliSanitize, BlamesNoSketchForAWrapThatAnyOtherMicrosecondTurnsAside) {
   EXPECT_EQ(seen[0]["detector"], "clock_wrap");
 }
 
-}  // namespace
+}  // namespace cli_sanitize_test
 }  // namespace robosim::test

@@ -13,7 +13,7 @@
 #include "tests/system/on_terminal.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_sweep_test {
 
 using ::testing::AllOf;
 using ::testing::Contains;
@@ -303,5 +303,5 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
   EXPECT_THAT(ended.err, HasSubstr("report.html:1: this is not valid XML: "));
 }
 
-}  // namespace
+}  // namespace cli_sweep_test
 }  // namespace robosim::test

@@ -7,7 +7,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_test_test {
 
 using ::testing::AllOf;
 using ::testing::EndsWith;
@@ -201,5 +201,5 @@ TEST(CliNew, OverwritesNothingAndRefusesWhatIsNoNameOfASketch) {
   }
 }
 
-}  // namespace
+}  // namespace cli_test_test
 }  // namespace robosim::test

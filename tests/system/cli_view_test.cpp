@@ -6,7 +6,7 @@
 #include "tests/system/on_terminal.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_view_test {
 
 using ::testing::HasSubstr;
 
@@ -91,5 +91,5 @@ TEST(CliRun, CtrlCWithoutAViewEndsTheRunWithItsResult) {
   EXPECT_EQ(run.finish(), 130);
 }
 
-}  // namespace
+}  // namespace cli_view_test
 }  // namespace robosim::test

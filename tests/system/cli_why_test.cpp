@@ -8,7 +8,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_why_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -199,5 +199,5 @@ TEST_F(CliWhy, IsOfTheAvrOnly) {
   }
 }
 
-}  // namespace
+}  // namespace cli_why_test
 }  // namespace robosim::test

@@ -7,7 +7,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace cli_wire_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -85,5 +85,5 @@ TEST(CliWire, WhatItCannotDoIsSaidInASentence) {
   EXPECT_THAT(idle.out, HasSubstr("remove = \"all\""));
 }
 
-}  // namespace
+}  // namespace cli_wire_test
 }  // namespace robosim::test

@@ -8,7 +8,7 @@
 #include "tests/system/console_blocks.h"
 
 namespace robosim::test {
-namespace {
+namespace documents_test {
 
 namespace fs = std::filesystem;
 
@@ -128,5 +128,5 @@ std::string name_of(const ::testing::TestParamInfo<std::string>& page) {
 
 INSTANTIATE_TEST_SUITE_P(Pages, DocumentsTest, ::testing::ValuesIn(pages()), name_of);
 
-}  // namespace
+}  // namespace documents_test
 }  // namespace robosim::test

@@ -7,7 +7,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace driven_run_test {
 
 using client::DrivenRun;
 using testing::AllOf;
@@ -135,5 +135,5 @@ TEST(DrivenRunTest, EndsWithTheVerdictCrashedWhereTheFirmwareTakesItsProcessDown
   EXPECT_EQ(run.state().t_ns, 0);
 }
 
-}  // namespace
+}  // namespace driven_run_test
 }  // namespace robosim::test

@@ -10,7 +10,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace effects_test {
 
 const std::string kDivider = "[[part]]\nname = \"battery\"\ntype = \"voltage\"\npin = \"A5\"\nshare = 0.5\n";
 const std::string kWeak = "source_ohms = \"1000 kohm\"\n";
@@ -263,5 +263,5 @@ INSTANTIATE_TEST_SUITE_P(
         Effect{"AWeakSource", kDivider + kWeak, "", "typical", 'v', 'b'}),
     [](const auto& effect) { return std::string(effect.param.name); });
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace robosim::test

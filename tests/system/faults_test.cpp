@@ -3,7 +3,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace faults_test {
 
 using testing::AllOf;
 using testing::Ge;
@@ -113,5 +113,5 @@ TEST_P(ClockFaults, LetTheClockRunFastOrSlow) {
   EXPECT_NEAR(millis_after("-10%"), right - 100, 5);
 }
 
-}  // namespace
+}  // namespace faults_test
 }  // namespace robosim::test

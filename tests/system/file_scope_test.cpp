@@ -11,7 +11,7 @@
 #include "tests/system/on_terminal.h"
 
 namespace robosim::test {
-namespace {
+namespace file_scope_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -180,5 +180,5 @@ TEST(OnATerminal, NamesAndErrorsAreShownAndNotCarriedOut) {
   }
 }
 
-}  // namespace
+}  // namespace file_scope_test
 }  // namespace robosim::test

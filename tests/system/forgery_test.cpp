@@ -17,7 +17,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace forgery_test {
 
 /// Returns forged last lines of a runner, one for each possible request.
 std::string forged_lines() {
@@ -269,5 +269,5 @@ TEST_P(OnAChip, IsNeverSaidToHaveReachedItsGoal) {
 
 INSTANTIATE_TEST_SUITE_P(Forgery, OnAChip, testing::ValuesIn(kOnAChip), name_of_attempt);
 
-}  // namespace
+}  // namespace forgery_test
 }  // namespace robosim::test

@@ -6,7 +6,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace golden_test {
 
 struct Pinned {
   const char* sketch;
@@ -38,5 +38,5 @@ INSTANTIATE_TEST_SUITE_P(
                     Pinned{"SpinsOnPin", "oval", "uno3", "1:de7a58ea1b8cbe66", "1:de7a58ea1b8cbe66"}),
     [](const auto& test) { return test.param.sketch; });
 
-}  // namespace
+}  // namespace golden_test
 }  // namespace robosim::test

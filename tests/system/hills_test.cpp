@@ -8,7 +8,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace hills_test {
 
 class Hills : public testing::Test {
  protected:
@@ -191,5 +191,5 @@ TEST_F(Wet, BendsLoseWhoIsFastUnlessAFanPressesItDown) {
   }
 }
 
-}  // namespace
+}  // namespace hills_test
 }  // namespace robosim::test

@@ -10,7 +10,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace machine_test {
 
 using ::testing::AllOf;
 using ::testing::EndsWith;
@@ -151,5 +151,5 @@ TEST_F(Machine, RefusesASecondWriterOfARecording) {
   EXPECT_THAT(ended.err, HasSubstr("a.csv: this file is already being written"));
 }
 
-}  // namespace
+}  // namespace machine_test
 }  // namespace robosim::test

@@ -10,7 +10,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace pony_test {
 
 using testing::ElementsAre;
 using testing::EndsWith;
@@ -195,5 +195,5 @@ TEST(PonyNavigatorSketch, TellsThatANetworkWithACircleIsNotForIt) {
   EXPECT_THAT(seen.text, EndsWith("too many nodes: is there a circle?\r\n"));
 }
 
-}  // namespace
+}  // namespace pony_test
 }  // namespace robosim::test

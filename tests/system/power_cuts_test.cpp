@@ -8,7 +8,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace power_cuts_test {
 
 using testing::AnyOf;
 using testing::EndsWith;
@@ -98,5 +98,5 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
   EXPECT_GT(lost, kept);
 }
 
-}  // namespace
+}  // namespace power_cuts_test
 }  // namespace robosim::test

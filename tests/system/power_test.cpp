@@ -6,7 +6,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace power_test {
 
 class Power : public testing::Test {
  protected:
@@ -127,5 +127,5 @@ TEST(Windings, GiveBackWhatASlowerDutyTakesAndBurnWhatAShortDoes) {
   EXPECT_EQ(pulses("b", "tb6612", "1 mH").metrics.energy_back_j, 0.0);
 }
 
-}  // namespace
+}  // namespace power_test
 }  // namespace robosim::test

@@ -13,7 +13,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace record_vcd_test {
 
 using ::testing::Contains;
 using ::testing::Each;
@@ -123,5 +123,5 @@ TEST_P(RecordVcd, ACrashLeavesWhatWasRecorded) {
 INSTANTIATE_TEST_SUITE_P(Targets, RecordVcd, ::testing::Values("host", "avr"),
                          [](const auto& target) { return std::string(target.param); });
 
-}  // namespace
+}  // namespace record_vcd_test
 }  // namespace robosim::test

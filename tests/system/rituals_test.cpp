@@ -6,7 +6,7 @@
 #include "tests/system/command.h"
 
 namespace robosim::test {
-namespace {
+namespace rituals_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -80,5 +80,5 @@ TEST_P(Rituals, AByteByBluetoothEndsAWaitOnSoftwareSerialOnPinsOfAnyPort) {
 
 INSTANTIATE_TEST_SUITE_P(On, Rituals, ::testing::Values("host", "avr"));
 
-}  // namespace
+}  // namespace rituals_test
 }  // namespace robosim::test

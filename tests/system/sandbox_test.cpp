@@ -11,7 +11,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace sandbox_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -420,5 +420,5 @@ TEST_F(Sandbox, ChangesNoRun) {
   EXPECT_EQ(confined.verdict, "reached");
 }
 
-}  // namespace
+}  // namespace sandbox_test
 }  // namespace robosim::test

@@ -3,7 +3,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace silence_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -86,5 +86,5 @@ TEST_P(Silence, AHangIsToldThoughTheClockAndSerialInterrupt) {
   EXPECT_LT(rests.time_s, 2.1);
 }
 
-}  // namespace
+}  // namespace silence_test
 }  // namespace robosim::test

@@ -5,7 +5,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace sketches_test {
 
 using testing::ElementsAre;
 using testing::SizeIs;
@@ -90,5 +90,5 @@ TEST_P(TouringSketch, TakesCrossingsOfFourLines) {
   }
 }
 
-}  // namespace
+}  // namespace sketches_test
 }  // namespace robosim::test

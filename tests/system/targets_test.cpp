@@ -11,7 +11,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace targets_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -224,5 +224,5 @@ TEST_F(OnTheChip, ResourcesAreMeasuredAndABudgetEndsTheRun) {
   EXPECT_THAT(r.why, HasSubstr("the robot file allows 5.500 ms"));
 }
 
-}  // namespace
+}  // namespace targets_test
 }  // namespace robosim::test

@@ -2,7 +2,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace two_wire_test {
 
 class TwoWire : public testing::TestWithParam<const char*> {
  protected:
@@ -23,5 +23,5 @@ TEST_P(TwoWire, IsSpokenByWireAndAnsweredByThePartsAlone) {
   EXPECT_THAT(r.usage.unwired, testing::IsEmpty());
 }
 
-}  // namespace
+}  // namespace two_wire_test
 }  // namespace robosim::test

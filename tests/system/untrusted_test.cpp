@@ -15,7 +15,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace untrusted_test {
 
 using testing::AllOf;
 using testing::EndsWith;
@@ -412,5 +412,5 @@ TEST_F(Untrusted, ReadsAndWritesNothingOutsideAsStraceSees) {
   }
 }
 
-}  // namespace
+}  // namespace untrusted_test
 }  // namespace robosim::test

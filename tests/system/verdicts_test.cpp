@@ -3,7 +3,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace verdicts_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -152,5 +152,5 @@ TEST(Verdicts, AScriptThatNamesUnknownThingsIsRefusedBeforeTheRun) {
   EXPECT_THAT(error_of("after station 9 press start"), HasSubstr("unknown station “9”"));
 }
 
-}  // namespace
+}  // namespace verdicts_test
 }  // namespace robosim::test

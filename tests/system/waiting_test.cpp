@@ -2,7 +2,7 @@
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
-namespace {
+namespace waiting_test {
 
 class Waiting : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(In, Waiting,
@@ -31,5 +31,5 @@ TEST_P(Waiting, IsLeftOutWithoutATrace) {
   EXPECT_EQ(skipped.serial, whole.serial);
 }
 
-}  // namespace
+}  // namespace waiting_test
 }  // namespace robosim::test

@@ -9,10 +9,7 @@ foreach(library project build course print calibrate launch play wiring mutate t
 endforeach()
 
 # With 3 GB for each processor, gcc starts to collect garbage at 2 GB, which saves a tenth of the time.
-cmake_host_system_information(RESULT memory QUERY TOTAL_PHYSICAL_MEMORY)  # MiB
-cmake_host_system_information(RESULT processors QUERY NUMBER_OF_LOGICAL_CORES)
-math(EXPR enough "${processors} * 3000")
-if(memory GREATER enough)
+if(ROBOSIM_AMPLE_MEMORY)
   target_compile_options(robosim_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2000000>)
 endif()
 

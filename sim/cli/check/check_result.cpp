@@ -9,7 +9,7 @@
 namespace robosim::cli {
 namespace {
 
-constexpr std::string_view kDetected = "detected: ";
+constexpr std::string_view kDetectedPrefix = "detected: ";
 
 /// Formats a value with enough digits to differ from the limit that it exceeds: "17.23".
 std::string beyond(double value, double limit) {
@@ -70,14 +70,14 @@ std::optional<std::string> why_failed(const Check& check, const wire::RunResult&
     if (const auto why = why_beyond(limit, result)) return why;
   }
   if (!result.detected.empty())
-    return fmt::format("{}{} (detect = false turns the detectors off)", kDetected,
+    return fmt::format("{}{} (detect = false turns the detectors off)", kDetectedPrefix,
                        wire::text_of(result.detected.front()));
   for (const TextAssertion& assertion : check.assertions)
     if (const std::string why = why_broken(assertion, result); !why.empty()) return why;
   return std::nullopt;
 }
 
-bool is_of_detectors(const std::string& why) { return why.rfind(kDetected, 0) == 0; }
+bool is_of_detectors(const std::string& why) { return why.rfind(kDetectedPrefix, 0) == 0; }
 
 ExitStatus worse(ExitStatus a, ExitStatus b) {
   constexpr std::array kWorstFirst = {ExitStatus::interrupted, ExitStatus::internal, ExitStatus::tool_missing,

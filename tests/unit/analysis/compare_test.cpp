@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 namespace robosim::analysis {
-namespace {
+namespace compare_test {
 
 using testing::HasSubstr;
 using Kind = Difference::Kind;
@@ -326,5 +326,5 @@ TEST(HistoryRecorder, MakesManoeuvresPlacesAndLinesOfEvents) {
   EXPECT_EQ(h.end_ns, kS);
 }
 
-}  // namespace
+}  // namespace compare_test
 }  // namespace robosim::analysis

@@ -7,7 +7,7 @@
 #include "sim/analysis/alignment.h"
 
 namespace robosim::analysis {
-namespace {
+namespace edge_test {
 
 using Kind = Difference::Kind;
 
@@ -157,5 +157,5 @@ TEST(Edge, WhatHasACauseWithANameOrIsPrintedIsNoChance) {
   EXPECT_FALSE(is_of_driving({Kind::line, "line 3 of the serial port", {}, {}, "", {}}));
 }
 
-}  // namespace
+}  // namespace edge_test
 }  // namespace robosim::analysis

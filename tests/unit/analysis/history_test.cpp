@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 namespace robosim::analysis {
-namespace {
+namespace history_test {
 
 using testing::ElementsAre;
 
@@ -64,5 +64,5 @@ TEST(HistoryTest, LinesEndAtLineFeedsOrCarriageReturnsAndTheLastMayBeUnfinished)
   EXPECT_EQ(history.lines[1].t_ns, 2) << "when it was complete";
 }
 
-}  // namespace
+}  // namespace history_test
 }  // namespace robosim::analysis

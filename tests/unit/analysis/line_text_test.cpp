@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::analysis {
-namespace {
+namespace line_text_test {
 
 constexpr double kTolerance = 0.10;
 
@@ -78,5 +78,5 @@ TEST(LineText, WhatIntegersLoseIsNamed) {
   EXPECT_EQ(cause("7", "7"), "");
 }
 
-}  // namespace
+}  // namespace line_text_test
 }  // namespace robosim::analysis

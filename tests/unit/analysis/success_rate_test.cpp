@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::analysis {
-namespace {
+namespace success_rate_test {
 
 TEST(Wilson, AgreesWithPublishedValues) {
   // R. G. Newcombe, "Two-sided confidence intervals for the single proportion", Statistics in Medicine 17
@@ -98,5 +98,5 @@ TEST(Tally, WithoutADemandNothingIsDecided) {
   EXPECT_EQ(tally.rate(), 0.5);
 }
 
-}  // namespace
+}  // namespace success_rate_test
 }  // namespace robosim::analysis

@@ -5,7 +5,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace adc_test {
 
 using testing::ElementsAre;
 using testing::Pair;
@@ -79,5 +79,5 @@ TEST_F(AdcTest, NothingIsLeftOfAConversionBehindAReset) {
   EXPECT_EQ(read(reg::kAdcsra), 0);
 }
 
-}  // namespace
+}  // namespace adc_test
 }  // namespace robosim::avr

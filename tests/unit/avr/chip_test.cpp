@@ -5,7 +5,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace chip_test {
 
 class ChipTest : public testing::Test, protected IdleChip {
  protected:
@@ -110,5 +110,5 @@ TEST(AnAttiny85, HasNoMultiplierAndNoLongJumps) {
   EXPECT_EQ(stop_at(kMovw), Cpu::Stop::reached);
 }
 
-}  // namespace
+}  // namespace chip_test
 }  // namespace robosim::avr

@@ -7,7 +7,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace comparator_test {
 
 constexpr Address kTifr1 = 0x36, kAcsr = 0x50, kTccr1b = 0x81, kIcr1l = 0x86, kIcr1h = 0x87;
 constexpr std::uint8_t kBandgap = 0x40, kOutput = 0x20, kFlag = 0x10, kInterrupts = 0x08, kCaptured = 0x04;
@@ -180,5 +180,5 @@ TEST(ComparatorOfOthers, LooksAtTwoBitsOfAnAttiny85sMultiplexer) {
   EXPECT_FALSE(chip.output(kAttiny85.comparator.address));
 }
 
-}  // namespace
+}  // namespace comparator_test
 }  // namespace robosim::avr

@@ -10,7 +10,7 @@
 #include "tests/unit/avr/random_code.h"
 
 namespace robosim::avr {
-namespace {
+namespace counter_extrapolation_test {
 
 constexpr Address kCounter = 0x4A;  // GPIOR1
 constexpr Address kMemory = 0x110;
@@ -153,5 +153,5 @@ TEST_F(RampTest, WhatIsHeldStaysAsItIsWithinTheWindow) {
   EXPECT_GT(windows, 1000);
 }
 
-}  // namespace
+}  // namespace counter_extrapolation_test
 }  // namespace robosim::avr

@@ -4,7 +4,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace external_interrupts_test {
 
 constexpr std::uint8_t kLowLevel = 0, kFalling = 2, kRising = 3;
 constexpr std::uint8_t kSleepEnable = 1, kPowerDown = 4;
@@ -127,5 +127,5 @@ TEST_F(ExternalInterruptsTest, NothingIsHeardBehindAReset) {
   EXPECT_FALSE(bench.listens_to[pin('B', 0)]);
 }
 
-}  // namespace
+}  // namespace external_interrupts_test
 }  // namespace robosim::avr

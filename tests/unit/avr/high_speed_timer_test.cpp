@@ -5,7 +5,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace high_speed_timer_test {
 
 constexpr Address kTifr4 = 0x39, kTimsk4 = 0x72, kTcnt4 = 0xBE, kTc4h = 0xBF, kTccr4a = 0xC0, kTccr4b = 0xC1,
                   kTccr4c = 0xC2, kTccr4d = 0xC3, kOcr4a = 0xCF, kOcr4c = 0xD1, kOcr4d = 0xD2;
@@ -117,5 +117,5 @@ TEST_F(HighSpeedTimerTest, StandsWhilePrrStopsIt) {
   EXPECT_NEAR(count(), before, 1u);
 }
 
-}  // namespace
+}  // namespace high_speed_timer_test
 }  // namespace robosim::avr

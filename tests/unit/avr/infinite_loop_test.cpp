@@ -10,7 +10,7 @@
 #include "tests/unit/avr/random_code.h"
 
 namespace robosim::avr {
-namespace {
+namespace infinite_loop_test {
 
 constexpr Address kFlag = 0x110, kOther = 0x111;
 constexpr unsigned kBack = 0xCFFF, kReti = 0x9518;
@@ -124,5 +124,5 @@ TEST_F(RecurrenceTest, AHandlerThatCallsOrStoresByPointerOrTouchesIoMayDoAnythin
   }
 }
 
-}  // namespace
+}  // namespace infinite_loop_test
 }  // namespace robosim::avr

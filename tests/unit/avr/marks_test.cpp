@@ -5,7 +5,7 @@
 #include "sim/avr/cpu.h"
 
 namespace robosim::avr {
-namespace {
+namespace marks_test {
 
 // add r0, r1; adc r2, r3; adc r4, r5; lds r16, 0x0100; lds r17, 0x0101; rjmp .-2
 constexpr std::uint8_t kProgram[] = {0x01, 0x0C, 0x23, 0x1C, 0x45, 0x1C, 0x00, 0x91,
@@ -66,5 +66,5 @@ TEST_F(Marks, MayBePutBehindAnInstructionThatHasRun) {
   EXPECT_EQ(cpu.cycle(), 2u);
 }
 
-}  // namespace
+}  // namespace marks_test
 }  // namespace robosim::avr

@@ -4,7 +4,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace power_test {
 
 constexpr std::uint8_t kEnable = 1, kIdle = 0, kNoiseReduction = 2, kPowerDown = 4, kPowerSave = 6,
                        kStandby = 12, kExtendedStandby = 14;
@@ -61,5 +61,5 @@ TEST(Power, SleepIsCounted) {
   EXPECT_EQ(chip.bench.chip.sleep_cycles(), kWatchdogTime + kWakes - from);
 }
 
-}  // namespace
+}  // namespace power_test
 }  // namespace robosim::avr

@@ -4,7 +4,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace pull_ups_test {
 
 constexpr Address kDdrd = 0x2A, kPortd = 0x2B;
 constexpr std::uint8_t kPud = 0x10;
@@ -23,5 +23,5 @@ TEST(PullUps, AreSwitchedOffAllAtOnce) {
   EXPECT_EQ(chip.bench.drives[in].mode, PinMode::input_pullup);
 }
 
-}  // namespace
+}  // namespace pull_ups_test
 }  // namespace robosim::avr

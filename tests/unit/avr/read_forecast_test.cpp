@@ -6,7 +6,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace read_forecast_test {
 
 constexpr Address kTifr0 = 0x35, kTifr1 = 0x36, kTifr2 = 0x37, kTcnt0 = 0x46, kTcnt2 = 0xB2;
 
@@ -85,5 +85,5 @@ TEST_F(OutlookTest, OfTheControlOfTheEepromIsNoneWhileItIsUnlocked) {
   EXPECT_EQ(forecast(kEecr).value, 2);
 }
 
-}  // namespace
+}  // namespace read_forecast_test
 }  // namespace robosim::avr

@@ -9,7 +9,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace timer_counter_test {
 
 class Chance {
  public:
@@ -119,5 +119,5 @@ TEST_P(WatchedTimers, CountAsUnwatchedOnes) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, WatchedTimers, testing::Range(1u, 25u));
 
-}  // namespace
+}  // namespace timer_counter_test
 }  // namespace robosim::avr

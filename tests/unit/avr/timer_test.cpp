@@ -6,7 +6,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace timer_test {
 
 constexpr Address kDdrb = 0x24, kDdrd = 0x2A, kPortd = 0x2B, kTifr1 = 0x36;
 constexpr Address kTccr0a = 0x44, kTccr0b = 0x45, kTcnt0 = 0x46, kOcr0a = 0x47, kTimsk0 = 0x6E,
@@ -245,5 +245,5 @@ TEST_F(TimerTest, StartsConversionsByAFlag) {
   EXPECT_EQ(bench.samples.size(), 2u);
 }
 
-}  // namespace
+}  // namespace timer_test
 }  // namespace robosim::avr

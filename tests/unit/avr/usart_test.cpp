@@ -5,7 +5,7 @@
 #include "tests/unit/avr/idle_chip.h"
 
 namespace robosim::avr {
-namespace {
+namespace usart_test {
 
 using testing::ElementsAre;
 using testing::Pair;
@@ -161,5 +161,5 @@ TEST_F(UsartTest, IsAsAfterPowerOnBehindAReset) {
   EXPECT_EQ(bench.drives[pin('D', 1)].mode, PinMode::input);
 }
 
-}  // namespace
+}  // namespace usart_test
 }  // namespace robosim::avr

@@ -11,7 +11,7 @@
 #include "tests/unit/avr/random_code.h"
 
 namespace robosim::avr {
-namespace {
+namespace waiting_loops_test {
 
 using conformance::Bench;
 
@@ -259,5 +259,5 @@ TEST(WaitingLoops, ThatCountDownAreRunThroughAsOneByOne) {
   }
 }
 
-}  // namespace
+}  // namespace waiting_loops_test
 }  // namespace robosim::avr

@@ -19,7 +19,7 @@
 #include "tests/unit/avr_cpu/random_program.h"
 
 namespace robosim::avr {
-namespace {
+namespace against_avr8js_test {
 
 constexpr std::size_t kPrograms = 5000;
 constexpr std::uint32_t kFurthestJump = 0x1000;  // words
@@ -89,5 +89,5 @@ TEST_P(Avr8js, DoesWithRandomInstructionsWhatTheProcessorDoes) {
 INSTANTIATE_TEST_SUITE_P(OfProgramCounters, Avr8js, testing::Bool(),
                          [](const auto& of) { return std::string(of.param ? "Of22Bits" : "Of16Bits"); });
 
-}  // namespace
+}  // namespace against_avr8js_test
 }  // namespace robosim::avr

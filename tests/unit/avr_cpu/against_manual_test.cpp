@@ -13,7 +13,7 @@
 #include "tests/unit/avr_cpu/random_program.h"
 
 namespace robosim::avr {
-namespace {
+namespace against_manual_test {
 
 constexpr int kBlocks = 40, kLongestBlock = 24;
 constexpr long kFewest = 20;
@@ -61,5 +61,5 @@ TEST_P(Manual, SaysWhatTheProcessorDoesWithRandomInstructions) {
 INSTANTIATE_TEST_SUITE_P(OfProgramCounters, Manual, testing::Bool(),
                          [](const auto& of) { return std::string(of.param ? "Of22Bits" : "Of16Bits"); });
 
-}  // namespace
+}  // namespace against_manual_test
 }  // namespace robosim::avr

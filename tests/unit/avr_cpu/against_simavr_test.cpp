@@ -20,7 +20,7 @@ extern "C" {
 #include "tests/support/effort.h"
 
 namespace robosim::avr {
-namespace {
+namespace against_simavr_test {
 
 constexpr std::uint32_t kAt = 0x1000;  // flash address of the instruction
 constexpr Address kLastRam = 0x8FF, kFirstRam = 0x100;
@@ -150,5 +150,5 @@ TEST(Cpu, DoesWithRandomInstructionsWhatSimavrDoes) {
   EXPECT_GT(compared, kInstructions / 2);
 }
 
-}  // namespace
+}  // namespace against_simavr_test
 }  // namespace robosim::avr

@@ -25,7 +25,7 @@ extern "C" {
 #include "tests/support/require_target.h"
 
 namespace robosim::avr {
-namespace {
+namespace lockstep_test {
 
 constexpr Address kLastRam = 0x8FF, kFirstIo = 0x20, kFirstRam = 0x100, kSreg = 0x5F, kSpl = 0x5D,
                   kEecr = 0x3F;
@@ -163,5 +163,5 @@ INSTANTIATE_TEST_SUITE_P(OfStockSketches, Lockstep,
                                          "PonyNavigator"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
-}  // namespace
+}  // namespace lockstep_test
 }  // namespace robosim::avr

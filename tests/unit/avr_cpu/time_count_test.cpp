@@ -9,7 +9,7 @@
 #include "sim/avr/cpu.h"
 
 namespace robosim::avr {
-namespace {
+namespace time_count_test {
 
 // The handler of the stock core (wiring.c): millis at 0x105, its fraction at 0x104, overflows at 0x100. The
 // handler returns to the preceding `sei; rjmp .-4`.
@@ -172,5 +172,5 @@ TEST_F(ReadsNumber, AndStopsAtAMarkInTheMiddle) {
   }
 }
 
-}  // namespace
+}  // namespace time_count_test
 }  // namespace robosim::avr

@@ -6,7 +6,7 @@
 #include "sim/base/error.h"
 
 namespace robosim {
-namespace {
+namespace archive_test {
 
 TEST(Bundle, GivesBackWhatWasPackedWhateverItHolds) {
   const std::string bytes("a 3\n\0\xff", 6);
@@ -27,5 +27,5 @@ TEST(Bundle, RefusesWhatIsCutShortOrNone) {
   EXPECT_THROW(unpack("one -1\nabc"), InputError);
 }
 
-}  // namespace
+}  // namespace archive_test
 }  // namespace robosim

@@ -5,7 +5,7 @@
 #include "sim/base/error.h"
 
 namespace robosim {
-namespace {
+namespace base64_test {
 
 TEST(Base64, IsReadAsItWasWritten) {
   std::string bytes;
@@ -32,5 +32,5 @@ TEST(Base64, IsTheSamePieceByPiece) {
   }
 }
 
-}  // namespace
+}  // namespace base64_test
 }  // namespace robosim

@@ -12,7 +12,7 @@
 #include "sim/base/process_state.h"
 
 namespace robosim {
-namespace {
+namespace child_test {
 
 ChildStart shell(const std::string& script) {
   ChildStart start;
@@ -112,5 +112,5 @@ TEST(Child, AProgramThatCannotBeStartedIsNamed) {
 }
 #endif
 
-}  // namespace
+}  // namespace child_test
 }  // namespace robosim

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim {
-namespace {
+namespace config_test {
 
 std::string error_of(const std::function<void()>& f) {
   try {
@@ -128,5 +128,5 @@ TEST(Config, PointsAtASyntaxError) {
     EXPECT_THAT(error_of([&] { parse_toml(header, "f.toml"); }), testing::HasSubstr("f.toml:1")) << header;
 }
 
-}  // namespace
+}  // namespace config_test
 }  // namespace robosim

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 namespace robosim {
-namespace {
+namespace csv_test {
 
 using testing::ElementsAre;
 using testing::Optional;
@@ -23,5 +23,5 @@ TEST(Csv, ARowGivesItsFieldsBack) {
   EXPECT_EQ(csv_fields("1,\"open"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace csv_test
 }  // namespace robosim

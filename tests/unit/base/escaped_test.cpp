@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 namespace robosim {
-namespace {
+namespace escaped_test {
 
 TEST(Escaped, WhatAScriptCannotHoldBetweenItsQuotesIsEscaped) {
   EXPECT_EQ(escaped("say \"hi\"\r\n\tC:\\"), R"(say \"hi\"\r\n\tC:\\)");
   EXPECT_EQ(escaped("plain, é and all"), "plain, é and all");
 }
 
-}  // namespace
+}  // namespace escaped_test
 }  // namespace robosim

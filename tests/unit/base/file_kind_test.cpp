@@ -6,7 +6,7 @@
 #include "sim/base/error.h"
 
 namespace robosim {
-namespace {
+namespace file_kind_test {
 
 using ::testing::HasSubstr;
 
@@ -51,5 +51,5 @@ TEST(FileKind, OfAnotherKindIsNamedWithTheOptionForIt) {
   EXPECT_EQ(refusal("what is this\n", FileKind::map), "as it was");
 }
 
-}  // namespace
+}  // namespace file_kind_test
 }  // namespace robosim

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim {
-namespace {
+namespace file_lock_test {
 
 namespace fs = std::filesystem;
 
@@ -70,5 +70,5 @@ TEST(FileLock, IsNotNeededForADevice) {
   EXPECT_NO_THROW(FileLock("/dev/null"));
 }
 
-}  // namespace
+}  // namespace file_lock_test
 }  // namespace robosim

@@ -17,7 +17,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim {
-namespace {
+namespace file_scope_test {
 
 namespace fs = std::filesystem;
 
@@ -154,5 +154,5 @@ TEST_F(FileScope, ReadsNothingWhereTheServedFolderIsGone) {
               testing::ExitedWithCode(0), "");
 }
 
-}  // namespace
+}  // namespace file_scope_test
 }  // namespace robosim

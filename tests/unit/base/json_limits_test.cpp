@@ -5,7 +5,7 @@
 #include <string>
 
 namespace robosim {
-namespace {
+namespace json_limits_test {
 
 std::string nested(int depth) {
   const auto count = static_cast<std::size_t>(depth);
@@ -26,5 +26,5 @@ TEST(JsonLimits, DoNotCountWhatIsInStrings) {
   EXPECT_FALSE(is_within_json_limits("[\"\\\\\"," + nested(100) + "]")) << "a backslash at the string's end";
 }
 
-}  // namespace
+}  // namespace json_limits_test
 }  // namespace robosim

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim {
-namespace {
+namespace markup_test {
 
 TEST(Markup, IsTextThatMarksUpNothing) {
   EXPECT_EQ(markup_text("a < b & \"c\" > d\n\te"), "a &lt; b &amp; &quot;c&quot; &gt; d&#10;\te");
@@ -18,5 +18,5 @@ TEST(Markup, HoldsNothingThatXmlDoesNotAllow) {
   EXPECT_EQ(markup_text("a\xFF<"), std::string("a") + kReplacement + "&lt;");
 }
 
-}  // namespace
+}  // namespace markup_test
 }  // namespace robosim

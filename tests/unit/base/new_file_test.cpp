@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim {
-namespace {
+namespace new_file_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -71,5 +71,5 @@ TEST(NewFile, LeavesAFolderThatHasItsNameMeanwhile) {
   EXPECT_THAT(names_in(folder.path()), ElementsAre("file"));
 }
 
-}  // namespace
+}  // namespace new_file_test
 }  // namespace robosim

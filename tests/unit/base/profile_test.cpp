@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim {
-namespace {
+namespace profile_test {
 
 TEST(Profile, NamesOfVersionsAreReadAsTheyAreWritten) {
   for (const Profile profile : {Profile::ideal, Profile::typical_1, Profile::typical_2})
@@ -15,5 +15,5 @@ TEST(Profile, NamesOfVersionsAreReadAsTheyAreWritten) {
   EXPECT_EQ(profile_of("typical"), Profile::typical);
 }
 
-}  // namespace
+}  // namespace profile_test
 }  // namespace robosim

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim {
-namespace {
+namespace shell_word_test {
 
 TEST(ShellWords, AreThoseThatACommandWasMadeOf) {
   const std::vector<std::string> words{"robosim",     "run", "./Zoë's <b>", "--send",
@@ -15,5 +15,5 @@ TEST(ShellWords, AreThoseThatACommandWasMadeOf) {
   EXPECT_EQ(shell_words("a 'b"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace shell_word_test
 }  // namespace robosim

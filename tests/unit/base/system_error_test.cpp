@@ -8,7 +8,7 @@
 #include <system_error>
 
 namespace robosim {
-namespace {
+namespace system_error_test {
 
 using ::testing::HasSubstr;
 
@@ -61,5 +61,5 @@ TEST(MachineFault, IsToldFromWhatIsWrongWithASketch) {
             "the compiler failed: as is missing: sudo apt install binutils");
 }
 
-}  // namespace
+}  // namespace system_error_test
 }  // namespace robosim

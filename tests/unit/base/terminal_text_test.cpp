@@ -5,7 +5,7 @@
 #include <string>
 
 namespace robosim {
-namespace {
+namespace terminal_text_test {
 
 TEST(TerminalText, ShowsWhatATerminalWouldCarryOut) {
   EXPECT_EQ(for_terminal("\x1b]0;title\x07\x1b[2J"), "\\x1b]0;title\\x07\\x1b[2J");
@@ -45,5 +45,5 @@ TEST(TerminalText, TakesPiecesThatCutACharacterInTwo) {
   }
 }
 
-}  // namespace
+}  // namespace terminal_text_test
 }  // namespace robosim

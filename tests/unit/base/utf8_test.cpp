@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim {
-namespace {
+namespace utf8_test {
 
 TEST(Utf8, ACharacterIsWhatTheUnicodeStandardCallsWellFormed) {
   EXPECT_EQ(first_character("A").code, U'A');
@@ -36,5 +36,5 @@ TEST(Utf8, CharactersAreCountedAndTakenOffWhole) {
   EXPECT_EQ(text, "");
 }
 
-}  // namespace
+}  // namespace utf8_test
 }  // namespace robosim

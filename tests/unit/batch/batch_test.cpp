@@ -13,7 +13,7 @@
 #include "tests/unit/robot/fake_board.h"
 
 namespace robosim::batch {
-namespace {
+namespace batch_test {
 
 using world::left;
 using world::right;
@@ -220,5 +220,5 @@ TEST(Batch, NeedsAPlaneFloor) {
   EXPECT_THROW(Bodies{world}, std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace batch_test
 }  // namespace robosim::batch

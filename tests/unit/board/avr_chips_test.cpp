@@ -18,7 +18,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim {
-namespace {
+namespace avr_chips_test {
 
 using testing::HasSubstr;
 
@@ -309,5 +309,5 @@ TEST(AvrBoards, HaveArduinosPins) {
   }
 }
 
-}  // namespace
+}  // namespace avr_chips_test
 }  // namespace robosim

@@ -9,7 +9,7 @@
 #include "hal/board/avr_timer.h"
 
 namespace robosim::avr {
-namespace {
+namespace avr_registers_test {
 
 using atmega328p::kTimers;
 using Kind = Counting::Kind;
@@ -214,5 +214,5 @@ TEST(AvrAdc, ASupplyThatSinksIsSeenAgainstTheBandgapAndNotByIt) {
   EXPECT_EQ(sampled(board, 0xC0 | 0), adc_code(0.4 * 1.4, 1.1));
 }
 
-}  // namespace
+}  // namespace avr_registers_test
 }  // namespace robosim::avr

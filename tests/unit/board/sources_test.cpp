@@ -16,7 +16,7 @@
 #include "hal/stm32/addresses.h"
 
 namespace robosim {
-namespace {
+namespace sources_test {
 
 using testing::HasSubstr;
 
@@ -133,5 +133,5 @@ TEST(Chips, TheBluePillsCoreHasItsPins) {
   EXPECT_EQ(pin, blue.pin_count);
 }
 
-}  // namespace
+}  // namespace sources_test
 }  // namespace robosim

@@ -7,7 +7,7 @@
 #include <set>
 
 namespace robosim::build {
-namespace {
+namespace assembly_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -88,5 +88,5 @@ TEST(Divisions, OtherInstructionsStay) {
     EXPECT_EQ(changed(code), code);
 }
 
-}  // namespace
+}  // namespace assembly_test
 }  // namespace robosim::build

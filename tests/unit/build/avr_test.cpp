@@ -11,7 +11,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace avr_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -316,5 +316,5 @@ TEST_F(SketchTest, ARequiredTargetIsOneThatTheEnvironmentNames) {
   if (before) ::setenv("ROBOSIM_REQUIRE", kept.c_str(), 1);
 }
 
-}  // namespace
+}  // namespace avr_test
 }  // namespace robosim::build

@@ -6,7 +6,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace build_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -191,5 +191,5 @@ TEST_F(SketchTest, OurOwnSketchesAreFoundByName) {
   EXPECT_EQ(find_sketch(SKETCHES), fs::path(SKETCHES));
 }
 
-}  // namespace
+}  // namespace build_test
 }  // namespace robosim::build

@@ -11,7 +11,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace cache_test {
 
 namespace fs = std::filesystem;
 
@@ -172,5 +172,5 @@ TEST_F(CacheTest, EachOfSeveralBuildsAtOnceHasItsFolder) {
   EXPECT_EQ(missing, 0);
 }
 
-}  // namespace
+}  // namespace cache_test
 }  // namespace robosim::build

@@ -8,7 +8,7 @@
 #include "sim/base/file.h"
 
 namespace robosim::build {
-namespace {
+namespace coverage_test {
 
 namespace fs = std::filesystem;
 
@@ -88,5 +88,5 @@ TEST_F(CoverageFolder, RunsOfAnOlderVersionOfTheSketchAreForgotten) {
   EXPECT_EQ(count_after("seed 2"), 5u);
 }
 
-}  // namespace
+}  // namespace coverage_test
 }  // namespace robosim::build

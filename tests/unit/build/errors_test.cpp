@@ -3,7 +3,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace errors_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -174,5 +174,5 @@ TEST_F(SketchTest, AMissingCompilerIsNamedWithItsPackage) {
               testing::ThrowsMessage<ToolMissing>("g++ is missing: sudo apt install g++"));
 }
 
-}  // namespace
+}  // namespace errors_test
 }  // namespace robosim::build

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::build {
-namespace {
+namespace hints_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -67,5 +67,5 @@ TEST(Hints, WhatIsForgottenIsNamed) {
   EXPECT_THAT(hint_for("error: redefinition of 'void setup()'"), HasSubstr("one setup()"));
 }
 
-}  // namespace
+}  // namespace hints_test
 }  // namespace robosim::build

@@ -6,7 +6,7 @@
 #include "tests/unit/build/run_fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace host_libraries_test {
 
 struct Edges final : PinWatcher {
   void pin_changed(Pin, const PinDrive& drive, SimTime t) override {
@@ -204,5 +204,5 @@ TEST_F(HostLibrariesTest, LongDelaysOfMicrosecondsWrapAsOnTheChip) {
             "160\n8\n");
 }
 
-}  // namespace
+}  // namespace host_libraries_test
 }  // namespace robosim::build

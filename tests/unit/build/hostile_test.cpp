@@ -28,7 +28,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace hostile_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
@@ -531,5 +531,5 @@ TEST_F(HostileTest, HeadersThatIncludeManyNamesTakeLittleMemory) {
   EXPECT_TRUE(ending.ok()) << ending.text();
 }
 
-}  // namespace
+}  // namespace hostile_test
 }  // namespace robosim::build

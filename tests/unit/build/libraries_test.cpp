@@ -5,7 +5,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace libraries_test {
 
 using testing::ElementsAre;
 using testing::NotNull;
@@ -80,5 +80,5 @@ TEST_F(SketchTest, LibrariesAreFoundWhereArduinosIdeKeepsThem) {
   EXPECT_THAT(build_here("Ide").libraries, ElementsAre("Book", "Snap"));
 }
 
-}  // namespace
+}  // namespace libraries_test
 }  // namespace robosim::build

@@ -4,7 +4,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace library_warnings_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -34,5 +34,5 @@ TEST_F(LibraryWarnings, AForgottenBreakIsOneUnlessACommentSaysThatItIsMeant) {
   EXPECT_EQ(build_here("My").messages, "");
 }
 
-}  // namespace
+}  // namespace library_warnings_test
 }  // namespace robosim::build

@@ -6,7 +6,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace narrow_ints_test {
 
 using ::testing::HasSubstr;
 
@@ -50,5 +50,5 @@ TEST_F(NarrowIntsOf, AProgramThatTheyDoNotHelpIsToldItsOwnError) {
   }
 }
 
-}  // namespace
+}  // namespace narrow_ints_test
 }  // namespace robosim::build

@@ -6,7 +6,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace pin_warnings_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -81,5 +81,5 @@ TEST_F(PinWarningsOf, ASketchAreAmongTheCompilersWithMacrosReplaced) {
               HasSubstr("My.ino:3: warning: pinMode(40, …): the uno has no pin 40"));
 }
 
-}  // namespace
+}  // namespace pin_warnings_test
 }  // namespace robosim::build

@@ -5,7 +5,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace process_test {
 
 TEST_F(SketchTest, OutcomesStandInTheOrderOfTheCommands) {
   std::vector<Command> commands;
@@ -43,5 +43,5 @@ TEST_F(SketchTest, ASignalIsSeen) {
 #endif
 }
 
-}  // namespace
+}  // namespace process_test
 }  // namespace robosim::build

@@ -7,7 +7,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace program_sandbox_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -94,5 +94,5 @@ TEST_F(WallsTest, HoldForTheAssembler) {
   }
 }
 
-}  // namespace
+}  // namespace program_sandbox_test
 }  // namespace robosim::build

@@ -8,7 +8,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace project_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -91,5 +91,5 @@ TEST_F(ProjectTest, FindsALinkThatLeadsOutOfAFolder) {
   }
 }
 
-}  // namespace
+}  // namespace project_test
 }  // namespace robosim::build

@@ -5,7 +5,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace prototypes_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -91,5 +91,5 @@ TEST_F(PrototypesTest, LeaveOutWhatThePreprocessorLeavesOut) {
   EXPECT_THAT(result, Not(HasSubstr("void never();")));
 }
 
-}  // namespace
+}  // namespace prototypes_test
 }  // namespace robosim::build

@@ -4,7 +4,7 @@
 #include "tests/unit/build/run_fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace run_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -207,5 +207,5 @@ TEST_F(RunTest, ACrashNamesTheLineOfTheIno) {
   EXPECT_EQ(executor.crash()->where.line, 3);
 }
 
-}  // namespace
+}  // namespace run_test
 }  // namespace robosim::build

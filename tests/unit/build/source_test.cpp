@@ -5,7 +5,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace source_test {
 
 using testing::ElementsAre;
 
@@ -59,5 +59,5 @@ TEST_F(SketchTest, TheHashOfASketchIsThatOfItsFilesByNameAndContent) {
   EXPECT_NE(content_sha256(read_sketch(folder_ / "a/S")), hash);
 }
 
-}  // namespace
+}  // namespace source_test
 }  // namespace robosim::build

@@ -6,7 +6,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace stm32_test {
 
 using testing::AllOf;
 using testing::EndsWith;
@@ -111,5 +111,5 @@ TEST_F(Stm32Test, WhatDoesNotFitTheChipIsToldSo) {
   EXPECT_THAT(stm32_error_of("Long"), AllOf(StartsWith("Long does not fit: it is "), HasSubstr("flash")));
 }
 
-}  // namespace
+}  // namespace stm32_test
 }  // namespace robosim::build

@@ -6,7 +6,7 @@
 #include "tests/unit/build/fixture.h"
 
 namespace robosim::build {
-namespace {
+namespace warning_filter_test {
 
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
@@ -71,5 +71,5 @@ TEST(SlipsOf, MessagesOfAvrGccAreReadToo) {
             "   if (a);\n         ^");
 }
 
-}  // namespace
+}  // namespace warning_filter_test
 }  // namespace robosim::build

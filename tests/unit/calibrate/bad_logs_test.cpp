@@ -8,7 +8,7 @@
 #include "tests/unit/calibrate/bench_logs.h"
 
 namespace robosim::calibrate {
-namespace {
+namespace bad_logs_test {
 
 using bench::counted_sweep;
 using bench::drive;
@@ -172,5 +172,5 @@ TEST(Logs, BeginWhereTheBoardBeganLast) {
   EXPECT_EQ(answer({stamped}), "");
 }
 
-}  // namespace
+}  // namespace bad_logs_test
 }  // namespace robosim::calibrate

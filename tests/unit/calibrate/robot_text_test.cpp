@@ -6,7 +6,7 @@
 #include "sim/calibrate/robot_text.h"
 
 namespace robosim::calibrate {
-namespace {
+namespace robot_text_test {
 
 Figure figure(const char* table, const char* key, double value, double sd, bool of_part = false) {
   Figure figure;
@@ -97,5 +97,5 @@ TEST(RobotText, WritesASpreadThatStaysWithinWhatIsAllowed) {
             "\"0.040 V\" },  # B\n]");
 }
 
-}  // namespace
+}  // namespace robot_text_test
 }  // namespace robosim::calibrate

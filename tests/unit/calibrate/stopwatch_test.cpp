@@ -9,7 +9,7 @@
 #include "tests/unit/calibrate/bench_logs.h"
 
 namespace robosim::calibrate {
-namespace {
+namespace stopwatch_test {
 
 constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
 
@@ -43,5 +43,5 @@ TEST(Stopwatch, OfOneDriveTellsTheSpeedAlone) {
   EXPECT_NEAR(fit->no_load[0].value / kRpm, 156.1, 15.0);
 }
 
-}  // namespace
+}  // namespace stopwatch_test
 }  // namespace robosim::calibrate

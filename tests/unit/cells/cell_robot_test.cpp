@@ -6,7 +6,7 @@
 #include "sim/cells/walk.h"
 
 namespace robosim::cells {
-namespace {
+namespace cell_robot_test {
 
 using grid::Direction;
 using ::testing::ElementsAre;
@@ -146,5 +146,5 @@ TEST(Walk, EndsBeforeAnObstacleAsAtALinesEnd) {
   EXPECT_EQ(w.moves, 2u + 1 + 2 + 1);
 }
 
-}  // namespace
+}  // namespace cell_robot_test
 }  // namespace robosim::cells

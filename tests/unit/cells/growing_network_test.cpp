@@ -7,7 +7,7 @@
 #include "sim/base/noise.h"
 
 namespace robosim::cells {
-namespace {
+namespace growing_network_test {
 
 TEST(GrowingNetworkTest, FindsEachJunctionByItsPlaceAndKnowsItsHeadings) {
   GrowingNetwork network;
@@ -36,5 +36,5 @@ TEST(GrowingNetworkTest, FindsEachJunctionByItsPlaceAndKnowsItsHeadings) {
   EXPECT_EQ(network.find(places[0]), GrowingNetwork::kNone);
 }
 
-}  // namespace
+}  // namespace growing_network_test
 }  // namespace robosim::cells

@@ -14,7 +14,7 @@
 #include "tests/support/effort.h"
 
 namespace robosim::cells {
-namespace {
+namespace quick_test {
 
 using grid::Cell;
 using grid::CellAt;
@@ -210,5 +210,5 @@ TEST(Quick, AScanDeeperThanTheWalkersMemoryEndsAsAWatchedOne) {
   EXPECT_EQ(text(scan.end), text(expected.end));
 }
 
-}  // namespace
+}  // namespace quick_test
 }  // namespace robosim::cells

@@ -10,7 +10,7 @@
 #include "tests/support/effort.h"
 
 namespace robosim::cells {
-namespace {
+namespace survey_test {
 
 using ::testing::ElementsAre;
 
@@ -266,5 +266,5 @@ TEST(SurveyTest, WithNoiseItAlwaysEnds) {
   EXPECT_LT(lost, 200);
 }
 
-}  // namespace
+}  // namespace survey_test
 }  // namespace robosim::cells

@@ -13,7 +13,7 @@
 #include "tests/support/v1.h"
 
 namespace robosim::cells {
-namespace {
+namespace v1_test {
 
 using grid::Cell;
 using grid::CellAt;
@@ -103,5 +103,5 @@ TEST(AgainstV1, TheLeftAndRightWalksAreTheSameMoveForMove) {
   }
 }
 
-}  // namespace
+}  // namespace v1_test
 }  // namespace robosim::cells

@@ -7,7 +7,7 @@
 #include "tests/support/readable.h"
 
 namespace robosim::cli {
-namespace {
+namespace arguments_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -204,5 +204,5 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"new", "a", "b"}, "new: unexpected argument “b”"}),
     test::numbered(&Refused::words));
 
-}  // namespace
+}  // namespace arguments_test
 }  // namespace robosim::cli

@@ -7,7 +7,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::cli {
-namespace {
+namespace build_command_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -70,5 +70,5 @@ TEST_F(BuildReport, SaysHowFarTheRobotsBudgetAllows) {
           "My is over the budget: it uses 165 bytes of RAM for variables, and the robot uno5 allows 164"));
 }
 
-}  // namespace
+}  // namespace build_command_test
 }  // namespace robosim::cli

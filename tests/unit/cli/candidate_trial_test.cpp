@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::cli {
-namespace {
+namespace candidate_trial_test {
 
 TEST(FollowsALap, TakesALapAlongTheLineAlone) {
   wire::RunResult result;
@@ -21,5 +21,5 @@ TEST(FollowsALap, TakesALapAlongTheLineAlone) {
   EXPECT_FALSE(follows_a_lap(result, true));
 }
 
-}  // namespace
+}  // namespace candidate_trial_test
 }  // namespace robosim::cli

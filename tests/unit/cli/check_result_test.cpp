@@ -6,7 +6,7 @@
 #include "sim/cli/check/test_report.h"
 
 namespace robosim::cli {
-namespace {
+namespace check_result_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -189,5 +189,5 @@ TEST(ReportOfManySketches, KeepsWhatASketchIsCalledInItsLine) {
             "anna\\x0aben   passed  1 of 1  ERROR   a\\x0ab\n0 of 1 sketches passed all checks\n");
 }
 
-}  // namespace
+}  // namespace check_result_test
 }  // namespace robosim::cli

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::cli {
-namespace {
+namespace checks_file_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -176,5 +176,5 @@ TEST_F(ChecksFile, SaysOfAllRunsWhatMustNeverAndAlwaysBe) {
               Throws<InputError>(Property(&InputError::message, HasSubstr("never: expected "))));
 }
 
-}  // namespace
+}  // namespace checks_file_test
 }  // namespace robosim::cli

@@ -6,7 +6,7 @@
 #include "sim/cli/run/classic_text.h"
 
 namespace robosim::cli {
-namespace {
+namespace graph_json_test {
 
 constexpr const char* kOdd = "a \"quoted\" \\ name";
 
@@ -46,5 +46,5 @@ TEST(ClassicJson, HoldsAnyPathAndAnyName) {
   EXPECT_EQ(json["trace"][0].size(), 6u);
 }
 
-}  // namespace
+}  // namespace graph_json_test
 }  // namespace robosim::cli

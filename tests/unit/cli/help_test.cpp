@@ -13,7 +13,7 @@
 #include "sim/cli/man_page.h"
 
 namespace robosim::cli {
-namespace {
+namespace help_test {
 
 using ::testing::Each;
 using ::testing::HasSubstr;
@@ -160,5 +160,5 @@ TEST(Completion, RefusesAnotherShell) {
   EXPECT_THROW(parse_arguments({"completion"}), InputError);
 }
 
-}  // namespace
+}  // namespace help_test
 }  // namespace robosim::cli

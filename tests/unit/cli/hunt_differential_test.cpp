@@ -11,7 +11,7 @@
 #include "sim/cli/hunt/stimuli.h"
 
 namespace robosim::cli {
-namespace {
+namespace hunt_differential_test {
 
 using ::testing::HasSubstr;
 
@@ -368,5 +368,5 @@ TEST(HuntTwin, IsToldInOneSentence) {
               HasSubstr("some minutes earlier it drives"));
 }
 
-}  // namespace
+}  // namespace hunt_differential_test
 }  // namespace robosim::cli

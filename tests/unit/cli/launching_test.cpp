@@ -9,7 +9,7 @@
 #include "sim/base/error.h"
 
 namespace robosim::cli {
-namespace {
+namespace launching_test {
 
 TEST(ScenarioText, SendIsTheShortFormOfALineOfScript) {
   RunArguments arguments;
@@ -29,5 +29,5 @@ TEST(ScenarioText, SendsComeAfterTheScriptWhoseLineNumbersStay) {
   EXPECT_THROW(scenario_text(arguments), InputError);
 }
 
-}  // namespace
+}  // namespace launching_test
 }  // namespace robosim::cli

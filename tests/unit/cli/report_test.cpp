@@ -9,7 +9,7 @@
 #include "sim/cli/report/sweep_rows.h"
 
 namespace robosim::cli {
-namespace {
+namespace report_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -148,5 +148,5 @@ TEST(AReport, HasARowForEachPupilAndAColumnForEachCheck) {
             HasSubstr("<a href=\"class-runs/Bo-laps.html\">laps</a></td><td class=\"good\">✓")));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace robosim::cli

@@ -5,7 +5,7 @@
 #include "sim/base/error.h"
 
 namespace robosim::cli {
-namespace {
+namespace run_command_test {
 
 TEST(RunCommand, RefusesWhatCannotWorkBeforeItStartsAnything) {
   RunArguments arguments;
@@ -17,5 +17,5 @@ TEST(RunCommand, RefusesWhatCannotWorkBeforeItStartsAnything) {
   EXPECT_THROW(run_command(arguments), InputError);
 }
 
-}  // namespace
+}  // namespace run_command_test
 }  // namespace robosim::cli

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 namespace robosim::cli {
-namespace {
+namespace run_json_test {
 
 using ::testing::ElementsAre;
 
@@ -125,5 +125,5 @@ TEST(RunJson, BytesThatAreNotUtf8AreReplaced) {
   EXPECT_EQ(nlohmann::json::parse(run_json(inputs(), r, std::nullopt))["serial"], "a\xEF\xBF\xBD");
 }
 
-}  // namespace
+}  // namespace run_json_test
 }  // namespace robosim::cli

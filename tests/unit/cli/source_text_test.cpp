@@ -7,7 +7,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::cli {
-namespace {
+namespace source_text_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -127,5 +127,5 @@ TEST_F(SourceTextTest, TakesNoLineForLongHoweverItIsMade) {
   }
 }
 
-}  // namespace
+}  // namespace source_text_test
 }  // namespace robosim::cli

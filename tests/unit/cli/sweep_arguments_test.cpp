@@ -7,7 +7,7 @@
 #include "tests/support/readable.h"
 
 namespace robosim::cli {
-namespace {
+namespace sweep_arguments_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -95,5 +95,5 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedSweep{{"--seed", "3"}, "did you mean --seeds?"}),
     test::numbered(&RefusedSweep::words));
 
-}  // namespace
+}  // namespace sweep_arguments_test
 }  // namespace robosim::cli

@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::cli {
-namespace {
+namespace sweep_table_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -294,5 +294,5 @@ TEST(SweepReport, RunsThatWereNotMadeAreNotCounted) {
   EXPECT_THAT(report, Not(HasSubstr("met")));
 }
 
-}  // namespace
+}  // namespace sweep_table_test
 }  // namespace robosim::cli

@@ -10,7 +10,7 @@
 #include "sim/base/error.h"
 
 namespace robosim::client {
-namespace {
+namespace pool_test {
 
 using ::testing::ElementsAre;
 
@@ -142,5 +142,5 @@ TEST(Pool, AnEmptyBatchIsDoneAtOnce) {
   EXPECT_TRUE(pool.run({}));
 }
 
-}  // namespace
+}  // namespace pool_test
 }  // namespace robosim::client

@@ -13,7 +13,7 @@
 #include "sim/base/error.h"
 
 namespace robosim::client {
-namespace {
+namespace runner_test {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
@@ -200,5 +200,5 @@ TEST_F(RunnerTest, NoDescriptorOfOursIsLeftOpenOrInherited) {
   EXPECT_EQ(open_files(), before);
 }
 
-}  // namespace
+}  // namespace runner_test
 }  // namespace robosim::client

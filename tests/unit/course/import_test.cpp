@@ -13,7 +13,7 @@
 #include "sim/grid/path_survey.h"
 
 namespace robosim::course {
-namespace {
+namespace import_test {
 
 using ::testing::HasSubstr;
 
@@ -430,5 +430,5 @@ TEST(ImportRescue, BadFilesAreToldInASentence) {
   }
 }
 
-}  // namespace
+}  // namespace import_test
 }  // namespace robosim::course

@@ -13,7 +13,7 @@
 #include "sim/elf/elf_target.h"
 
 namespace robosim {
-namespace {
+namespace elf_file_test {
 
 using ::testing::HasSubstr;
 
@@ -199,5 +199,5 @@ TEST(ElfFile, AFlippedBitIsReadOrRefusedAndNeverMore) {
   }
 }
 
-}  // namespace
+}  // namespace elf_file_test
 }  // namespace robosim

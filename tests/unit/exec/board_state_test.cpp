@@ -3,7 +3,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace board_state_test {
 
 using testing::ElementsAre;
 
@@ -179,5 +179,5 @@ TEST_F(BoardStateTest, PinsThatNoBoardHasDoNoHarm) {
   EXPECT_EQ(board_.read_volts(100, 0), 0.0);
 }
 
-}  // namespace
+}  // namespace board_state_test
 }  // namespace robosim::exec

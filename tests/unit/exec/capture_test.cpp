@@ -2,7 +2,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace capture_test {
 
 using testing::ElementsAre;
 
@@ -114,5 +114,5 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(0, 1999, 10));
 }
 
-}  // namespace
+}  // namespace capture_test
 }  // namespace robosim::exec

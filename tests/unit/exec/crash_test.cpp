@@ -7,7 +7,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace crash_test {
 
 using testing::HasSubstr;
 
@@ -167,5 +167,5 @@ TEST_F(CrashTest, TheProgramThatLooksUpLinesSeesNothingButTheImage) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "written"));
 }
 
-}  // namespace
+}  // namespace crash_test
 }  // namespace robosim::exec

@@ -3,7 +3,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace division_test {
 
 using testing::ElementsAre;
 
@@ -98,5 +98,5 @@ TEST_F(DivisionTest, ManyLinesThatDivideByZeroAreToldAsTheFirstEight) {
   EXPECT_EQ(host_->divisions_by_zero().size(), 8u);
 }
 
-}  // namespace
+}  // namespace division_test
 }  // namespace robosim::exec

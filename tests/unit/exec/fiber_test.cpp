@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::exec {
-namespace {
+namespace fiber_test {
 
 struct Counter {
   Fiber* fiber = nullptr;
@@ -46,5 +46,5 @@ TEST(GuardedMemoryDeathTest, NobodyCanTouchItsGuards) {
   EXPECT_DEATH(*const_cast<volatile std::byte*>(memory.end()) = std::byte{1}, "");
 }
 
-}  // namespace
+}  // namespace fiber_test
 }  // namespace robosim::exec

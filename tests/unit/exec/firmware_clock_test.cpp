@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::exec {
-namespace {
+namespace firmware_clock_test {
 
 TEST(FirmwareClock, IsTheWorldsUntilItDrifts) {
   const FirmwareClock clock;
@@ -53,5 +53,5 @@ TEST(FirmwareClock, IsExactAfterYears) {
   EXPECT_EQ(clock.to_world(year / 10 * 11), year);
 }
 
-}  // namespace
+}  // namespace firmware_clock_test
 }  // namespace robosim::exec

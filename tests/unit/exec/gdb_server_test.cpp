@@ -10,7 +10,7 @@
 #include "tests/support/gdb_client.h"
 
 namespace robosim::exec::gdb {
-namespace {
+namespace gdb_server_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -200,5 +200,5 @@ TEST(GdbPort, IsRefusedWhereSomebodyListens) {
               ThrowsMessage<InputError>(HasSubstr("is in use by another program")));
 }
 
-}  // namespace
+}  // namespace gdb_server_test
 }  // namespace robosim::exec::gdb

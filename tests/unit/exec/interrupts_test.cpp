@@ -1,7 +1,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace interrupts_test {
 
 using testing::ElementsAre;
 
@@ -226,5 +226,5 @@ TEST_F(InterruptsTest, WhereAnInterruptOfTheChipAloneIsEnabledNothingHangs) {
   }
 }
 
-}  // namespace
+}  // namespace interrupts_test
 }  // namespace robosim::exec

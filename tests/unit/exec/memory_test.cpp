@@ -1,7 +1,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace memory_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -91,5 +91,5 @@ TEST_F(MemoryTest, OneFirmwaresOverrunDoesNotHarmAnother) {
   EXPECT_EQ(serial_.size(), 40u);
 }
 
-}  // namespace
+}  // namespace memory_test
 }  // namespace robosim::exec

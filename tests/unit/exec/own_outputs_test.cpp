@@ -2,7 +2,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace own_outputs_test {
 
 using testing::ElementsAre;
 
@@ -200,5 +200,5 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // the first interrupt is pending from init()'s PWM
 }
 
-}  // namespace
+}  // namespace own_outputs_test
 }  // namespace robosim::exec

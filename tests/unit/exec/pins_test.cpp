@@ -1,7 +1,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace pins_test {
 
 using testing::ElementsAre;
 
@@ -247,5 +247,5 @@ void loop() {})");
   EXPECT_EQ(found[2], 204);
 }
 
-}  // namespace
+}  // namespace pins_test
 }  // namespace robosim::exec

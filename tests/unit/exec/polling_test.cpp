@@ -5,7 +5,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace polling_test {
 
 /// A level that changes occasionally, and reports its next change. Each sample of its voltage differs.
 class Changing final : public PinSource {
@@ -218,5 +218,5 @@ TEST_F(Polling, OfNothingHangs) {
   EXPECT_TRUE(host_->hangs());
 }
 
-}  // namespace
+}  // namespace polling_test
 }  // namespace robosim::exec

@@ -1,7 +1,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace power_test {
 
 using testing::ElementsAre;
 
@@ -158,5 +158,5 @@ TEST_F(PowerTest, ASketchsOwnYieldIsCalledDuringDelay) {
   EXPECT_THAT(numbers(), ElementsAre(1));
 }
 
-}  // namespace
+}  // namespace power_test
 }  // namespace robosim::exec

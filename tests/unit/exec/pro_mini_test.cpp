@@ -3,7 +3,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace pro_mini_test {
 
 class ProMini : public HostTest {
  protected:
@@ -26,5 +26,5 @@ TEST_F(ProMini, KeepsTimeAtItsClockAndMeasuresByItsSupply) {
   test::expect_twice_the_time(at_8, run_sketch_on(test::kProMinis[1]));
 }
 
-}  // namespace
+}  // namespace pro_mini_test
 }  // namespace robosim::exec

@@ -2,7 +2,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace registers_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -305,5 +305,5 @@ TEST_F(Registers, PowerReductionIsLackingWhereItWouldStopATimerInUse) {
   EXPECT_THAT(host_->lacks(), SizeIs(1));
 }
 
-}  // namespace
+}  // namespace registers_test
 }  // namespace robosim::exec

@@ -2,7 +2,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace sanitize_test {
 
 class SanitizeTest : public HostTest {
  protected:
@@ -207,5 +207,5 @@ TEST_F(SanitizeTest, WhatIsAllowedIsNotFound) {
       "sprintf(text, \"%d %s\", n, \"abc\"); Serial.begin(9600); Serial.println(text); Serial.println(all);");
 }
 
-}  // namespace
+}  // namespace sanitize_test
 }  // namespace robosim::exec

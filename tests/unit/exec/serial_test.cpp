@@ -1,7 +1,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace serial_test {
 
 using testing::ElementsAre;
 using testing::SizeIs;
@@ -148,5 +148,5 @@ void loop() {})");
   EXPECT_NEAR(std::stod(tail.substr(tail.find("\r\n") + 2)), 3765.0 / 16, 25);
 }
 
-}  // namespace
+}  // namespace serial_test
 }  // namespace robosim::exec

@@ -1,7 +1,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace time_test {
 
 using testing::AllOf;
 using testing::Each;
@@ -182,5 +182,5 @@ void loop() { for (int i = 0; i < random(100); ++i) analogWrite(5, analogRead(i 
   EXPECT_EQ(byte_times_, times);
 }
 
-}  // namespace
+}  // namespace time_test
 }  // namespace robosim::exec

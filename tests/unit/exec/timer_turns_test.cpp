@@ -3,7 +3,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace timer_turns_test {
 
 using testing::ElementsAre;
 using testing::SizeIs;
@@ -168,5 +168,5 @@ void loop() {})");
   EXPECT_NEAR(1e-6 * static_cast<double>(toggles.back() - toggles[toggles.size() - 2]), 100.0, 0.2);
 }
 
-}  // namespace
+}  // namespace timer_turns_test
 }  // namespace robosim::exec

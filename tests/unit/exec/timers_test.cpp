@@ -1,7 +1,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace timers_test {
 
 using testing::AllOf;
 using testing::Each;
@@ -160,5 +160,5 @@ void loop() {})");
   EXPECT_THAT(numbers(), AllOf(SizeIs(3), Each(AllOf(Ge(0), Le(2)))));
 }
 
-}  // namespace
+}  // namespace timers_test
 }  // namespace robosim::exec

@@ -2,7 +2,7 @@
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace watchdog_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -90,5 +90,5 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(1, 12, 1, 12));
 }
 
-}  // namespace
+}  // namespace watchdog_test
 }  // namespace robosim::exec

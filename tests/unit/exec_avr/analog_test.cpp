@@ -1,7 +1,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace analog_test {
 
 using testing::ElementsAre;
 
@@ -86,5 +86,5 @@ TEST_F(AnalogTest, TheBandgapTellsTheSupply) {
             "225\r\n");
 }
 
-}  // namespace
+}  // namespace analog_test
 }  // namespace robosim::exec

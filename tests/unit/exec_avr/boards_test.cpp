@@ -5,7 +5,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace boards_test {
 
 using testing::HasSubstr;
 
@@ -250,5 +250,5 @@ void loop() {}
   EXPECT_EQ(board().drive(4).duty, 51.0 / 256) << "timer 1";
 }
 
-}  // namespace
+}  // namespace boards_test
 }  // namespace robosim::exec

@@ -3,7 +3,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace causes_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -222,5 +222,5 @@ TEST_F(CausesTest, NotingThemChangesNothing) {
   EXPECT_EQ(changes(5), plain);
 }
 
-}  // namespace
+}  // namespace causes_test
 }  // namespace robosim::exec

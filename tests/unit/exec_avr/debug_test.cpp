@@ -11,7 +11,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace debug_test {
 
 using testing::ElementsAre;
 
@@ -275,5 +275,5 @@ TEST_F(DebugTest, AfterADetachNoBreakpointIsLeft) {
   EXPECT_FALSE(serial_.empty());
 }
 
-}  // namespace
+}  // namespace debug_test
 }  // namespace robosim::exec

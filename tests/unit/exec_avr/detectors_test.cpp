@@ -2,7 +2,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace detectors_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -112,5 +112,5 @@ TEST_F(DetectorsTest, TheFirstReadingBehindEachChangeOfTheReference) {
   EXPECT_THAT(avr_->detected(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace detectors_test
 }  // namespace robosim::exec

@@ -1,7 +1,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace digital_test {
 
 using testing::ElementsAre;
 
@@ -128,5 +128,5 @@ TEST_F(DigitalTest, WritingAOneToAPinRegisterTogglesThatPinAlone) {
   EXPECT_FALSE(board().drive(7).level);
 }
 
-}  // namespace
+}  // namespace digital_test
 }  // namespace robosim::exec

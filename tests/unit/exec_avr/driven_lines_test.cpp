@@ -4,7 +4,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace driven_lines_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -120,5 +120,5 @@ void loop() { delay(1); })");
   EXPECT_THAT(lines_[13], ElementsAre(2));
 }
 
-}  // namespace
+}  // namespace driven_lines_test
 }  // namespace robosim::exec

@@ -9,7 +9,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace failures_test {
 
 using testing::AnyOf;
 using testing::HasSubstr;
@@ -277,5 +277,5 @@ TEST_F(FailuresTest, APowerCycleBeginsAfreshAfterACrash) {
   EXPECT_TRUE(avr_->crash()) << "the restarted sketch crashes again";
 }
 
-}  // namespace
+}  // namespace failures_test
 }  // namespace robosim::exec

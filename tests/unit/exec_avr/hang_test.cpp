@@ -2,7 +2,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace hang_test {
 
 constexpr SimTime kLong = 2100 * kMillisecond;
 
@@ -62,5 +62,5 @@ TEST_F(HangTest, SleepWithInterruptsOffIsAHang) {
   EXPECT_TRUE(hangs("#include <avr/sleep.h>", "noInterrupts(); sleep_enable(); sleep_cpu();"));
 }
 
-}  // namespace
+}  // namespace hang_test
 }  // namespace robosim::exec

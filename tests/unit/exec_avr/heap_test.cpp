@@ -3,7 +3,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace heap_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -79,5 +79,5 @@ TEST_F(HeapTest, IsWellWhereTextsComeAndGo) {
               IsEmpty());
 }
 
-}  // namespace
+}  // namespace heap_test
 }  // namespace robosim::exec

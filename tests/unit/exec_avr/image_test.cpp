@@ -6,7 +6,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace image_test {
 
 using testing::HasSubstr;
 
@@ -181,5 +181,5 @@ TEST_F(ImageTest, WhatIsNotInitialisedIsKeptWhenTheWatchdogResets) {
             "11\r\n21\r\n");
 }
 
-}  // namespace
+}  // namespace image_test
 }  // namespace robosim::exec

@@ -5,7 +5,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace loop_locator_test {
 
 class AvrLoopTest : public AvrTest {
  protected:
@@ -145,5 +145,5 @@ int main() {
   EXPECT_NEAR(r.interrupt_share, 1.0 - alone / with, 0.01);
 }
 
-}  // namespace
+}  // namespace loop_locator_test
 }  // namespace robosim::exec

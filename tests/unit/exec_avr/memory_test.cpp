@@ -2,7 +2,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace memory_test {
 
 using testing::HasSubstr;
 
@@ -115,5 +115,5 @@ TEST_F(MemoryTest, ASketchWithoutAClockCannotHaveItSet) {
   EXPECT_THROW(avr_->set_clock_start(kSecond), InputError);
 }
 
-}  // namespace
+}  // namespace memory_test
 }  // namespace robosim::exec

@@ -4,7 +4,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace missed_interrupts_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -57,5 +57,5 @@ TEST_F(LossesTest, AreNoneWhereInterruptsAreOffForAMoment) {
       << "each handler came before the next edge";
 }
 
-}  // namespace
+}  // namespace missed_interrupts_test
 }  // namespace robosim::exec

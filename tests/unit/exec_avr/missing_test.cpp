@@ -5,7 +5,7 @@
 #include "tests/support/require_target.h"
 
 namespace robosim::exec {
-namespace {
+namespace missing_test {
 
 TEST(AvrExecutor, NeedsLibdw) {
   const char* const sentence = "the target avr was left out: the Debian package libdw-dev is missing";
@@ -13,5 +13,5 @@ TEST(AvrExecutor, NeedsLibdw) {
   GTEST_SKIP() << sentence;
 }
 
-}  // namespace
+}  // namespace missing_test
 }  // namespace robosim::exec

@@ -3,7 +3,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace nested_loop_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -36,5 +36,5 @@ TEST_F(NestedLoopTest, IsNoneWhereItComesBack) {
   EXPECT_THAT(seen("void wait() { delay(1); }"), IsEmpty());
 }
 
-}  // namespace
+}  // namespace nested_loop_test
 }  // namespace robosim::exec

@@ -1,7 +1,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace power_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -250,5 +250,5 @@ TEST_F(PowerTest, AHangIsSilentWhileTimer0GoesOnInterrupting) {
   EXPECT_GT(avr_->last_call(), 499 * kMillisecond) << "a loop that calls millis() does not hang";
 }
 
-}  // namespace
+}  // namespace power_test
 }  // namespace robosim::exec

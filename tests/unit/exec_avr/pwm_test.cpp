@@ -1,7 +1,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace pwm_test {
 
 class PwmTest : public AvrTest {
  protected:
@@ -78,5 +78,5 @@ void loop() {})");
   EXPECT_NEAR(static_cast<double>(low[low[0] > high[0] ? 0 : 1] - high[0]), 1500e3, 10e3);
 }
 
-}  // namespace
+}  // namespace pwm_test
 }  // namespace robosim::exec

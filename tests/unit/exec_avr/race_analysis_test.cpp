@@ -6,7 +6,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace race_analysis_test {
 
 using testing::HasSubstr;
 
@@ -147,5 +147,5 @@ TEST_P(TearingTest, IsNotLookedForUnlessSomebodyAsks) {
   EXPECT_EQ(torn().text, "");
 }
 
-}  // namespace
+}  // namespace race_analysis_test
 }  // namespace robosim::exec

@@ -1,7 +1,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace serial_test {
 
 using testing::ElementsAre;
 
@@ -58,5 +58,5 @@ TEST_F(SerialTest, BytesBeforeTheReceiverListensAreLost) {
   EXPECT_THAT(numbers(), ElementsAre(0));
 }
 
-}  // namespace
+}  // namespace serial_test
 }  // namespace robosim::exec

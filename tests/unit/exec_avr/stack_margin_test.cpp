@@ -4,7 +4,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace stack_margin_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -90,5 +90,5 @@ TEST_F(StackMarginTest, IsNotKnownOfSketchesWithStacksOfTheirOwn) {
               IsEmpty());
 }
 
-}  // namespace
+}  // namespace stack_margin_test
 }  // namespace robosim::exec

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::exec {
-namespace {
+namespace symbols_test {
 
 TEST(Symbols, ALabelOfTheAssemblerIsNotAFunction) {
   Symbols symbols;
@@ -18,5 +18,5 @@ TEST(Symbols, ALabelOfTheAssemblerIsNotAFunction) {
   EXPECT_FALSE(symbols.find("L0\1"));
 }
 
-}  // namespace
+}  // namespace symbols_test
 }  // namespace robosim::exec

@@ -3,7 +3,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace ubsan_report_test {
 
 using testing::HasSubstr;
 
@@ -81,5 +81,5 @@ TEST_F(CheckTest, ThereIsMoreMemoryThanOnTheChipButNotForOthers) {
   EXPECT_THROW(build(large), InputError);
 }
 
-}  // namespace
+}  // namespace ubsan_report_test
 }  // namespace robosim::exec

@@ -4,7 +4,7 @@
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace watchdog_margin_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -53,5 +53,5 @@ TEST_F(WatchdogMarginTest, IsNoneWhereTheSketchResetsItselfByIt) {
   EXPECT_THAT(seen("delay(700); wdt_enable(WDTO_15MS); while (true) {}"), IsEmpty());
 }
 
-}  // namespace
+}  // namespace watchdog_margin_test
 }  // namespace robosim::exec

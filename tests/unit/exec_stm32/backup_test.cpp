@@ -2,7 +2,7 @@
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace backup_test {
 
 using namespace robosim::stm32;
 
@@ -116,5 +116,5 @@ TEST_F(BackupTest, TheCycleCounterCountsWhileItIsEnabled) {
   EXPECT_EQ(load(0xE0042000) & 0xFFF, 0x410u) << "a medium-density device";
 }
 
-}  // namespace
+}  // namespace backup_test
 }  // namespace robosim::exec::stm32

@@ -2,7 +2,7 @@
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace buses_test {
 
 using namespace robosim::stm32;
 
@@ -124,5 +124,5 @@ TEST_F(I2cTest, ItsEventAndItsErrorInterrupt) {
   EXPECT_FALSE(takes(kIrqI2c1Error));
 }
 
-}  // namespace
+}  // namespace buses_test
 }  // namespace robosim::exec::stm32

@@ -5,7 +5,7 @@
 #include "tests/unit/exec_stm32/chip_fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace chip_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -310,5 +310,5 @@ TEST_F(Stm32ChipTest, EepromSurvivesThePowerAndMillisBeginsWhereItIsTold) {
   EXPECT_EQ(serial_, "1\r\n4294967\r\n");
 }
 
-}  // namespace
+}  // namespace chip_test
 }  // namespace robosim::exec

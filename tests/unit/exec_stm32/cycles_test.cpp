@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace cycles_test {
 
 TEST(Cycles, InstructionsCostWhatTheManualSays) {
   struct Case {
@@ -56,5 +56,5 @@ TEST(Cycles, WhatTheEmulatorMustLookAtIsSeen) {
   EXPECT_EQ(decode(0xFB91, 0xF0F2).divisor, 2);
 }
 
-}  // namespace
+}  // namespace cycles_test
 }  // namespace robosim::exec::stm32

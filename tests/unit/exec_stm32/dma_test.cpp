@@ -4,7 +4,7 @@
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace dma_test {
 
 using namespace robosim::stm32;
 
@@ -216,5 +216,5 @@ TEST_F(AdcTest, AnExternalLineStartsIt) {
   EXPECT_EQ(load(kAdcDr), 2048u);
 }
 
-}  // namespace
+}  // namespace dma_test
 }  // namespace robosim::exec::stm32

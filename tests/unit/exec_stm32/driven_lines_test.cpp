@@ -7,7 +7,7 @@
 #include "tests/unit/exec_stm32/chip_fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace driven_lines_test {
 
 using testing::ElementsAre;
 
@@ -91,5 +91,5 @@ void loop() { count(); })");
       << "by the core's handler";
 }
 
-}  // namespace
+}  // namespace driven_lines_test
 }  // namespace robosim::exec

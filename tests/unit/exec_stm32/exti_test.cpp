@@ -2,7 +2,7 @@
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace exti_test {
 
 using namespace robosim::stm32;
 
@@ -76,5 +76,5 @@ TEST_F(ExtiTest, TheLinesOfTheChipItselfHaveInterruptsOfTheirOwn) {
   EXPECT_EQ(load(kExtiImr), 0x7FFFFu);
 }
 
-}  // namespace
+}  // namespace exti_test
 }  // namespace robosim::exec::stm32

@@ -12,7 +12,7 @@
 #include "tests/unit/exec_stm32/hal_firmware.h"
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace hal_test {
 
 using testing::ElementsAre;
 
@@ -76,13 +76,13 @@ class Chip {
 Chip* chip = nullptr;
 constexpr Cycle kAccess = 4;
 
-}  // namespace
+}  // namespace hal_test
 }  // namespace robosim::exec::stm32
 
 namespace robosim::stm32 {
 
-using robosim::exec::stm32::chip;
-using robosim::exec::stm32::kAccess;
+using robosim::exec::stm32::hal_test::chip;
+using robosim::exec::stm32::hal_test::kAccess;
 
 uint32_t load(Address address) {
   chip->pass(kAccess);
@@ -107,7 +107,7 @@ void wait_for_interrupt() { chip->sleep(); }
 }  // namespace robosim::stm32
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace hal_test {
 
 class HalTest : public testing::Test, protected PinWatcher, protected SerialWatcher {
  protected:
@@ -401,5 +401,5 @@ TEST_F(HalTest, ShiftOutAndShiftInTakeTheOrderOfBits) {
   EXPECT_EQ(shiftIn(12, 13, LSBFIRST), 0xFF);
 }
 
-}  // namespace
+}  // namespace hal_test
 }  // namespace robosim::exec::stm32

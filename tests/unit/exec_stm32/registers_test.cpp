@@ -10,7 +10,7 @@
 #include "sim/exec/stm32/bus.h"
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace registers_test {
 
 TEST(BusTest, AnAccessToWhatIsNotModelledIsNamed) {
   BoardState board(*find_board("bluepill"));
@@ -147,5 +147,5 @@ TEST(BusTest, BothAdcsConvertTheirOwnChannelsAndShareAnInterrupt) {
   EXPECT_FALSE(bus.unmodelled());
 }
 
-}  // namespace
+}  // namespace registers_test
 }  // namespace robosim::exec::stm32

@@ -7,7 +7,7 @@
 #include "tests/unit/exec_stm32/chip_fixture.h"
 
 namespace robosim::exec {
-namespace {
+namespace snapshots_test {
 
 // Lets a sketch write registers, and install handlers of 60 interrupts in RAM.
 const std::string kBegins = R"(#define R(address) (*(volatile unsigned*)(address))
@@ -285,5 +285,5 @@ TEST_P(Stm32Snapshots, GoOnAsTheChipThatWasNotInterrupted) {
 INSTANTIATE_TEST_SUITE_P(Of, Stm32Snapshots, testing::ValuesIn(kCases),
                          [](const auto& parameter) { return std::string(parameter.param.name); });
 
-}  // namespace
+}  // namespace snapshots_test
 }  // namespace robosim::exec

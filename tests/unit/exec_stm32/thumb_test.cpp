@@ -12,7 +12,7 @@
 #include "sim/exec/stm32/engine.h"
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace thumb_test {
 
 using namespace robosim::stm32;
 
@@ -191,5 +191,5 @@ TEST(Thumb, SaturatesAsLibunicornDoes) {
   }
 }
 
-}  // namespace
+}  // namespace thumb_test
 }  // namespace robosim::exec::stm32

@@ -4,7 +4,7 @@
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace timers_test {
 
 using namespace robosim::stm32;
 
@@ -317,5 +317,5 @@ TEST_F(TimersTest, AUsartsPinMovesWithTheMap) {
   EXPECT_TRUE(board_.drive(kPb6).level);
 }
 
-}  // namespace
+}  // namespace timers_test
 }  // namespace robosim::exec::stm32

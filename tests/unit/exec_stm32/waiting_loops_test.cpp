@@ -10,7 +10,7 @@
 #include "tests/support/effort.h"
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace waiting_loops_test {
 
 using namespace robosim::stm32;
 
@@ -251,5 +251,5 @@ TEST(WaitingLoops, LeaveThePillAsItWouldBe) {
   EXPECT_GT(skipped, all / 8);
 }
 
-}  // namespace
+}  // namespace waiting_loops_test
 }  // namespace robosim::exec::stm32

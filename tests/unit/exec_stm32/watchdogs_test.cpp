@@ -2,7 +2,7 @@
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
-namespace {
+namespace watchdogs_test {
 
 using namespace robosim::stm32;
 
@@ -94,5 +94,5 @@ TEST_F(WatchdogsTest, TheFlagsOfResetsAddUpUntilTheyAreRemoved) {
   EXPECT_EQ(cause(), Reset::none) << "the watchdog is off after a reset";
 }
 
-}  // namespace
+}  // namespace watchdogs_test
 }  // namespace robosim::exec::stm32

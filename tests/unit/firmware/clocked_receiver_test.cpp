@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace clocked_receiver_test {
 
 class ClockedReceiverTest : public testing::Test {
  protected:
@@ -73,4 +73,4 @@ TEST_F(ClockedReceiverTest, TheNewerOfTwoMessagesCountsAndNoBitOfTheOlder) {
   EXPECT_FALSE(radio.available());
 }
 
-}  // namespace
+}  // namespace clocked_receiver_test

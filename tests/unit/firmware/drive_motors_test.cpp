@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace drive_motors_test {
 
 constexpr std::uint8_t kEnable = 5, kIn1 = 7, kIn2 = 8;
 
@@ -122,4 +122,4 @@ TEST_F(DriveMotorTest, OfAPairAreToldTogether) {
   EXPECT_EQ(pin(9).level, HIGH);
 }
 
-}  // namespace
+}  // namespace drive_motors_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace {
+namespace line_sensors_test {
 
 constexpr std::uint8_t kFive[] = {14, 15, 16, 17, 18};
 
@@ -217,4 +217,4 @@ TEST_F(LineSensorsTest, SwitchTheirLampsOn) {
   EXPECT_EQ(fake::board.pins[7].level, HIGH);
 }
 
-}  // namespace
+}  // namespace line_sensors_test

@@ -6,7 +6,7 @@
 
 #include "line_walk.h"
 
-namespace {
+namespace line_walker_obstacles_test {
 
 using namespace walked;
 
@@ -127,4 +127,4 @@ TEST(LineWalkerTest, DoesNotWaitForAnObstacleFromWhichItTurnsAway) {
   }
 }
 
-}  // namespace
+}  // namespace line_walker_obstacles_test

@@ -7,7 +7,7 @@
 
 #include "line_walk.h"
 
-namespace {
+namespace line_walker_test {
 
 using namespace walked;
 
@@ -355,4 +355,4 @@ TEST(LineWalkerParts, AWheelIsNeverDrivenAgainstTheWayItTurns) {
   EXPECT_EQ(dutyOf(-100, -1000), -255);
 }
 
-}  // namespace
+}  // namespace line_walker_test

@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-namespace {
+namespace path_follower_test {
 
 using Side = PathFollower::Side;
 using State = PathFollower::State;
@@ -300,4 +300,4 @@ TEST(PathFollower, OfOneSideIsTheMirrorImageOfTheOther) {
   EXPECT_GT(left.ends(), 10);
 }
 
-}  // namespace
+}  // namespace path_follower_test

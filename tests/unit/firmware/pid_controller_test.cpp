@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace pid_controller_test {
 
 TEST(PidController, WithOnlyAProportionalPartMultipliesTheError) {
   PidController pid(60, 0, 0);
@@ -105,4 +105,4 @@ TEST(PidController, BeginsAnewAfterAReset) {
   EXPECT_NEAR(pid.update(7.0f, 0.01f), 5 * 0.07f, 1e-5f);
 }
 
-}  // namespace
+}  // namespace pid_controller_test

@@ -10,7 +10,7 @@
 
 #include "walked_floor.h"
 
-namespace {
+namespace pony_walker_test {
 
 using nav::Turn;
 using testing::ElementsAre;
@@ -443,4 +443,4 @@ TEST_F(PonyTest, WaitsWhileItsBumperIsPressedAndAfterFiveSecondsItIsBlocked) {
   EXPECT_FALSE(pony.blocked());
 }
 
-}  // namespace
+}  // namespace pony_walker_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace push_button_test {
 
 constexpr std::uint8_t kPin = 4;
 
@@ -92,4 +92,4 @@ TEST_F(PushButtonTest, DebouncesAcrossTheWrapAroundOfItsClock) {
   EXPECT_EQ(presses, 1);
 }
 
-}  // namespace
+}  // namespace push_button_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace {
+namespace shift_registers_test {
 
 using testing::ElementsAre;
 
@@ -45,4 +45,4 @@ TEST_F(ShiftRegistersTest, RegistersThatDoNotExistAreNotTouched) {
   EXPECT_THAT(fake::board.shifted, ElementsAre(0, 0, 0));
 }
 
-}  // namespace
+}  // namespace shift_registers_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace wheel_encoders_test {
 
 class WheelEncodersTest : public testing::Test {
  protected:
@@ -57,4 +57,4 @@ TEST_F(WheelEncodersTest, TakeAWheelThatIsBrakedToRunOnAsItDid) {
   EXPECT_EQ(encoders.takeRight(), -2);
 }
 
-}  // namespace
+}  // namespace wheel_encoders_test

@@ -4,7 +4,7 @@
 #include "sim/grid/map_writer.h"
 
 namespace robosim::grid {
-namespace {
+namespace area_test {
 
 using ::testing::HasSubstr;
 
@@ -125,5 +125,5 @@ TEST(Area, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   EXPECT_THROW(map_of("[area]\ncolour = \"red\"\n" + at + size), InputError);
 }
 
-}  // namespace
+}  // namespace area_test
 }  // namespace robosim::grid

@@ -14,7 +14,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::grid {
-namespace {
+namespace floor_image_test {
 
 using test::grey_png;
 using test::png_of;
@@ -202,5 +202,5 @@ TEST(FloorImage, BadKeysAreToldInASentence) {
               HasSubstr("the floor is a picture without a [[path]] for its line"));
 }
 
-}  // namespace
+}  // namespace floor_image_test
 }  // namespace robosim::grid

@@ -11,7 +11,7 @@
 #include "sim/grid/true_graph.h"
 
 namespace robosim::grid {
-namespace {
+namespace generator_test {
 
 using ::testing::IsEmpty;
 
@@ -152,5 +152,5 @@ TEST(Generator, KnowsItsFamiliesByName) {
   EXPECT_EQ(family_of("forest"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace generator_test
 }  // namespace robosim::grid

@@ -10,7 +10,7 @@
 #include "sim/grid/map_writer.h"
 
 namespace robosim::grid {
-namespace {
+namespace legend_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -145,5 +145,5 @@ TEST(ALegend, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   }
 }
 
-}  // namespace
+}  // namespace legend_test
 }  // namespace robosim::grid

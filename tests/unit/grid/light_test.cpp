@@ -8,7 +8,7 @@
 #include "sim/grid/map_writer.h"
 
 namespace robosim::grid {
-namespace {
+namespace light_test {
 
 Map lit_map(const std::string& lights) { return parse_map("+++\n" + lights + "\n+++\n_11_\n", "m.map"); }
 
@@ -75,5 +75,5 @@ TEST(Lights, ThatMakeNoSenseAreRefused) {
   EXPECT_THAT(complaint(many), testing::HasSubstr("too many lights: expected at most 64"));
 }
 
-}  // namespace
+}  // namespace light_test
 }  // namespace robosim::grid

@@ -13,7 +13,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::cli {
-namespace {
+namespace map_command_test {
 
 using ::testing::AllOf;
 using ::testing::EndsWith;
@@ -195,5 +195,5 @@ TEST_F(MapCommand, ShowDrawsTheMap) {
   EXPECT_THROW(show_map("d", "0,0", {}, out_), InputError);
 }
 
-}  // namespace
+}  // namespace map_command_test
 }  // namespace robosim::cli

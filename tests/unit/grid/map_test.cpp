@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::grid {
-namespace {
+namespace map_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -336,5 +336,5 @@ TEST(Start, OfTheUserIsColumnRowAndDirection) {
     EXPECT_THROW(parse_start(map, wrong), InputError) << wrong;
 }
 
-}  // namespace
+}  // namespace map_test
 }  // namespace robosim::grid

@@ -5,7 +5,7 @@
 #include "sim/base/noise.h"
 
 namespace robosim::grid {
-namespace {
+namespace map_writer_test {
 
 // Compares everything that affects a driving robot.
 void expect_same(const Map& a, const Map& b) {
@@ -76,5 +76,5 @@ TEST(WriteMap, IsReadBackAsTheSameMap) {
   }
 }
 
-}  // namespace
+}  // namespace map_writer_test
 }  // namespace robosim::grid

@@ -8,7 +8,7 @@
 #include "sim/base/noise.h"
 
 namespace robosim::grid {
-namespace {
+namespace network_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -237,5 +237,5 @@ TEST(Network, EveryDeadEndIsNumberedOrUnreachable) {
   }
 }
 
-}  // namespace
+}  // namespace network_test
 }  // namespace robosim::grid

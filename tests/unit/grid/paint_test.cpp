@@ -7,7 +7,7 @@
 #include "sim/grid/stripes.h"
 
 namespace robosim::grid {
-namespace {
+namespace paint_test {
 
 using ::testing::HasSubstr;
 
@@ -134,5 +134,5 @@ TEST(Paint, MayBeOf32Kinds) {
   EXPECT_EQ(parse_map(text_with("", kinds(32)), "m.map").course.paints.size(), 32u);
 }
 
-}  // namespace
+}  // namespace paint_test
 }  // namespace robosim::grid

@@ -17,7 +17,7 @@
 #include "tests/support/effort.h"
 
 namespace robosim::grid {
-namespace {
+namespace path_test {
 
 using ::testing::HasSubstr;
 
@@ -277,5 +277,5 @@ TEST(Path, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   EXPECT_THROW(parse_map("+++\nsize = [\"1 m\", \"1 m\"]\n+++\n...\n", "m.map"), InputError);
 }
 
-}  // namespace
+}  // namespace path_test
 }  // namespace robosim::grid

@@ -5,7 +5,7 @@
 #include <string>
 
 namespace robosim::grid {
-namespace {
+namespace picture_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -58,5 +58,5 @@ TEST(Picture, ALargeMapIsClippedAroundTheStartAndSaysSo) {
   EXPECT_THAT(drawn, Not(HasSubstr("\n189")));
 }
 
-}  // namespace
+}  // namespace picture_test
 }  // namespace robosim::grid

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::grid {
-namespace {
+namespace places_test {
 
 // Returns 1 ─ J ─ 2 with 3 below; nodes are four cells apart.
 const Map& tee() {
@@ -65,5 +65,5 @@ TEST(Places, ARingHasNone) {
   EXPECT_EQ(Places(map, default_start(map)).at(map.centre({1, 1})), "");
 }
 
-}  // namespace
+}  // namespace places_test
 }  // namespace robosim::grid

@@ -12,7 +12,7 @@
 #include "sim/grid/map_writer.h"
 
 namespace robosim::grid {
-namespace {
+namespace relief_test {
 
 using ::testing::HasSubstr;
 
@@ -275,5 +275,5 @@ TEST(AHillWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
   EXPECT_THAT(refused("slope = { value = \"4 deg\", spread = \"6 kg\" }"), HasSubstr("the spread of slope"));
 }
 
-}  // namespace
+}  // namespace relief_test
 }  // namespace robosim::grid

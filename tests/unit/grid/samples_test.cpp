@@ -13,7 +13,7 @@
 #include "sim/grid/stripes.h"
 
 namespace robosim::grid {
-namespace {
+namespace samples_test {
 
 using ::testing::Contains;
 using ::testing::IsEmpty;
@@ -187,5 +187,5 @@ TEST(SampleMaps, BlockedHasADetour) {
   EXPECT_EQ(network_of(map).stations.size(), 5u);  // the obstacle's two ends, and all three stations
 }
 
-}  // namespace
+}  // namespace samples_test
 }  // namespace robosim::grid

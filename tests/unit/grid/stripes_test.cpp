@@ -8,7 +8,7 @@
 #include "sim/base/noise.h"
 
 namespace robosim::grid {
-namespace {
+namespace stripes_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -223,5 +223,5 @@ TEST(Stripes, NothingIsNearACellOutsideTheMap) {
   EXPECT_THAT(stripes.near({0, 0}), ElementsAre(0u));
 }
 
-}  // namespace
+}  // namespace stripes_test
 }  // namespace robosim::grid

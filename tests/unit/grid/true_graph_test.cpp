@@ -10,7 +10,7 @@
 #include "sim/grid/network.h"
 
 namespace robosim::grid {
-namespace {
+namespace true_graph_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -301,5 +301,5 @@ TEST(TrueGraph, OfALargeMapHasNoMoreNodesThanTheirTextFitsIntoMemory) {
               testing::ThrowsMessage<InputError>(HasSubstr("expected at most 300000 (")));
 }
 
-}  // namespace
+}  // namespace true_graph_test
 }  // namespace robosim::grid

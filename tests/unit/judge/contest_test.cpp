@@ -9,7 +9,7 @@
 #include "tests/unit/judge/hand_moved.h"
 
 namespace robosim::judge {
-namespace {
+namespace contest_test {
 
 using ::testing::HasSubstr;
 
@@ -225,5 +225,5 @@ TEST(RescueLine, AndDragRacesNeedTheirTables) {
   EXPECT_THROW(Pushed{text}, InputError);
 }
 
-}  // namespace
+}  // namespace contest_test
 }  // namespace robosim::judge

@@ -11,7 +11,7 @@
 #include "sim/judge/torn_record.h"
 
 namespace robosim::judge {
-namespace {
+namespace eeprom_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -159,5 +159,5 @@ TEST_F(EepromTest, ANumberWithAChecksumOrAMarkIsNotTorn) {
   EXPECT_THAT(record.found(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace eeprom_test
 }  // namespace robosim::judge

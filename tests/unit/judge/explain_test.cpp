@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::judge {
-namespace {
+namespace explain_test {
 
 using ::testing::AllOf;
 using ::testing::EndsWith;
@@ -388,5 +388,5 @@ TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {
   EXPECT_EQ(next(Verdict::crashed), "");
 }
 
-}  // namespace
+}  // namespace explain_test
 }  // namespace robosim::judge

@@ -9,7 +9,7 @@
 #include "tests/unit/judge/hand_moved.h"
 
 namespace robosim::judge {
-namespace {
+namespace goal_test {
 
 struct Course : HandMoved {
   explicit Course(const char* text, const char* goal) : HandMoved(text, goal ? goal : "") {}
@@ -215,5 +215,5 @@ TEST(Goal, DefaultsToALapOnALoopAndToATourElsewhere) {
   EXPECT_EQ(to_string(default_goal(Course(kFork, nullptr).map, Course(kFork, nullptr).network)), "tour");
 }
 
-}  // namespace
+}  // namespace goal_test
 }  // namespace robosim::judge

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::judge {
-namespace {
+namespace judge_test {
 
 // A robot that a test moves manually.
 struct Driver {
@@ -149,5 +149,5 @@ TEST(Judge, ForgivesSilenceWhileThePowerIsOff) {
   EXPECT_EQ(d.run(10 * kSecond, [] {}), std::nullopt);
 }
 
-}  // namespace
+}  // namespace judge_test
 }  // namespace robosim::judge

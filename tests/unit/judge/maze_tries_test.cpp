@@ -5,7 +5,7 @@
 #include "tests/unit/judge/hand_moved.h"
 
 namespace robosim::judge {
-namespace {
+namespace maze_tries_test {
 
 using ::testing::HasSubstr;
 
@@ -81,5 +81,5 @@ TEST(LineMaze, NeedsAnEndAndADiscThere) {
   EXPECT_THROW(Maze{text}, InputError);
 }
 
-}  // namespace
+}  // namespace maze_tries_test
 }  // namespace robosim::judge

@@ -6,7 +6,7 @@
 #include "sim/exec/core/board_state.h"
 
 namespace robosim::judge {
-namespace {
+namespace wiring_usage_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -96,5 +96,5 @@ TEST_F(UsageTest, AnInputThatGaveTheSameThroughoutIsSteadyAndOneThatChangedIsNot
   EXPECT_THAT(told(usage().steady), ElementsAre("start LOW", "S1 4.3 V"));
 }
 
-}  // namespace
+}  // namespace wiring_usage_test
 }  // namespace robosim::judge

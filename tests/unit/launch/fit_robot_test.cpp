@@ -5,7 +5,7 @@
 #include "sim/base/robot_name.h"
 
 namespace robosim::launch {
-namespace {
+namespace fit_robot_test {
 
 /// Describes a robot whose file has the board uno.
 wire::RobotInfo describe(const std::string& robot) {
@@ -39,5 +39,5 @@ TEST(FitRobot, GoesBackToTheFilesOwnBoardFirst) {
   expect("my.toml@bluepill8", {"nano", "uno"}, "my.toml", "bluepill8");
 }
 
-}  // namespace
+}  // namespace fit_robot_test
 }  // namespace robosim::launch

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::launch {
-namespace {
+namespace fleet_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -195,5 +195,5 @@ TEST(FleetFile, AScriptThatIsNotThereIsNamed) {
       ::testing::ThrowsMessage<InputError>(HasSubstr("none.txt")));
 }
 
-}  // namespace
+}  // namespace fleet_test
 }  // namespace robosim::launch

@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::launch {
-namespace {
+namespace launch_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -119,5 +119,5 @@ TEST_F(LaunchTest, SaysOfWhatNeedsTheChipThatItCompilesThere) {
               ::testing::AllOf(HasSubstr("missing"), ::testing::Not(HasSubstr("--target avr"))));
 }
 
-}  // namespace
+}  // namespace launch_test
 }  // namespace robosim::launch

@@ -9,7 +9,7 @@
 #include "sim/base/error.h"
 
 namespace robosim::launch {
-namespace {
+namespace names_test {
 
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
@@ -178,5 +178,5 @@ TEST(Target, SketchesRunOnAllThree) {
   EXPECT_THROW(check_target("mars"), InputError);
 }
 
-}  // namespace
+}  // namespace names_test
 }  // namespace robosim::launch

@@ -13,7 +13,7 @@
 #include "tests/support/require_target.h"
 
 namespace robosim::mutate {
-namespace {
+namespace mutate_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -167,5 +167,5 @@ TEST_F(Sketch, HasALocalVariableThatMayHaveAnotherName) {
       "void setup() {}\nint sum = 5;\nvoid loop() {\n  int other_sum = 1;\n  other_sum += other_sum;\n}\n");
 }
 
-}  // namespace
+}  // namespace mutate_test
 }  // namespace robosim::mutate

@@ -10,7 +10,7 @@
 #include "truth.h"
 
 namespace nav_test {
-namespace {
+namespace explorer_test {
 
 using nav::Landmark;
 using nav::LandmarkKind;
@@ -340,5 +340,5 @@ TEST(Explorer, ScansAgain) {
   }
 }
 
-}  // namespace
+}  // namespace explorer_test
 }  // namespace nav_test

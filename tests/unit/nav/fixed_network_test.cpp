@@ -10,7 +10,7 @@
 #include "random_floor.h"
 
 namespace nav_test {
-namespace {
+namespace fixed_network_test {
 
 typedef nav::FixedNetwork<60> Map;
 typedef nav::FixedTree<> Tree;
@@ -316,5 +316,5 @@ TEST(Record, ThatIsWrongButWellSignedLeadsNobodyAstray) {
   EXPECT_GT(refused, 1000);
 }
 
-}  // namespace
+}  // namespace fixed_network_test
 }  // namespace nav_test

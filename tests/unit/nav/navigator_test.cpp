@@ -14,7 +14,7 @@
 #include "truth.h"
 
 namespace nav_test {
-namespace {
+namespace navigator_test {
 
 using nav::Landmark;
 using nav::LandmarkKind;
@@ -315,5 +315,5 @@ TEST(Navigator, SaysWhenItIsTrappedOrLost) {
   EXPECT_EQ(scripted({}), NavState::lost);
 }
 
-}  // namespace
+}  // namespace navigator_test
 }  // namespace nav_test

@@ -7,7 +7,7 @@
 #include "random_floor.h"
 
 namespace nav_test {
-namespace {
+namespace node_heap_test {
 
 // Checks the heap directly: on a network, a disordered heap gives a wrong path only one time in a thousand.
 TEST(NodeHeap, GivesTheNearestFirstAlsoWhenOthersHaveComeNearer) {
@@ -44,5 +44,5 @@ TEST(NodeHeap, GivesTheNearestFirstAlsoWhenOthersHaveComeNearer) {
   }
 }
 
-}  // namespace
+}  // namespace node_heap_test
 }  // namespace nav_test

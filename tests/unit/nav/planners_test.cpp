@@ -17,7 +17,7 @@
 #include "tests/support/effort.h"
 
 namespace nav_test {
-namespace {
+namespace planners_test {
 
 using nav::Plan;
 typedef nav::FixedNetwork<60> Map;
@@ -419,5 +419,5 @@ TEST(DijkstraNext, HalvesCostsThatAreTooLongForSixteenBits) {
   EXPECT_EQ(plan(PLANNER(dijkstra), ring, 0, 63).way, (Way{0, 63})) << "sums that are too large saturate";
 }
 
-}  // namespace
+}  // namespace planners_test
 }  // namespace nav_test

@@ -8,7 +8,7 @@
 #include "sim/base/error.h"
 
 namespace robosim::play {
-namespace {
+namespace session_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -319,5 +319,5 @@ TEST_F(SessionTest, EveryScreenFitsASmallWindow) {
     EXPECT_THAT(console.all, HasSubstr(part));
 }
 
-}  // namespace
+}  // namespace session_test
 }  // namespace robosim::play

@@ -6,7 +6,7 @@
 #include <sstream>
 
 namespace robosim::print {
-namespace {
+namespace print_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -214,5 +214,5 @@ TEST(Print, TooManySheetsAreCountedAndRefused) {
               HasSubstr("huge.map: its floor of 3000.0 x 9.0 m is 566678 pages"));
 }
 
-}  // namespace
+}  // namespace print_test
 }  // namespace robosim::print

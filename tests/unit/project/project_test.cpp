@@ -9,7 +9,7 @@
 #include "sim/project/board_names.h"
 
 namespace robosim::project {
-namespace {
+namespace project_test {
 
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
@@ -318,5 +318,5 @@ TEST_F(ProjectTest, SketchbooksAreThoseOfTheIdeAndOfArduinoCli) {
   EXPECT_THAT(sketchbooks(), ElementsAre("/home/me/book", "/home/me/cli", "/home/me/ide"));
 }
 
-}  // namespace
+}  // namespace project_test
 }  // namespace robosim::project

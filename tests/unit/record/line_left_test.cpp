@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace robosim::record {
-namespace {
+namespace line_left_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -52,5 +52,5 @@ TEST(LineLeft, ALightLineIsWhereTheReadingIsLow) {
   EXPECT_THAT(events_of({{"S1", {0.1, 0.9, 0.9, 0.9, 0.9}}}, true), ElementsAre("left S1 0"));
 }
 
-}  // namespace
+}  // namespace line_left_test
 }  // namespace robosim::record

@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::record {
-namespace {
+namespace record_csv_test {
 
 using ::testing::HasSubstr;
 
@@ -131,5 +131,5 @@ TEST(CsvRecorder, OtherEndingsAreRefusedNamingTheOnesThatExist) {
   }
 }
 
-}  // namespace
+}  // namespace record_csv_test
 }  // namespace robosim::record

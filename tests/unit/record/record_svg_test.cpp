@@ -9,7 +9,7 @@
 #include "sim/record/trail_path.h"
 
 namespace robosim::record {
-namespace {
+namespace record_svg_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -161,5 +161,5 @@ TEST(Trails, KeepCornersAndLeaveOutWhatLiesOnTheWay) {
               ElementsAre(0u, 2u, 4u));
 }
 
-}  // namespace
+}  // namespace record_svg_test
 }  // namespace robosim::record

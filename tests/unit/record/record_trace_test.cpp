@@ -13,7 +13,7 @@
 #include "sim/wire/run_columns.h"
 
 namespace robosim::record {
-namespace {
+namespace record_trace_test {
 
 using Json = nlohmann::json;
 
@@ -119,5 +119,5 @@ TEST_F(ATrace, ThatIsWrittenWhileTheRunGoesOnTellsTheSame) {
   EXPECT_GT(lines.size(), 150u);
 }
 
-}  // namespace
+}  // namespace record_trace_test
 }  // namespace robosim::record

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::record {
-namespace {
+namespace record_vcd_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -183,5 +183,5 @@ TEST_F(Vcd, EndsWithTheLastWholeHundredthOfASecond) {
   EXPECT_TRUE(read_file(folder.path() / "x.vcd").ends_with("$end\n#60000000\n"));
 }
 
-}  // namespace
+}  // namespace record_vcd_test
 }  // namespace robosim::record

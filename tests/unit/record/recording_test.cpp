@@ -13,7 +13,7 @@
 #include "sim/wire/run_columns.h"
 
 namespace robosim::record {
-namespace {
+namespace recording_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -346,5 +346,5 @@ TEST_F(ARecording, ThatPromisesMoreThanItHoldsIsRefused) {
   EXPECT_THAT(refusal(kRecordingMagic + deflated(all)), HasSubstr("longer than the file"));
 }
 
-}  // namespace
+}  // namespace recording_test
 }  // namespace robosim::record

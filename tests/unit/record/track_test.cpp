@@ -6,7 +6,7 @@
 #include "sim/base/error.h"
 
 namespace robosim::record {
-namespace {
+namespace track_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -60,5 +60,5 @@ TEST(TwoTracks, AreHeldAgainstEachOtherAtEqualTimes) {
   EXPECT_THROW(apart(one, Track{"", {7, 8}, {0, 0}, {0, 0}}), InputError);
 }
 
-}  // namespace
+}  // namespace track_test
 }  // namespace robosim::record

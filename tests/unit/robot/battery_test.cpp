@@ -6,7 +6,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace battery_test {
 
 using ::testing::HasSubstr;
 
@@ -99,5 +99,5 @@ TEST(Battery, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   }
 }
 
-}  // namespace
+}  // namespace battery_test
 }  // namespace robosim::robot

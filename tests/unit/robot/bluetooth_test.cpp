@@ -4,7 +4,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace bluetooth_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -112,5 +112,5 @@ TEST(Bluetooth, IsSilentWhenItIsDead) {
   EXPECT_EQ(received(bench, 10), "");
 }
 
-}  // namespace
+}  // namespace bluetooth_test
 }  // namespace robosim::robot

@@ -3,7 +3,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace bumper_test {
 
 const std::string kBumper = "[[part]]\nname = \"bumper\"\ntype = \"bumper\"\npin = 4\nresistor = true\n";
 
@@ -61,5 +61,5 @@ TEST(Bumper, StaysPressedByAnObstacleWhenTheHandLetsGo) {
   EXPECT_FALSE(crash.bench.level(4));
 }
 
-}  // namespace
+}  // namespace bumper_test
 }  // namespace robosim::robot

@@ -7,7 +7,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace button_test {
 
 std::string button(const std::string& keys) {
   return "[[part]]\nname = \"start\"\ntype = \"button\"\npin = 4\n" + keys;
@@ -165,5 +165,5 @@ TEST(Voltage, IsAShareOfTheBattery) {
   EXPECT_DOUBLE_EQ(bench.volts(20), 3.0);
 }
 
-}  // namespace
+}  // namespace button_test
 }  // namespace robosim::robot

@@ -17,7 +17,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace description_test {
 
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
@@ -492,5 +492,5 @@ TEST(Robot, TellsItsWiringAndSensorMidpoint) {
   EXPECT_EQ(wiring[0].pin, 3);
 }
 
-}  // namespace
+}  // namespace description_test
 }  // namespace robosim::robot

@@ -8,7 +8,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace digital_reflectance_test {
 
 TEST(DigitalReflectance, HasTheConfiguredPolarity) {
   BenchRobot high(reflectance_sensor("read = \"digital\"\n"));
@@ -130,5 +130,5 @@ TEST_F(RcReflectance, ItsFallIsAnEdgeInTheTickInWhichItHappens) {
   EXPECT_THAT(bench.board.edges, ::testing::ElementsAre(FakeBoard::Edge{kA0, false, 2510 * kMicrosecond}));
 }
 
-}  // namespace
+}  // namespace digital_reflectance_test
 }  // namespace robosim::robot

@@ -5,7 +5,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace displays_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -160,5 +160,5 @@ pin = "A0"
   EXPECT_NEAR(bench.robot.readings().at(0).value, stall, 0.05);
 }
 
-}  // namespace
+}  // namespace displays_test
 }  // namespace robosim::robot

@@ -8,7 +8,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace distance_test {
 
 constexpr Pin kTrig = 2, kEcho = 3;
 
@@ -234,5 +234,5 @@ range = "10 cm"
   EXPECT_FALSE(bench.board.edges[0].level);
 }
 
-}  // namespace
+}  // namespace distance_test
 }  // namespace robosim::robot

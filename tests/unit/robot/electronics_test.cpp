@@ -6,7 +6,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace electronics_test {
 
 const std::string kParts =
     "[[part]]\nname = \"battery\"\ntype = \"voltage\"\npin = \"A0\"\nshare = 0.5\n"
@@ -70,5 +70,5 @@ TEST(Electronics, ThatAreWrongAreRefused) {
   EXPECT_NE(message("regulator = \"5 V\"\n").find("adc_noise"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace electronics_test
 }  // namespace robosim::robot

@@ -6,7 +6,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace encoder_test {
 
 constexpr Pin kA = 2;
 constexpr Pin kB = 3;
@@ -156,5 +156,5 @@ TEST(Encoder, ADeadOneNeverChanges) {
   EXPECT_FALSE(bench.board.edges.empty());
 }
 
-}  // namespace
+}  // namespace encoder_test
 }  // namespace robosim::robot

@@ -6,7 +6,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace fan_test {
 
 constexpr Pin kFan = 11;
 
@@ -57,5 +57,5 @@ TEST_F(Fan, TakesItsTimeToSpinUp) {
   EXPECT_NEAR(speed(), 1.0 - std::exp(-1.0), 0.01);
 }
 
-}  // namespace
+}  // namespace fan_test
 }  // namespace robosim::robot

@@ -17,7 +17,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace fidelity_test {
 
 constexpr int kSeeds = 40;
 
@@ -609,5 +609,5 @@ TEST(Fidelity, TheLedgerSaysWhatOursAreAndWhyAnyIsOff) {
   EXPECT_EQ(read_file(file), wanted) << "regenerate it with ROBOSIM_WRITE_DOCS=1 and this test";
 }
 
-}  // namespace
+}  // namespace fidelity_test
 }  // namespace robosim::robot

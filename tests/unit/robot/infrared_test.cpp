@@ -5,7 +5,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace infrared_test {
 
 using testing::HasSubstr;
 
@@ -86,5 +86,5 @@ TEST(IrReceiver, HearsNothingWhenItIsDead) {
   EXPECT_TRUE(heard(bench).empty());
 }
 
-}  // namespace
+}  // namespace infrared_test
 }  // namespace robosim::robot

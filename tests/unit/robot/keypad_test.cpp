@@ -5,7 +5,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace keypad_test {
 
 using testing::HasSubstr;
 
@@ -67,5 +67,5 @@ TEST(Keypad, NamesItsKeys) {
   }
 }
 
-}  // namespace
+}  // namespace keypad_test
 }  // namespace robosim::robot

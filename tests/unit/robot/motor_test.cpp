@@ -9,7 +9,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace motor_test {
 
 constexpr const char* kMotors = R"(
 [[part]]
@@ -328,5 +328,5 @@ TEST(Motor, ABatteryWithLessVoltageDrivesSlower) {
   EXPECT_NEAR(bench.body().wheel_rate(world::left), healthy, 1e-3 * healthy);
 }
 
-}  // namespace
+}  // namespace motor_test
 }  // namespace robosim::robot

@@ -5,7 +5,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace radio_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -107,5 +107,5 @@ TEST(Radio, SendsBytesAndBitsAndRefusesAllElse) {
   }
 }
 
-}  // namespace
+}  // namespace radio_test
 }  // namespace robosim::robot

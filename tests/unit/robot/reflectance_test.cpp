@@ -7,7 +7,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace reflectance_test {
 
 TEST(AnalogReflectance, GoesFromWhiteToBlackOverOneFootprint) {
   BenchRobot bench(reflectance_sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));
@@ -383,5 +383,5 @@ TEST(Rise, KeepsASensorBehindTheFloorThatItMovesOver) {
   EXPECT_GT(quick.board.read_volts(kA0, later), slow.board.read_volts(kA0, later) + 0.1);
 }
 
-}  // namespace
+}  // namespace reflectance_test
 }  // namespace robosim::robot

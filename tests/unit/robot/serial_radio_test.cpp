@@ -4,7 +4,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace serial_radio_test {
 
 std::string radio(const std::string& keys, const std::string& pins = "txd = 2, rxd = 3") {
   return "[[part]]\nname = \"air\"\ntype = \"serial-radio\"\npins = { " + pins + " }\n" + keys;
@@ -111,5 +111,5 @@ TEST(SerialRadio, RefusesWhatCannotBe) {
         << keys;
 }
 
-}  // namespace
+}  // namespace serial_radio_test
 }  // namespace robosim::robot

@@ -5,7 +5,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace servo_test {
 
 using testing::HasSubstr;
 
@@ -177,5 +177,5 @@ on = "tilt"
   }
 }
 
-}  // namespace
+}  // namespace servo_test
 }  // namespace robosim::robot

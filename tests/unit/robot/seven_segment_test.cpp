@@ -3,7 +3,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace seven_segment_test {
 
 std::string digit(const std::string& common) {
   return "[[part]]\nname = \"digit\"\ntype = \"seven-segment\"\ncommon = \"" + common +
@@ -60,5 +60,5 @@ TEST(SevenSegment, OfThePonyShowsThePapersCodes) {
   }
 }
 
-}  // namespace
+}  // namespace seven_segment_test
 }  // namespace robosim::robot

@@ -5,7 +5,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace shift_register_test {
 
 using testing::HasSubstr;
 
@@ -186,5 +186,5 @@ TEST(ShiftRegister, MistakesAreExplainedWithTheirLine) {
               HasSubstr("B requires pins (data, clock, latch), or after"));
 }
 
-}  // namespace
+}  // namespace shift_register_test
 }  // namespace robosim::robot

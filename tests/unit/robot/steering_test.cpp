@@ -9,7 +9,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace steering_test {
 
 using testing::HasSubstr;
 
@@ -140,5 +140,5 @@ TEST(Steering, BadValuesGetOneSentence) {
   EXPECT_EQ(message(car(steering())), "no message");
 }
 
-}  // namespace
+}  // namespace steering_test
 }  // namespace robosim::robot

@@ -6,7 +6,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace stepper_test {
 
 constexpr double kHalfStep = 360.0 / (64.0 * 25792.0 / 405.0);
 
@@ -71,5 +71,5 @@ TEST_F(Stepper, HoldsItsPlaceWithoutCurrentAndWhereItIsStuck) {
   EXPECT_NEAR(degrees(), 2 * kHalfStep, 1e-6);
 }
 
-}  // namespace
+}  // namespace stepper_test
 }  // namespace robosim::robot

@@ -11,7 +11,7 @@
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
-namespace {
+namespace two_wire_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -311,5 +311,5 @@ TEST(Vl53l0x, MeasuresWhatIsBeforeItInItsTime) {
   EXPECT_THAT(bench.told(1), IsEmpty());
 }
 
-}  // namespace
+}  // namespace two_wire_test
 }  // namespace robosim::robot

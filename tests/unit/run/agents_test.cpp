@@ -8,7 +8,7 @@
 #include "tests/support/built_in_driver.h"
 
 namespace robosim::run {
-namespace {
+namespace agents_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -197,5 +197,5 @@ TEST_F(AgentsTest, CannotBeSavedWhereTheirFirmwareCannot) {
                                               testing::HasSubstr("saving a run requires an emulated chip")));
 }
 
-}  // namespace
+}  // namespace agents_test
 }  // namespace robosim::run

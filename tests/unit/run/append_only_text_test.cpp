@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace robosim::run {
-namespace {
+namespace append_only_text_test {
 
 TEST(AppendOnlyText, ComesBackAsItWasAndCopiesShareTheirBeginnings) {
   struct Moment {
@@ -39,5 +39,5 @@ TEST(AppendOnlyText, ComesBackAsItWasAndCopiesShareTheirBeginnings) {
   EXPECT_LT(second.rest.size(), 4096u);
 }
 
-}  // namespace
+}  // namespace append_only_text_test
 }  // namespace robosim::run

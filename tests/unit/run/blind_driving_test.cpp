@@ -7,7 +7,7 @@
 #include "tests/support/built_in_driver.h"
 
 namespace robosim::run {
-namespace {
+namespace blind_driving_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -122,5 +122,5 @@ TEST(BlindDriving, IsLookedForWhereItIsAskedFor) {
   EXPECT_THAT(detected(firmware, 10 * kSecond, false), IsEmpty());
 }
 
-}  // namespace
+}  // namespace blind_driving_test
 }  // namespace robosim::run

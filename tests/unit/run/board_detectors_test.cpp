@@ -9,7 +9,7 @@
 #include "tests/support/built_in_driver.h"
 
 namespace robosim::run {
-namespace {
+namespace board_detectors_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -132,5 +132,5 @@ TEST(BoardDetectors, LookOnWhereTheyAreAskedTo) {
   EXPECT_THAT(detected(Blinker::Led::forgotten, false), IsEmpty());
 }
 
-}  // namespace
+}  // namespace board_detectors_test
 }  // namespace robosim::run

@@ -7,7 +7,7 @@
 #include "tests/support/built_in_driver.h"
 
 namespace robosim::judge {
-namespace {
+namespace faults_explained_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -47,5 +47,5 @@ TEST(FaultsExplained, NoneWhereTheScriptBrokeNothing) {
   EXPECT_THAT(why("at 2s lift\n", "laps:1", 5 * kSecond), Not(HasSubstr("by the script")));
 }
 
-}  // namespace
+}  // namespace faults_explained_test
 }  // namespace robosim::judge

@@ -8,7 +8,7 @@
 #include "tests/support/built_in_driver.h"
 
 namespace robosim::run {
-namespace {
+namespace golden_test {
 
 // A figure eight of arcs and slanted straights that cross.
 constexpr const char* kCourse = R"(+++
@@ -82,5 +82,5 @@ TEST(Golden, RecordingChangesNothing) {
             follow("oval", robot::Profile::typical, 3, kTick).trace_hash);
 }
 
-}  // namespace
+}  // namespace golden_test
 }  // namespace robosim::run

@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::run {
-namespace {
+namespace independent_agents_test {
 
 /// Firmware for an Uno that drives at random, reads sensors, prints and occasionally crashes.
 class Roaming final : public exec::Executor {
@@ -193,5 +193,5 @@ TEST(RobotsThatAreApart, GoATenthOfASecondAtAStretch) {
   EXPECT_EQ(changes_of("12,7,E"), 1000) << "the robots are near enough to meet";
 }
 
-}  // namespace
+}  // namespace independent_agents_test
 }  // namespace robosim::run

@@ -8,7 +8,7 @@
 #include "tests/support/built_in_driver.h"
 
 namespace robosim::run {
-namespace {
+namespace prepared_map_test {
 
 class SceneryTest : public testing::Test {
  protected:
@@ -65,5 +65,5 @@ TEST_F(SceneryTest, AnErrandThatMakesNoSenseIsAnErrorOfTheRun) {
   EXPECT_NO_THROW(prepared_map.resolve(0, {}));
 }
 
-}  // namespace
+}  // namespace prepared_map_test
 }  // namespace robosim::run

@@ -10,7 +10,7 @@
 #include "sim/run/simulation.h"
 
 namespace robosim::run {
-namespace {
+namespace rest_optimization_test {
 
 /// Firmware for an Uno, written as an executor that needs no compiler.
 class OnBoard : public exec::Executor {
@@ -191,5 +191,5 @@ TEST(RestingRobot, IsStuckThreeSecondsAfterItsLastMomentWithoutAWish) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Resting, testing::Range(0u, 6u));
 
-}  // namespace
+}  // namespace rest_optimization_test
 }  // namespace robosim::run

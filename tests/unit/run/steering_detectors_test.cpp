@@ -14,7 +14,7 @@
 #include "sim/run/simulation.h"
 
 namespace robosim::run {
-namespace {
+namespace steering_detectors_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -155,5 +155,5 @@ TEST(SlowSerial, IsNobodyWhoLooksInTimeOrIsKeptBySomethingElse) {
   EXPECT_THAT(seen(sends(35 * kMillisecond, "println()", false), 5 * kSecond), IsEmpty());
 }
 
-}  // namespace
+}  // namespace steering_detectors_test
 }  // namespace robosim::run

@@ -7,7 +7,7 @@
 #include "tests/support/built_in_driver.h"
 
 namespace robosim::run {
-namespace {
+namespace stop_conditions_test {
 
 using testing::HasSubstr;
 
@@ -136,5 +136,5 @@ TEST_F(StopConditionsTest, NamesThatDoNotExistAreRefusedWithThoseThatDo) {
               HasSubstr("unknown robot: expected a number from 0 to 0, got 1"));
 }
 
-}  // namespace
+}  // namespace stop_conditions_test
 }  // namespace robosim::run

@@ -10,7 +10,7 @@
 #include "tests/support/require_target.h"
 
 namespace robosim::run {
-namespace {
+namespace waiting_test {
 
 std::uint64_t sum_of(const avr::Chip& chip) {
   const avr::Cpu& cpu = chip.cpu();
@@ -59,5 +59,5 @@ INSTANTIATE_TEST_SUITE_P(Stock, WaitingLoopsOfRuns,
                                          StockRun{"PonyNavigator", "pony", "city", 3 * kSecond}),
                          [](const auto& parameter) { return std::string(parameter.param.sketch); });
 
-}  // namespace
+}  // namespace waiting_test
 }  // namespace robosim::run

@@ -8,7 +8,7 @@
 #include "tests/support/stm32_sum.h"
 
 namespace robosim::run {
-namespace {
+namespace waiting_test {
 
 using exec::stm32::Machine;
 
@@ -51,5 +51,5 @@ INSTANTIATE_TEST_SUITE_P(Stock, WaitingLoopsOfPills,
                                          PillRun{{"PonyNavigator", "bluepony", "city", 2 * kSecond}, false}),
                          [](const auto& parameter) { return std::string(parameter.param.sketch); });
 
-}  // namespace
+}  // namespace waiting_test
 }  // namespace robosim::run

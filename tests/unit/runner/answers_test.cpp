@@ -7,7 +7,7 @@
 #include "sim/robot/description.h"
 
 namespace robosim::runner {
-namespace {
+namespace answers_test {
 
 using ::testing::ElementsAre;
 
@@ -154,5 +154,5 @@ TEST(Answers, ARobotHasThePinsOfItsPartsAsItsFileHasThem) {
   EXPECT_THAT(pins, ElementsAre("REG1.data 11", "REG1.clock 13", "REG1.latch 10", "buzzer.pin REG1.Q7"));
 }
 
-}  // namespace
+}  // namespace answers_test
 }  // namespace robosim::runner

@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::runner {
-namespace {
+namespace fork_runs_test {
 
 using ::testing::HasSubstr;
 
@@ -146,5 +146,5 @@ TEST_F(WaysTest, OfARunThatCannotPartAreRefused) {
   EXPECT_THROW(run_all_branches(run, request_, {}), InputError);
 }
 
-}  // namespace
+}  // namespace fork_runs_test
 }  // namespace robosim::runner

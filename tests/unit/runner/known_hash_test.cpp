@@ -7,7 +7,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::runner {
-namespace {
+namespace known_hash_test {
 
 TEST(KnownHash, IsThatOfTheFileAsItIsNow) {
   const test::TemporaryFolder folder;
@@ -29,5 +29,5 @@ TEST(KnownHash, AFileThatHasGoneIsNoLongerKnown) {
   EXPECT_THROW(known_sha256(file), InputError);
 }
 
-}  // namespace
+}  // namespace known_hash_test
 }  // namespace robosim::runner

@@ -7,7 +7,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::runner {
-namespace {
+namespace read_ahead_test {
 
 class ReadingAhead : public testing::Test {
  protected:
@@ -164,5 +164,5 @@ TEST_F(ReadingAhead, AMapWithASpreadIsReadForItsSeed) {
   EXPECT_EQ(read_the_map(), first.get()) << "the maps of both seeds are stored";
 }
 
-}  // namespace
+}  // namespace read_ahead_test
 }  // namespace robosim::runner

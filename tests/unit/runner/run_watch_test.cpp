@@ -6,7 +6,7 @@
 #include "sim/base/child.h"
 
 namespace robosim::runner {
-namespace {
+namespace run_watch_test {
 
 using Found = RunWatch::Found;
 using Reading = RunWatch::Reading;
@@ -119,5 +119,5 @@ TEST_F(Watching, BelievesNoTimeThatTheRunMayNotReach) {
   }
 }
 
-}  // namespace
+}  // namespace run_watch_test
 }  // namespace robosim::runner

@@ -28,7 +28,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::runner {
-namespace {
+namespace session_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -612,5 +612,5 @@ TEST_F(DrivenSessionTest, EndsWithItsClientAndAnswersNothing) {
   EXPECT_EQ(session_.line(), "");
 }
 
-}  // namespace
+}  // namespace session_test
 }  // namespace robosim::runner

@@ -14,7 +14,7 @@
 #include "sim/world/world.h"
 
 namespace robosim::scenario {
-namespace {
+namespace board_faults_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -242,5 +242,5 @@ TEST_F(BoardFaultsTest, WhatIsNoFaultIsRefusedWithWhatThereIs) {
   EXPECT_THAT(probe.power, IsEmpty());
 }
 
-}  // namespace
+}  // namespace board_faults_test
 }  // namespace robosim::scenario

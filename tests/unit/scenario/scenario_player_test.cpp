@@ -12,7 +12,7 @@
 #include "tests/support/event_values.h"
 
 namespace robosim::scenario {
-namespace {
+namespace scenario_player_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -282,5 +282,5 @@ TEST_F(Scripts, ThatDoNothingChangeNothing) {
   EXPECT_NE(play("at 100ms fault S1 noisy 0.2\n", 1.0).trace_hash, plain);
 }
 
-}  // namespace
+}  // namespace scenario_player_test
 }  // namespace robosim::scenario

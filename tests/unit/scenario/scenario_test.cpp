@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::scenario {
-namespace {
+namespace scenario_test {
 
 std::string error_of(const char* text) {
   try {
@@ -233,5 +233,5 @@ TEST(AFigureWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
               testing::HasSubstr("a tilt goes over and back"));
 }
 
-}  // namespace
+}  // namespace scenario_test
 }  // namespace robosim::scenario

@@ -11,7 +11,7 @@
 #include "tests/support/event_values.h"
 
 namespace robosim::scenario {
-namespace {
+namespace world_changes_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -211,5 +211,5 @@ TEST_F(ChangingWorld, HasALimit) {
               HasSubstr("s.txt:101: the script is too long: expected at most 100 lines that paint"));
 }
 
-}  // namespace
+}  // namespace world_changes_test
 }  // namespace robosim::scenario

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::serve {
-namespace {
+namespace origin_check_test {
 
 struct Hostile {
   const char* what;
@@ -115,5 +115,5 @@ TEST(OriginCheck, TokensAreLongAndDiffer) {
   EXPECT_NE(random_token(), random_token());
 }
 
-}  // namespace
+}  // namespace origin_check_test
 }  // namespace robosim::serve

@@ -27,7 +27,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::serve {
-namespace {
+namespace server_test {
 
 using Json = nlohmann::json;
 using testing::Contains;
@@ -560,5 +560,5 @@ TEST_F(Serving, EndsARunWhosePageHasGone) {
   expect_gone();
 }
 
-}  // namespace
+}  // namespace server_test
 }  // namespace robosim::serve

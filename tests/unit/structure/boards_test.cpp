@@ -10,7 +10,7 @@
 #include "tests/unit/structure/include_table.h"
 
 namespace robosim::structure {
-namespace {
+namespace boards_test {
 
 /// Returns whether a file is about one chip or board, according to its path.
 bool is_about_a_chip(const std::string& file) {
@@ -51,5 +51,5 @@ TEST(Boards, AreNamedByNoCodeButTheirData) {
   }
 }
 
-}  // namespace
+}  // namespace boards_test
 }  // namespace robosim::structure

@@ -6,7 +6,7 @@
 #include "sim/base/file.h"
 
 namespace robosim::structure {
-namespace {
+namespace comment_layout_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -156,5 +156,5 @@ TEST(BrokenRows, AreNotWhatTablesMayHave) {
       << "comments of different lines";
 }
 
-}  // namespace
+}  // namespace comment_layout_test
 }  // namespace robosim::structure

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::structure {
-namespace {
+namespace documents_test {
 
 using testing::ElementsAre;
 
@@ -69,5 +69,5 @@ TEST(References, OfSourcesAreDeadIfThePageIsGone) {
                   "sim/x.h: names docs/howto/gone.md, and there is no such file"));
 }
 
-}  // namespace
+}  // namespace documents_test
 }  // namespace robosim::structure

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::structure {
-namespace {
+namespace hidden_functions_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -60,5 +60,5 @@ TEST(HiddenFunctions, AreNotThoseOfOtherLibrariesNorThoseThatNobodyElseCalls) {
         << line;
 }
 
-}  // namespace
+}  // namespace hidden_functions_test
 }  // namespace robosim::structure

@@ -7,7 +7,7 @@
 #include "sim/base/file.h"
 
 namespace robosim::structure {
-namespace {
+namespace include_table_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -84,5 +84,5 @@ TEST(IncludeTable, ComplainsOfALineThatIsNoRow) {
   EXPECT_THROW(read_include_table("table", "sim/grid sim/base\n"), InputError);
 }
 
-}  // namespace
+}  // namespace include_table_test
 }  // namespace robosim::structure

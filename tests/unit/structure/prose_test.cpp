@@ -14,7 +14,7 @@
 #include "tests/unit/structure/prose_rules.h"
 
 namespace robosim::structure {
-namespace {
+namespace prose_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -282,5 +282,5 @@ TEST(OddSubjects, AreNotAnAreaAndAnImperative) {
               ElementsAre(HasSubstr("81 characters: expected at most 72")));
 }
 
-}  // namespace
+}  // namespace prose_test
 }  // namespace robosim::structure

@@ -13,7 +13,7 @@
 #include "tests/unit/structure/include_table.h"
 
 namespace robosim::structure {
-namespace {
+namespace snapshot_members_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -142,5 +142,5 @@ TEST(SnapshotMembers, AreConstOrInStateOrInTheTable) {
                   "sim/run/a.h: a state_ that is not saved"));
 }
 
-}  // namespace
+}  // namespace snapshot_members_test
 }  // namespace robosim::structure

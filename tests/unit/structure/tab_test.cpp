@@ -12,7 +12,7 @@
 
 #include "sim/base/file.h"
 
-namespace {
+namespace tab_test {
 
 namespace fs = std::filesystem;
 
@@ -68,4 +68,4 @@ TEST(Tab, IsGivenNothingThatItsCompilerLacks) {
   }
 }
 
-}  // namespace
+}  // namespace tab_test

@@ -15,7 +15,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::harness {
-namespace {
+namespace failures_test {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
@@ -228,5 +228,5 @@ TEST_F(FailedTests, AreTheExamplesOfTheGuide) {
   EXPECT_GT(lines, 20);
 }
 
-}  // namespace
+}  // namespace failures_test
 }  // namespace robosim::harness

@@ -6,7 +6,7 @@
 #include "sim/base/error.h"
 
 namespace robosim::testing {
-namespace {
+namespace fleet_test {
 
 using ::testing::HasSubstr;
 
@@ -59,5 +59,5 @@ TEST(FleetTest, ARobotsRunIsTheOneItHasAlone) {
   EXPECT_EQ(both.robot("A").trace_hash(), alone.trace_hash());
 }
 
-}  // namespace
+}  // namespace fleet_test
 }  // namespace robosim::testing

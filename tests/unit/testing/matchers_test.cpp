@@ -7,7 +7,7 @@
 
 #include "tests/support/caught_failures.h"
 
-namespace {
+namespace matchers_test {
 
 using namespace robosim::testing;
 using testing::AllOf;
@@ -313,4 +313,4 @@ TEST(ASimulation, IsTheSameEveryTime) {
   EXPECT_EQ(hash(), hash());
 }
 
-}  // namespace
+}  // namespace matchers_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/caught_failures.h"
 
-namespace {
+namespace power_cuts_test {
 
 using namespace robosim::testing;
 using robosim::test::caught_failures;
@@ -76,4 +76,4 @@ TEST(AtEveryPowerCut, FailsIfNothingIsWritten) {
                                           HasSubstr(", with the command that replays it"))));
 }
 
-}  // namespace
+}  // namespace power_cuts_test

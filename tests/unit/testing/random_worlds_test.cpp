@@ -17,7 +17,7 @@
 #include "tests/support/effort.h"
 
 namespace robosim::testing {
-namespace {
+namespace random_worlds_test {
 
 using test::caught_failures;
 using ::testing::HasSubstr;
@@ -272,5 +272,5 @@ TEST(InRandomWorlds, DoesNotTakeASketchThatCannotBeBuiltForOneThatFails) {
   EXPECT_THROW(InRandomWorlds(worlds, {3}, [](Simulation&) {}), InputError);
 }
 
-}  // namespace
+}  // namespace random_worlds_test
 }  // namespace robosim::testing

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::trace {
-namespace {
+namespace trace_hash_test {
 
 std::string hash_of(int poses, double x, Pin pin, SimTime t, std::uint8_t byte) {
   TraceHash hash;
@@ -39,5 +39,5 @@ TEST(TraceHash, DoesNotDependOnHowOftenItIsRead) {
   EXPECT_EQ(a.text(), b.text());
 }
 
-}  // namespace
+}  // namespace trace_hash_test
 }  // namespace robosim::trace

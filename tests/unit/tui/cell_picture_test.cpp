@@ -5,7 +5,7 @@
 #include "tests/unit/tui/terminal_looks.h"
 
 namespace robosim::tui {
-namespace {
+namespace cell_picture_test {
 
 std::string drawn(const std::string& map_text, int columns, int rows, const grid::Start& robot,
                   std::vector<CellLabel> labels = {}, Look look = kAscii) {
@@ -62,5 +62,5 @@ TEST(CellPicture, TheTrailIsInAnotherInk) {
   EXPECT_EQ(frame.at(5, 1).ink, Ink::line);
 }
 
-}  // namespace
+}  // namespace cell_picture_test
 }  // namespace robosim::tui

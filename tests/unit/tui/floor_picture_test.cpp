@@ -5,7 +5,7 @@
 #include "tests/unit/tui/terminal_looks.h"
 
 namespace robosim::tui {
-namespace {
+namespace floor_picture_test {
 
 std::string drawn(const FloorPicture& floor, const std::vector<Mark>& marks, Look look) {
   Frame frame(floor.window().columns, floor.window().rows);
@@ -129,5 +129,5 @@ TEST(Arrow, PointsWhereTheRobotFaces) {
   EXPECT_EQ(arrow(0.79), U'↗');
 }
 
-}  // namespace
+}  // namespace floor_picture_test
 }  // namespace robosim::tui

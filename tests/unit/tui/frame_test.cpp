@@ -7,7 +7,7 @@
 #include "tests/unit/tui/terminal_looks.h"
 
 namespace robosim::tui {
-namespace {
+namespace frame_test {
 
 TEST(Frame, TextIsCutAtTheEdgeAndLinesLoseTheirTrailingBlanks) {
   Frame frame(5, 2);
@@ -77,5 +77,5 @@ TEST(Look, FollowsTheLocaleInItsOrderOfPrecedenceAndNoColor) {
   EXPECT_FALSE(look_from_environment(true).colour);
 }
 
-}  // namespace
+}  // namespace frame_test
 }  // namespace robosim::tui

@@ -6,7 +6,7 @@
 #include "tests/unit/tui/terminal_looks.h"
 
 namespace robosim::tui {
-namespace {
+namespace graph_table_test {
 
 using ::testing::ElementsAre;
 
@@ -51,5 +51,5 @@ TEST(GraphTable, StationsAreMeantByNumberOrName) {
     EXPECT_EQ(find_station(graph, wrong), 0) << wrong;
 }
 
-}  // namespace
+}  // namespace graph_table_test
 }  // namespace robosim::tui

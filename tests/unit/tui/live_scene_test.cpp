@@ -6,7 +6,7 @@
 #include "tests/unit/tui/terminal_looks.h"
 
 namespace robosim::tui {
-namespace {
+namespace live_scene_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -212,5 +212,5 @@ TEST(LiveScene, AnyWindowSizeCanBeDrawn) {
   }
 }
 
-}  // namespace
+}  // namespace live_scene_test
 }  // namespace robosim::tui

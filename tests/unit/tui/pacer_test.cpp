@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::tui {
-namespace {
+namespace pacer_test {
 
 TEST(Pacer, WaitsUntilSimulatedTimeIsDue) {
   Pacer pacer(2.0);
@@ -49,5 +49,5 @@ TEST(Pacer, SpeedsDoubleUpToAsFastAsPossibleAndBack) {
   EXPECT_EQ(pacer.speed(), 1.0 / 16.0);
 }
 
-}  // namespace
+}  // namespace pacer_test
 }  // namespace robosim::tui

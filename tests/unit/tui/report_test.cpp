@@ -8,7 +8,7 @@
 #include "tests/unit/tui/terminal_looks.h"
 
 namespace robosim::tui {
-namespace {
+namespace report_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -196,5 +196,5 @@ TEST(Trail, PointsStayEvenlySpaced) {
   for (std::size_t i = 1; i < points.size(); ++i) ASSERT_NEAR(points[i].x - points[i - 1].x, step, 1e-9) << i;
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace robosim::tui

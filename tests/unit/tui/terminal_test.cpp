@@ -8,7 +8,7 @@
 #include <utility>
 
 namespace robosim::tui {
-namespace {
+namespace terminal_test {
 
 TEST(Keys, AreTakenOneByOne) {
   std::string bytes = " +-qf\033[A\033[B\033OC\033[Dx";
@@ -142,5 +142,5 @@ TEST(TerminalSize, IsUnknownForAPipe) {
   ::close(ends[1]);
 }
 
-}  // namespace
+}  // namespace terminal_test
 }  // namespace robosim::tui

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::tui {
-namespace {
+namespace text_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -38,5 +38,5 @@ TEST(Text, TimesReadAsPeopleSayThem) {
   EXPECT_EQ(time_text(600), "10 min 0.0 s");
 }
 
-}  // namespace
+}  // namespace text_test
 }  // namespace robosim::tui

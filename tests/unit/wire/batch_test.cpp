@@ -10,7 +10,7 @@
 #include "sim/wire/protocol.h"
 
 namespace robosim::wire {
-namespace {
+namespace batch_test {
 
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -213,5 +213,5 @@ TEST(Batches, ThatAreCutOffOrDamagedAreRefused) {
               HasSubstr("incomplete event"));
 }
 
-}  // namespace
+}  // namespace batch_test
 }  // namespace robosim::wire

@@ -15,7 +15,7 @@
 #include "sim/wire/protocol.h"
 
 namespace robosim::wire {
-namespace {
+namespace both_ends_test {
 
 /// Fills a message with odd values that its description allows.
 class Filler {
@@ -294,5 +294,5 @@ TEST_F(BothEnds, EveryStopArrivesAsItWasMeant) {
   }
 }
 
-}  // namespace
+}  // namespace both_ends_test
 }  // namespace robosim::wire

@@ -12,7 +12,7 @@
 #include "sim/wire/stream.h"
 
 namespace robosim::wire {
-namespace {
+namespace columns_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -132,5 +132,5 @@ TEST(PinLevels, ArePulsingWhereEdgesAreTooFastToBeTold) {
   EXPECT_EQ(pin_level(PinChange{0, "D5", "input", false, false, 0.0, 0, {}}), PinLevel::floating);
 }
 
-}  // namespace
+}  // namespace columns_test
 }  // namespace robosim::wire

@@ -12,7 +12,7 @@
 #include "sim/wire/messages.h"
 
 namespace robosim::wire {
-namespace {
+namespace docs_test {
 
 namespace fs = std::filesystem;
 
@@ -213,5 +213,5 @@ TEST(Docs, TablesOfKeysSayWhatTheDescriptionsSay) {
     EXPECT_EQ(found.count(each.name), 1u) << "docs/ has one table of the keys of " << each.name;
 }
 
-}  // namespace
+}  // namespace docs_test
 }  // namespace robosim::wire

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::wire {
-namespace {
+namespace events_test {
 
 TEST(RunEvents, HaveOneTextEach) {
   const auto text = [](RunEvent::What what) { return text_of({0, 0, std::move(what)}); };
@@ -33,5 +33,5 @@ TEST(RunEvents, AreOfAKindWhateverTheirTextSays) {
   EXPECT_STREQ(kind_of({0, 0, Scored{}}), event_kinds().back().c_str());
 }
 
-}  // namespace
+}  // namespace events_test
 }  // namespace robosim::wire

@@ -8,7 +8,7 @@
 #include "sim/wire/protocol.h"
 
 namespace robosim::wire {
-namespace {
+namespace hostile_test {
 
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
@@ -215,5 +215,5 @@ TEST(Hostile, MemoryIsTwoHexadecimalDigitsAByte) {
         << digits;
 }
 
-}  // namespace
+}  // namespace hostile_test
 }  // namespace robosim::wire

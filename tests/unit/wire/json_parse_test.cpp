@@ -10,7 +10,7 @@
 #include "sim/base/json_limits.h"
 
 namespace robosim::wire {
-namespace {
+namespace json_parse_test {
 
 using Json = nlohmann::json;
 
@@ -142,5 +142,5 @@ TEST(ParsedJson, NorDoesDamageMakeADifference) {
   }
 }
 
-}  // namespace
+}  // namespace json_parse_test
 }  // namespace robosim::wire

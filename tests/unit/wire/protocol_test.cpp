@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace robosim::wire {
-namespace {
+namespace protocol_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -150,5 +150,5 @@ TEST(Protocol, BytesThatAreNotUtf8AreReplacedNotThrown) {
             "{\"do\":\"describe_robot\",\"id\":1,\"robot\":\"\xEF\xBF\xBD.toml\"}\n");
 }
 
-}  // namespace
+}  // namespace protocol_test
 }  // namespace robosim::wire

@@ -6,7 +6,7 @@
 #include "sim/wiring/draft.h"
 
 namespace robosim::wiring {
-namespace {
+namespace guess_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -325,5 +325,5 @@ TEST(Guess, WhatIsUsedAndNotUnderstoodIsAskedFor) {
   EXPECT_THAT(guess(uno(), {}, PinHistory(uno()), {}).parts, IsEmpty());
 }
 
-}  // namespace
+}  // namespace guess_test
 }  // namespace robosim::wiring

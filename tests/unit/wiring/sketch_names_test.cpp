@@ -7,7 +7,7 @@
 #include "sim/wiring/tokens.h"
 
 namespace robosim::wiring {
-namespace {
+namespace sketch_names_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -95,5 +95,5 @@ TEST(Sides, AreKnownByTheNamesThatPeopleGive) {
     EXPECT_EQ(side_of(words_of(name)), Side::unknown) << name;
 }
 
-}  // namespace
+}  // namespace sketch_names_test
 }  // namespace robosim::wiring

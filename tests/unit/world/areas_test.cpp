@@ -3,7 +3,7 @@
 #include "sim/world/floor.h"
 
 namespace robosim::world {
-namespace {
+namespace areas_test {
 
 // Returns a map with a 20 mm line from left to right at 500 mm.
 grid::Map map_with_areas(const std::string& tables, const char* paint = "black on white") {
@@ -63,5 +63,5 @@ area = [{ colour = "white", at = ["500 mm", "800 mm"], radius = "50 mm" }])",
   EXPECT_NEAR(floor.darkness({0.556, 0.8}, 0.01), 1.0, 1e-12);
 }
 
-}  // namespace
+}  // namespace areas_test
 }  // namespace robosim::world

@@ -11,7 +11,7 @@
 #include "tests/support/effort.h"
 
 namespace robosim::world {
-namespace {
+namespace body_test {
 
 // A body in the middle of an empty floor of 40 m x 40 m.
 class BodyTest : public testing::Test {
@@ -415,5 +415,5 @@ TEST_F(BodyTest, StaysFiniteForAnyPositiveParameters) {
   }
 }
 
-}  // namespace
+}  // namespace body_test
 }  // namespace robosim::world

@@ -7,7 +7,7 @@
 #include "tests/support/effort.h"
 
 namespace robosim::world {
-namespace {
+namespace contact_test {
 
 void drive(Body& body, double left_drive, double right_drive) {
   body.command(left, {left_drive, 0.0});
@@ -314,5 +314,5 @@ TEST(Walls, ClearanceNeverPromisesTooMuch) {
   }
 }
 
-}  // namespace
+}  // namespace contact_test
 }  // namespace robosim::world

@@ -9,7 +9,7 @@
 #include "sim/world/world.h"
 
 namespace robosim::world {
-namespace {
+namespace determinism_test {
 
 // Computes FNV-1a over the bits of doubles.
 struct Bits {
@@ -78,5 +78,5 @@ TEST(Determinism, ABodyOwesNothingToTheMemoryItIsMadeIn) {
   used->~Body();
 }
 
-}  // namespace
+}  // namespace determinism_test
 }  // namespace robosim::world

@@ -11,7 +11,7 @@
 #include "sim/world/world.h"
 
 namespace robosim::world {
-namespace {
+namespace floor_gaps_test {
 
 constexpr double kFall = 9.80665;  // m/s^2
 
@@ -175,5 +175,5 @@ TEST_F(JointsTest, AreDarkForASensorThatLooksIn) {
   EXPECT_EQ(world.floor().darkness({10.01, 10.0}, 0.006), 0.0);
 }
 
-}  // namespace
+}  // namespace floor_gaps_test
 }  // namespace robosim::world

@@ -9,7 +9,7 @@
 #include "tests/support/effort.h"
 
 namespace robosim::world {
-namespace {
+namespace floor_test {
 
 struct Random {
   unsigned state = 1;
@@ -316,5 +316,5 @@ TEST(Floor, OfALightLineIsDarkBesideIt) {
   EXPECT_EQ(on_light.darkness({0.5, 0.2}, 0.006), 1.0);
 }
 
-}  // namespace
+}  // namespace floor_test
 }  // namespace robosim::world

@@ -13,7 +13,7 @@
 #include "sim/world/world.h"
 
 namespace robosim::world {
-namespace {
+namespace ground_test {
 
 constexpr double kG = 9.80665;
 constexpr double kWithin = 0.02;
@@ -459,5 +459,5 @@ TEST_F(GroundTest, TheBitsOfARunOverHillsArePinned) {
   EXPECT_EQ(sum, 395756.95616502652);
 }
 
-}  // namespace
+}  // namespace ground_test
 }  // namespace robosim::world

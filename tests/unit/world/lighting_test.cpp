@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace robosim::world {
-namespace {
+namespace lighting_test {
 
 using grid::Light;
 
@@ -77,5 +77,5 @@ TEST(Lighting, AHigherSensorIsLessInTheShade) {
   EXPECT_NEAR(exposure(0.008), (64.0 / 89.0) / (9.0 / 34.0), 1e-12);
 }
 
-}  // namespace
+}  // namespace lighting_test
 }  // namespace robosim::world

@@ -10,7 +10,7 @@
 #include "tests/unit/world/maps.h"
 
 namespace robosim::world {
-namespace {
+namespace many_bodies_test {
 
 std::vector<std::unique_ptr<Body>> crowd(std::size_t count, double width_m, double height_m,
                                          std::uint64_t seed) {
@@ -120,5 +120,5 @@ TEST(RadioChannel, BringsWhatComesAtOnceInAnOrderThatNumbersDoNotShowIn) {
   }
 }
 
-}  // namespace
+}  // namespace many_bodies_test
 }  // namespace robosim::world

@@ -15,7 +15,7 @@
 #include "sim/world/world.h"
 
 namespace robosim::world {
-namespace {
+namespace motor_winding_test {
 
 constexpr double kWithinFormula = 0.02;
 constexpr double kVolts = 6.0, kOhms = 4.0, kHenries = 2e-3;
@@ -224,5 +224,5 @@ TEST_F(WoundBody, CoastsAsFarAsItsFrictionLetsItAndBrakesAsFarAsItsWindingDoes) 
   }
 }
 
-}  // namespace
+}  // namespace motor_winding_test
 }  // namespace robosim::world

@@ -5,7 +5,7 @@
 #include "sim/world/floor.h"
 
 namespace robosim::world {
-namespace {
+namespace paint_test {
 
 constexpr double kSeen = 0.002;
 
@@ -153,5 +153,5 @@ TEST(Paints, GlossAddsToWhatAnyColourSendsBack) {
   EXPECT_NEAR(Floor(area).darkness({1.0, 0.7}, kSeen), 0.0, 1e-12);
 }
 
-}  // namespace
+}  // namespace paint_test
 }  // namespace robosim::world

@@ -8,7 +8,7 @@
 #include "tests/unit/world/maps.h"
 
 namespace robosim::world {
-namespace {
+namespace range_test {
 
 constexpr double kMost = 4.0;
 constexpr Vec2 kEast{1.0, 0.0}, kNorth{0.0, 1.0}, kWest{-1.0, 0.0};
@@ -106,5 +106,5 @@ TEST(Range, DirectionsAreThoseOfSineAndCosine) {
   }
 }
 
-}  // namespace
+}  // namespace range_test
 }  // namespace robosim::world

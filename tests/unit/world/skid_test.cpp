@@ -9,7 +9,7 @@
 #include "sim/world/world.h"
 
 namespace robosim::world {
-namespace {
+namespace skid_test {
 
 constexpr double kTwoPercent = 0.02;
 
@@ -110,5 +110,5 @@ TEST_F(SkidTest, AFanPressesItDown) {
   }
 }
 
-}  // namespace
+}  // namespace skid_test
 }  // namespace robosim::world

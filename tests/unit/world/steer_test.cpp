@@ -10,7 +10,7 @@
 #include "sim/world/world.h"
 
 namespace robosim::world {
-namespace {
+namespace steer_test {
 
 constexpr double kSteeredWithin = 0.02;
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -122,5 +122,5 @@ TEST_F(SteerTest, StandsWhateverItsServoDoes) {
   EXPECT_EQ(body.turn_rate(), 0.0);
 }
 
-}  // namespace
+}  // namespace steer_test
 }  // namespace robosim::world

@@ -14,7 +14,7 @@
 
 #include "sim/base/file.h"
 
-namespace {
+namespace wrapper_test {
 
 namespace fs = std::filesystem;
 using robosim::read_file;
@@ -434,4 +434,4 @@ TEST_F(Wrapper, ExplainsAnOldCMakeAndAnUnknownPreset) {
   EXPECT_THAT(result.err, HasSubstr("is version 3.9.6, and Robosim needs 3.25 or later"));
 }
 
-}  // namespace
+}  // namespace wrapper_test
