@@ -137,6 +137,7 @@ constexpr Row kRows[] = {
     {"appetite", "pages", "", "for (long p; (p = c_mmap(0, 1 << 20, 3, 0x22, -1, 0)) != -1;) memset((void*)p, 1, 1 << 20);"},
     {"appetite", "populated_pages", "", "while (c_mmap(0, 64 << 20, 3, 0x8022, -1, 0) != -1) {}"},
     {"appetite", "pages_only_read", "", "for (long p; (p = c_mmap(0, 64l << 20, 1, 0x4022, -1, 0)) != -1;) for (long i = 0; i < 64 << 20; i += 4096) B[0] += ((volatile char*)p)[i];"},
+    {"appetite", "pages_protected_after_writing", "extern \"C\" int mprotect(void*, unsigned long, int);", "for (long p; (p = c_mmap(0, 1 << 20, 3, 0x22, -1, 0)) != -1;) { memset((void*)p, 1, 1 << 20); mprotect((void*)p, 1 << 20, 1); }"},
     {"appetite", "shared_pages", "", "for (long p; (p = c_mmap(0, 1 << 20, 3, 0x21, -1, 0)) != -1;) memset((void*)p, 1, 1 << 20);"},
     {"appetite", "growing_pages", "", "for (;;) c_mmap(0, 1 << 20, 3, 0x122, -1, 0);"},
     {"appetite", "copies_of_the_image", "", "for (long p; (p = c_mmap(0, 4096, 3, 2, 6, 0)) != -1;) *(volatile char*)p = 1;"},
