@@ -4,7 +4,7 @@
 namespace robosim::judge {
 
 Decisive decisive_moment(const Evidence& e) {
-  constexpr SimTime kJustNow = kSecond / 2, kPause = kSecond;
+  constexpr SimTime kJustNow = kSecond / 2;
   const auto& seen = e.judge->line_last_seen();
   const auto left_line = [&](SimTime before) { return e.moved && seen && before - seen->at >= kJustNow; };
   Decisive leaves_line{seen ? seen->at : 0, "the robot left the line", true, false};
@@ -28,12 +28,14 @@ Decisive decisive_moment(const Evidence& e) {
     case Verdict::timeout:
       if (!e.power.on && !(left_line(e.t) && seen->at < e.power.since))
         return {e.power.since, "the board lost its power", true, false};
-      if (e.moved && e.t - e.judge->last_driven() >= kPause) leaves_line.off_since = e.judge->last_driven();
+      if (e.moved && !e.judge->drives(e.t)) leaves_line.off_since = e.judge->last_driven();
       if (left_line(e.t)) return leaves_line;
       if (!e.moved) return {e.t, "the robot has not moved, and the sketch was here", true, true, e.t};
-      if (e.t - e.judge->last_driven() >= kPause)
+      if (!e.judge->drives(e.t))
         return {e.judge->last_driven(), kMotorsStayOff, true, true, e.judge->last_driven()};
-      return {e.judge->in_one_place_since(), "the robot drove in one place from here on", true, false};
+      if (e.t - e.judge->drives_here_since() >= kInOnePlaceAfter)
+        return {e.judge->drives_here_since(), "the robot drove in one place from here on", true, false};
+      return {e.t, "the robot was still driving when its time was up", true, false};
     case Verdict::reached:
     case Verdict::over_budget:
     case Verdict::interrupted:

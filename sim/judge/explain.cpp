@@ -11,9 +11,6 @@ namespace {
 
 std::string seconds(SimTime t) { return fmt::format("{:.2f} s", static_cast<double>(t) * 1e-9); }
 
-// A robot that stays in one place for this long is reported as being there.
-constexpr SimTime kInOnePlaceAfter = 5 * kSecond;
-
 std::string cell_of(const grid::Map& map, Vec2 p) {
   const int column = static_cast<int>(std::floor(p.x / map.cell_m));
   const int row = map.height - 1 - static_cast<int>(std::floor(p.y / map.cell_m));
@@ -53,10 +50,10 @@ Pin awaited_pin(const Evidence& e) {
   return e.moved || drives ? kNoPin : e.activity.polled;
 }
 
+bool drives(const Evidence& e) { return e.moved && e.judge->drives(e.t); }
+
 bool drives_in_one_place(const Evidence& e) {
-  constexpr SimTime kPause = kSecond;
-  return e.moved && e.t - e.judge->in_one_place_since() >= kInOnePlaceAfter &&
-         e.t - e.judge->last_driven() < kPause;
+  return drives(e) && e.t - e.judge->drives_here_since() >= kInOnePlaceAfter;
 }
 
 // Returns a clause on the sketch's activity, such as "; the sketch was last in …", for a run whose time is
@@ -93,12 +90,11 @@ std::string left_line(const Evidence& e, SimTime t) {
 // … since …".
 std::string whereabouts(const Evidence& e) {
   std::string text = left_line(e, e.t);
-  const bool drives = drives_in_one_place(e);
-  const SimTime came = e.judge->in_one_place_since();
-  const SimTime since = drives ? came : std::max(came, e.judge->last_driven());
+  const SimTime since = drives(e) ? e.judge->drives_here_since()
+                                  : std::max(e.judge->in_one_place_since(), e.judge->last_driven());
   if (e.moved && e.t - since >= kInOnePlaceAfter)
     text += fmt::format("{}{} {} since {}", text.empty() ? "" : ", and ",
-                        drives ? "has been driving within 10 cm of" : "has stood near",
+                        drives(e) ? "has been driving within 10 cm of" : "has stood near",
                         cell_of(*e.map, e.judge->place()), seconds(since));
   return text.empty() ? "" : "; the robot " + text;
 }

@@ -1,6 +1,7 @@
 // Detects that a run has failed, before its time is up.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -18,6 +19,8 @@ constexpr double kSamePlace = 0.1;  ///< m, radius within which a robot counts a
 constexpr SimTime kSilentAfter = 2 * kSecond;  ///< without an API call
 /// A motor still counts as driven during pauses of up to this length between pulses.
 constexpr SimTime kPulsePause = 200 * kMillisecond;
+constexpr SimTime kDrivePause = kSecond;           ///< a robot still drives during shorter pauses
+constexpr SimTime kInOnePlaceAfter = 5 * kSecond;  ///< a robot is reported as being in one place
 
 /// The judge's input in each tick.
 struct Situation {
@@ -56,10 +59,15 @@ class Judge {
   /// Returns the time since which the robot has been driven without moving by kStuckMove or turning by a
   /// degree.
   SimTime stuck_since() const { return anchored_at_; }
-  /// Return when the axle arrived at its present place, that place, and when a motor was last driven.
+  /// Return when the axle arrived at its present place, and that place.
   SimTime in_one_place_since() const { return place_since_; }
   Vec2 place() const { return place_; }
+  /// Returns when a motor was last driven.
   SimTime last_driven() const { return last_driven_; }
+  /// Returns whether motors are driven, apart from pauses of up to kDrivePause.
+  bool drives(SimTime t) const { return t - last_driven_ < kDrivePause; }
+  /// Returns since when a robot that drives has been driving at its present place.
+  SimTime drives_here_since() const { return std::max(place_since_, driven_since_); }
 
  private:
   bool lost(const Situation& now);
@@ -70,7 +78,7 @@ class Judge {
   bool senses_;
   std::optional<Seen> line_seen_;
   double travel_at_line_ = 0.0;
-  SimTime last_driven_ = -kSecond;
+  SimTime last_driven_ = -2 * kDrivePause, driven_since_ = 0;
   SimTime anchored_at_ = 0;
   Pose anchor_;
   SimTime place_since_ = 0;
@@ -88,7 +96,10 @@ class Judge {
 }
 
 [[gnu::always_inline]] inline bool Judge::stuck(const Situation& now) {
-  if (now.driven) last_driven_ = now.t;
+  if (now.driven) {
+    if (now.t - last_driven_ > kDrivePause) driven_since_ = now.t;
+    last_driven_ = now.t;
+  }
   const Vec2 moved = now.pose->position - anchor_.position;
   const bool moves = dot(moved, moved) >= kStuckMove * kStuckMove ||
                      dot(now.pose->heading, anchor_.heading) < 0.0 ||

@@ -101,6 +101,21 @@ void loop() {
 }
 )";
 
+// Waits for a button, then turns on the spot.
+constexpr const char* kTurnsLater = R"(void setup() {
+  for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
+  pinMode(4, INPUT_PULLUP);
+  while (digitalRead(4) == HIGH) delay(10);          // line 4
+}
+void loop() {
+  int seen = analogRead(A2);
+  digitalWrite(7, HIGH);
+  digitalWrite(10, HIGH);                            // line 9: should be 9
+  analogWrite(5, 80);
+  analogWrite(6, seen > 0 ? 80 : 81);
+}
+)";
+
 // Waits for a handler that never runs.
 constexpr const char* kSwitchesInterruptsOff = R"(volatile bool turning = false;
 void onEdge() { turning = true; }
@@ -169,6 +184,25 @@ TEST_F(CliWhy, NamesWhyItHasNotMoved) {
       why.out,
       AllOf(StartsWith("timeout: "), HasSubstr("the robot has not moved, and the sketch was here; "),
             HasSubstr("Button.ino:8 "), HasSubstr("Button.ino:7 "), HasSubstr("read start (D4) HIGH")));
+}
+
+TEST_F(CliWhy, BeginsWhereARobotThatWaitedBeganToTurnOnTheSpot) {
+  folder_.write("Later/Later.ino", kTurnsLater);
+  folder_.write("press.txt", "at 3s press start 200ms\n");
+  const Ended why = robosim_command(
+      {"why", "./Later", "--map", "oval", "--goal", "laps:1", "--for", "12s", "--script", "press.txt"},
+      folder_.path());
+  EXPECT_THAT(why.out, AllOf(HasSubstr("driving within 10 cm of column 10, row 14 since 3.00 s"),
+                             HasSubstr("the robot drove in one place from here on; motors: left 32 %, "
+                                       "right -32 % since 3.01 s"),
+                             HasSubstr("Later.ino:9 ")));
+}
+
+TEST_F(CliWhy, SaysOfARobotThatDrivesLapsThatItsTimeWasUp) {
+  const Ended why = robosim_command(
+      {"why", "PidFollower", "--map", "oval", "--goal", "laps:50", "--for", "8s"}, folder_.path());
+  EXPECT_THAT(why.out, AllOf(HasSubstr("the robot was still driving when its time was up; motors: "),
+                             Not(HasSubstr("in one place"))));
 }
 
 TEST_F(CliWhy, NamesWhoSwitchedInterruptsOffAndWhatWaitsForOne) {

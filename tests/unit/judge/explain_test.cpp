@@ -186,13 +186,30 @@ TEST_F(Explain, ARobotThatHadLeftTheLineWhenItGotStuckLeftTheLineFirst) {
 TEST_F(Explain, ARobotThatTurnsOnTheSpotIsSaidToAndNotWhatItReadLast) {
   e.activity.call = "analogRead(0)";
   lose_the_line();
-  robot_is_at(4 * kSecond, {5, 3}, false, true);
-  robot_is_at(12 * kSecond, {5, 3}, false, true);
+  robot_is_at(3 * kSecond, {3, 1}, false, true);
+  for (SimTime t = 4; t <= 12; ++t) robot_is_at(t * kSecond, {5, 3}, false, true);
   EXPECT_EQ(
       why(Verdict::timeout),
       "The 60.00 s of simulated time are up before the goal tour: 0 of 3 stations visited; the robot left "
       "the line at 2.00 s near column 3, row 1, and has been driving within 10 cm of column 5, row 3 since "
       "4.00 s.");
+}
+
+TEST_F(Explain, ARobotThatWaitedFirstDrivesInOnePlaceOnlySinceItsMotorsRan) {
+  robot_is_at(kMillisecond, {3, 1}, true, false);
+  for (SimTime t = 4; t <= 12; ++t) robot_is_at(t * kSecond, {3, 1}, true, true);
+  EXPECT_THAT(why(Verdict::timeout), HasSubstr("driving within 10 cm of column 3, row 1 since 4.00 s"));
+  EXPECT_EQ(decisive_moment(e).t, 4 * kSecond);
+  EXPECT_EQ(decisive_moment(e).text, "the robot drove in one place from here on");
+}
+
+TEST_F(Explain, ARobotThatDrivesOnUntilItsTimeIsUpDoesNotDriveInOnePlace) {
+  const grid::CellAt way[] = {{2, 1}, {3, 1}, {4, 1}, {5, 1}};
+  for (std::size_t i = 0; i < std::size(way); ++i)
+    robot_is_at(static_cast<SimTime>(i + 9) * kSecond, way[i], true, true);
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("within 10 cm")));
+  EXPECT_EQ(decisive_moment(e).text, "the robot was still driving when its time was up");
+  EXPECT_EQ(decisive_moment(e).t, e.t);
 }
 
 TEST_F(Explain, ARobotThatStandsAfterItsDriveIsSaidToWithWhatItsSketchWaitsFor) {

@@ -113,6 +113,34 @@ TEST(Judge, KnowsSinceWhenARobotThatTurnsOnTheSpotIsInOnePlace) {
   EXPECT_EQ(d.judge.last_driven(), d.now.t);
 }
 
+TEST(Judge, KnowsSinceWhenARobotThatWaitedFirstDrivesInOnePlace) {
+  Driver d;
+  d.run(3 * kSecond, [&] { d.call(); });
+  d.now.driven = true;
+  const SimTime began = d.now.t;
+  d.run(2 * kSecond, [&] {
+    d.call();
+    d.pose.heading = d.now.t / kSecond % 2 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0};
+  });
+  EXPECT_NEAR(static_cast<double>(d.judge.drives_here_since()), static_cast<double>(began), 2e6);
+  EXPECT_TRUE(d.judge.drives(d.now.t));
+}
+
+TEST(Judge, ShortPausesDoNotInterruptDrivingAndLongOnesDo) {
+  Driver d;
+  const auto drive_with_pauses = [&](SimTime pause) {
+    d.run(6 * kSecond, [&] {
+      d.call();
+      d.now.driven = d.now.t % (pause + kSecond) >= pause;
+      d.pose.heading = d.now.t / kSecond % 2 ? Vec2{1.0, 0.0} : Vec2{0.0, 1.0};
+    });
+  };
+  drive_with_pauses(kSecond / 2);
+  EXPECT_LT(d.judge.drives_here_since(), kSecond);
+  drive_with_pauses(2 * kSecond);
+  EXPECT_GT(d.judge.drives_here_since(), 6 * kSecond);
+}
+
 TEST(Judge, CountsPulsedMotorsAsDrivenAndParkedOnesNot) {
   Driver pulsed;
   EXPECT_EQ(pulsed.run(10 * kSecond,
