@@ -46,6 +46,13 @@ std::vector<Unit> units_of(const std::vector<robot::WiredPin>& wiring) {
 // Returns whether the board's serial line may have used the pin.
 bool is_of_uart(const BoardSpec& board, Pin pin) { return pin < 2 && board.analog_pin_0 > 2; }
 
+// Returns whether the firmware has read the pin on purpose. A timer also awaits the edges of its capture input
+// when firmware merely reads the timer's flags, as the Servo library does.
+bool is_read_on_purpose(const BoardSpec& board, Pin pin, const exec::PinUse& use) {
+  const bool captures = board.pins[pin].chip_pin.captured_by >= 0;
+  return use.looked_at || use.measured || (use.awaited && !captures) || (use.read && use.pulled_up);
+}
+
 std::string steady_reading(const BoardSpec& board, const exec::PinUse& use) {
   if (use.measured) {
     if (use.highest_volts - use.lowest_volts >= kSteady * board.supply_volts) return "";
@@ -65,8 +72,7 @@ wire::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin>&
         std::any_of(wiring.begin(), wiring.end(), [&](const auto& wire) { return wire.pin == pin; });
     if (wired || pin == board.led_builtin || is_of_uart(board, pin)) continue;
     const exec::PinUse& use = probe.use(pin);
-    const bool was_read = use.looked_at || use.measured || use.awaited || (use.read && use.pulled_up);
-    if (!was_output[pin] && !was_read) continue;
+    if (!was_output[pin] && !is_read_on_purpose(board, pin, use)) continue;
     usage.unwired.push_back({board.pins[pin].name, was_output[pin] ? "driven" : "read"});
   }
   for (const Unit& unit : units_of(wiring)) {

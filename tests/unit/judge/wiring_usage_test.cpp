@@ -48,6 +48,25 @@ class UsageTest : public testing::Test {
                                          {"S", "reflectance-array", "S2", 15}};
 };
 
+TEST_F(UsageTest, ATimerThatListensToItsUnwiredCaptureInputDoesNotMeanThatTheSketchReadsIt) {
+  wiring.clear();
+  board.set_wants_edges(8, true, 0);  // ICP1
+  board.set_wants_edges(9, true, 0);  // a pin-change interrupt
+  EXPECT_THAT(told(usage().unwired), ElementsAre("D9 read"));
+  board.read_level(8, 0);
+  EXPECT_THAT(told(usage().unwired), ElementsAre("D8 read", "D9 read"));
+}
+
+TEST_F(UsageTest, AnUnwiredCaptureInputWithAPullUpOrAsAnOutputIsNamed) {
+  wiring.clear();
+  board.set_wants_edges(8, true, 0);
+  set(8, PinMode::input_pullup);
+  board.read_along(8, 0);
+  EXPECT_THAT(told(usage().unwired), ElementsAre("D8 read"));
+  set(8, PinMode::output);
+  EXPECT_THAT(told(usage().unwired), ElementsAre("D8 driven"));
+}
+
 TEST_F(UsageTest, WhatASketchNeverTouchesIsUnusedByElementAndByPart) {
   EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
   board.read_along(7, 0);  // read together with other pins of its port
