@@ -46,13 +46,11 @@ bool is_short_for(const PinEvidence& clue, char direction) {
 }
 
 bool is_forward(const PinEvidence& clue) {
-  return says(clue.words, {"fwd", "forw", "fow", "front", "ahead", "avan", "cw", "plus", "pos"}) ||
-         is_short_for(clue, 'f') || is_short_for(clue, 'p');
+  return says_forward(clue.words) || is_short_for(clue, 'f') || is_short_for(clue, 'p');
 }
 
 bool is_backward(const PinEvidence& clue) {
-  return says(clue.words, {"bwd", "back", "rev", "ccw", "retro", "minus", "neg"}) ||
-         is_short_for(clue, 'b') || is_short_for(clue, 'n');
+  return says_backward(clue.words) || is_short_for(clue, 'b') || is_short_for(clue, 'n');
 }
 
 int number_of(const PinEvidence& clue) {

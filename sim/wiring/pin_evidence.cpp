@@ -9,62 +9,19 @@
 namespace robosim::wiring {
 namespace {
 
-bool is_one_of(const std::string& word, std::initializer_list<const char*> list) {
-  return std::any_of(list.begin(), list.end(), [&](const char* one) { return word == one; });
-}
+using namespace std::string_literals;
 
-// Matches lm, rmf, lpwm, rsensor: a letter, followed by a name of one motor or sensor.
-bool begins_side(const std::string& word, char letter) {
-  static const std::initializer_list<const char*> rests = {
-      "",    "f",   "b",   "s",   "d",   "w",     "en",    "in",    "ir",    "fwd",
-      "bwd", "rev", "pwm", "dir", "enc", "speed", "wheel", "servo", "sensor"};
-  constexpr std::size_t kLongestShort = 4;
-  if (word.empty() || word[0] != letter) return false;
-  const bool is_motor = word.size() > 1 && word[1] == 'm';
-  if (is_motor && (word.size() <= kLongestShort || word.substr(1, 3) == "mot")) return true;
-  return is_one_of(word.substr(1), rests);
-}
-
-Side numbered(const std::string& number, bool four) {
-  if (number == "1" || (four && number == "2")) return Side::left;
-  if (number == "2" || (four && (number == "3" || number == "4"))) return Side::right;
-  return Side::unknown;
+// Replaces the word dir by direita where another name says esq: there it means right, not direction.
+void read_dir_as_right(std::vector<PinEvidence>& pins) {
+  const bool is_portuguese = std::any_of(pins.begin(), pins.end(),
+                                         [](const PinEvidence& clue) { return says(clue.words, {"esq"}); });
+  if (!is_portuguese) return;
+  for (PinEvidence& clue : pins)
+    if (spelled_side(clue.words) == Side::unknown)
+      std::replace(clue.words.begin(), clue.words.end(), "dir"s, "direita"s);
 }
 
 }  // namespace
-
-Side side_of(const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    if (word.rfind("left", 0) == 0 ||
-        is_one_of(word, {"lft", "izq", "izquierda", "izquierdo", "gauche", "links", "kiri"}))
-      return Side::left;
-    if (word.rfind("right", 0) == 0 ||
-        is_one_of(word, {"rgt", "rt", "der", "derecha", "derecho", "droite", "rechts", "kanan"}))
-      return Side::right;
-  }
-  for (const std::string& word : words) {
-    if (begins_side(word, 'l') || is_one_of(word, {"lt"})) return Side::left;
-    if (begins_side(word, 'r')) return Side::right;
-  }
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (is_one_of(words[i], {"a", "ena", "pwma", "ain", "motora", "dira", "speeda", "ma"})) return Side::left;
-    if (is_one_of(words[i], {"b", "enb", "pwmb", "bin", "motorb", "dirb", "speedb", "mb"}))
-      return Side::right;
-    if (i + 1 == words.size()) break;
-    const bool is_input = is_one_of(words[i], {"in", "input"});
-    if (!is_input && !is_one_of(words[i], {"m", "e", "motor", "en", "dir", "pwm", "speed", "wheel"}))
-      continue;
-    if (const Side side = numbered(words[i + 1], is_input); side != Side::unknown) return side;
-  }
-  return Side::unknown;
-}
-
-bool says(const std::vector<std::string>& words, std::initializer_list<const char*> beginnings) {
-  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
-    return std::any_of(beginnings.begin(), beginnings.end(),
-                       [&](const char* one) { return word.rfind(one, 0) == 0; });
-  });
-}
 
 Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHistory& history)
     : board_(board), names_(names), history_(history), by_pin_(board.pin_count) {
@@ -95,6 +52,7 @@ Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHi
       if (clue.name == given.name) clue.words.insert(clue.words.end(), more.begin(), more.end());
     }
   }
+  read_dir_as_right(by_pin_);
   for (Pin pin = 0; pin < board.pin_count; ++pin)
     if (by_pin_[pin].name.empty()) order_.push_back(pin);
 }

@@ -6,18 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "sim/wiring/name_words.h"
 #include "sim/wiring/pin_facts.h"
 #include "sim/wiring/sketch_names.h"
 
 namespace robosim::wiring {
-
-enum class Side { unknown, left, right };
-
-/// Returns the side that a name's words describe: left, r, ENA, IN3, motorB, M2 … The first of numbered
-/// motors and channels counts as the left one.
-Side side_of(const std::vector<std::string>& words);
-/// Returns whether any of the words starts with any of the beginnings.
-bool says(const std::vector<std::string>& words, std::initializer_list<const char*> beginnings);
 
 struct PinEvidence {
   Pin pin = kNoPin;

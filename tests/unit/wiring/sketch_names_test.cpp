@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/wiring/pin_evidence.h"
 #include "sim/wiring/tokens.h"
 
 namespace robosim::wiring {
@@ -82,17 +81,6 @@ TEST(Words, ANameIsTakenApart) {
   EXPECT_THAT(words_of("IN1"), ElementsAre("in", "1"));
   EXPECT_THAT(words_of("PWMPin"), ElementsAre("pwm", "pin"));
   EXPECT_THAT(words_of("_x"), ElementsAre("x"));
-}
-
-TEST(Sides, AreKnownByTheNamesThatPeopleGive) {
-  for (const char* name : {"leftMotor", "MOTOR_LEFT_1", "lmf", "LM1", "L_EN", "ENA", "IN1", "IN2", "AIN1",
-                           "PWMA", "motorA", "M1_DIR", "izquierda", "leftmotorpin", "lms"})
-    EXPECT_EQ(side_of(words_of(name)), Side::left) << name;
-  for (const char* name :
-       {"right_motor", "RM2", "rmb", "ENB", "IN3", "IN4", "BIN2", "PWMB", "motor2", "E2", "derecha"})
-    EXPECT_EQ(side_of(words_of(name)), Side::right) << name;
-  for (const char* name : {"LED", "buzzer", "RX", "line", "reset", "motor", "lcd", "robot", "IN5", ""})
-    EXPECT_EQ(side_of(words_of(name)), Side::unknown) << name;
 }
 
 }  // namespace sketch_names_test

@@ -1,0 +1,26 @@
+// Tells what the words of a pin's name mean, in the languages of those who publish sketches.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+namespace robosim::wiring {
+
+enum class Side { unknown, left, right };
+
+/// Returns the side that words for left and right describe: left, rm, izquierda, esq, gauche, rechts, sx, sag …
+Side spelled_side(const std::vector<std::string>& words);
+/// Like spelled_side(), and by convention for other names: the first of numbered motors and channels counts as
+/// the left one (ENA, IN3, motorB, M2, m21). Only a run can confirm a convention.
+Side side_of(const std::vector<std::string>& words);
+
+/// Returns whether any of the words is one of the list.
+bool has_word(const std::vector<std::string>& words, std::initializer_list<const char*> list);
+/// Returns whether any of the words starts with any of the beginnings.
+bool says(const std::vector<std::string>& words, std::initializer_list<const char*> beginnings);
+
+bool says_forward(const std::vector<std::string>& words);
+bool says_backward(const std::vector<std::string>& words);
+
+}  // namespace robosim::wiring
