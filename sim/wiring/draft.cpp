@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace robosim::wiring {
 namespace {
 
@@ -18,6 +20,10 @@ std::string text_of(const PartDraft& part) {
   for (const std::string& doubt : part.doubts) text += "# ? " + doubt + '\n';
   return text;
 }
+
+std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 bool has_motors(const RobotDraft& draft) {
   for (const PartDraft& part : draft.parts)
@@ -57,6 +63,29 @@ std::string text_of(const RobotDraft& draft, const std::vector<std::string>& rem
   if (!draft.questions.empty()) text += "\n# No part was found for:\n";
   for (const std::string& question : draft.questions) text += "# ? " + question + '\n';
   return text;
+}
+
+bool remove_refused(RobotDraft& draft, int line, const std::string& message) {
+  RobotDraft without_questions = draft;
+  without_questions.questions.clear();
+  auto lines_before = lines_of(text_of(without_questions));
+  for (std::size_t i = draft.parts.size(); i-- > 0;) {
+    const PartDraft part = draft.parts[i];
+    lines_before -= lines_of(text_of(part));
+    if (line <= lines_before) continue;
+    draft.parts.erase(draft.parts.begin() + static_cast<std::ptrdiff_t>(i));
+    draft.questions.push_back(fmt::format("how is {} wired ({}{}{})? As drafted, it is refused: {}",
+                                          part.name, part.type, part.why.empty() ? "" : ": ", part.why,
+                                          message));
+    return true;
+  }
+  if (draft.parts.empty() && draft.standby.empty()) return false;
+  draft.questions.push_back("the draft was refused: " + message);
+  if (draft.standby.empty())
+    draft.parts.clear();
+  else
+    draft.standby.clear();
+  return true;
 }
 
 std::string presses(const RobotDraft& draft) {

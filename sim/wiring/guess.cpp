@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/wiring/tokens.h"
+
 namespace robosim::wiring {
 namespace {
 
@@ -41,12 +43,10 @@ void guess_input(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue)
        !says(clue.words, {"butt", "btn", "start", "sw"}))) {
     PartDraft part{part_name(draft, clue.name.empty() ? "encoder" : clue.name),
                    "encoder",
-                   {{"pins", fmt::format("{{ a = {} }}", evidence.toml(clue.pin))}, {"periods", "20"}},
+                   {{"pins", fmt::format("{{ a = {} }}", evidence.toml(clue.pin))}},
                    evidence.where(clue.pin),
                    {}};
-    if (part.name.find("left") == std::string::npos && part.name.find("right") == std::string::npos)
-      part.keys.emplace_back("wheel", side_of(clue.words) == Side::right ? "\"right\"" : "\"left\"");
-    part.doubts.push_back("periods: the periods of one channel for each turn of the wheel");
+    add_wheel_and_periods(draft, side_of(clue.words), part);
     draft.parts.push_back(std::move(part));
     evidence.take(clue.pin);
   } else if (says(clue.words, {"bump", "collis", "whisk", "limit"})) {
@@ -114,9 +114,45 @@ std::string part_name(const RobotDraft& draft, const std::string& wanted) {
     return std::any_of(draft.parts.begin(), draft.parts.end(),
                        [&](const PartDraft& p) { return p.name == name; });
   };
-  std::string name = wanted;
-  for (int n = 2; taken(name); ++n) name = fmt::format("{}_{}", wanted, n);
+  constexpr std::size_t kLongest = 36;  // of 40, because a number may follow
+  std::string plain;
+  for (const char c : wanted)
+    if (c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0) plain += c;
+  plain = plain.empty() ? "part" : plain.substr(0, kLongest);
+  std::string name = plain;
+  for (int n = 2; taken(name); ++n) name = fmt::format("{}_{}", plain, n);
   return name;
+}
+
+void add_wheel_and_periods(const RobotDraft& draft, Side side, PartDraft& encoder) {
+  encoder.keys.emplace_back("periods", "20");
+  encoder.doubts.push_back("periods: the periods of one channel for each turn of the wheel");
+  if (side == Side::unknown) {
+    const bool has_left = std::any_of(draft.parts.begin(), draft.parts.end(),
+                                      [](const PartDraft& p) { return p.type == "encoder"; });
+    side = has_left ? Side::right : Side::left;
+    encoder.doubts.push_back("wheel: guessed from the order of the encoders");
+  }
+  encoder.keys.emplace_back("wheel", side == Side::left ? "\"left\"" : "\"right\"");
+}
+
+// Makes wheel servos of two servos with the names of sides if nothing else can drive the wheels. Beside
+// motors such servos move a gripper, an arm or a flag.
+void guess_wheel_servos(RobotDraft& draft) {
+  PartDraft *left = nullptr, *right = nullptr;
+  for (PartDraft& part : draft.parts) {
+    if (part.type == "motor") return;
+    if (part.type != "servo") continue;
+    const Side side = side_of(words_of(part.name));
+    if (side == Side::left && left == nullptr) left = &part;
+    if (side == Side::right && right == nullptr) right = &part;
+  }
+  if (left == nullptr || right == nullptr) return;
+  left->type = right->type = "wheel-servo";
+  left->name = right->name = "";
+  left->name = part_name(draft, "left");
+  right->name = part_name(draft, "right");
+  draft.driver = "servo";
 }
 
 void guess_the_rest(Evidence& evidence, RobotDraft& draft) {
@@ -151,6 +187,7 @@ RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHist
   guess_by_libraries(evidence, draft);
   guess_sensors(evidence, ways, draft);
   guess_motors(evidence, ways, draft);
+  guess_wheel_servos(draft);
   guess_the_rest(evidence, draft);
   const auto rank = [](const PartDraft& part) {
     return part.type.find("motor") != std::string::npos || part.type == "wheel-servo" ? 0

@@ -58,6 +58,9 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft);
 /// Guesses buttons, encoders, LEDs and buzzers. Adds a question about each remaining pin.
 void guess_the_rest(Evidence& evidence, RobotDraft& draft);
 
+/// Adds the keys of an encoder. Without a known side, the draft's first encoder is at the left wheel.
+void add_wheel_and_periods(const RobotDraft& draft, Side side, PartDraft& encoder);
+
 /// Returns a part's name, made from `wanted`: letters, digits, `_` and `-`, different from the names of other
 /// parts.
 std::string part_name(const RobotDraft& draft, const std::string& wanted);

@@ -27,7 +27,7 @@ class Libraries {
     const auto pin = [&](std::size_t i) { return i < given.pins.size() ? given.pins[i] : kNoPin; };
     const std::string& type = given.type;
     if (type == "attach" && clues_.is_free(pin(0))) {
-      servo(given, pin(0));
+      one_pin(given, "servo", pin(0));
     } else if (type == "NewPing" || type == "Ultrasonic" || type == "HCSR04" ||
                type == "UltraSonicDistanceSensor") {
       if (pin(0) == pin(1) || pin(1) == kNoPin)
@@ -42,11 +42,7 @@ class Libraries {
       part(given, "lcd",
            {{"rs", pin(0)}, {"en", pin(1)}, {"d4", pin(2)}, {"d5", pin(3)}, {"d6", pin(4)}, {"d7", pin(5)}});
     } else if (type == "Encoder") {
-      part(given, "encoder", {{"a", pin(0)}, {"b", pin(1)}});
-      if (found_) draft_.parts.back().keys.emplace_back("periods", "20");
-      if (found_ && side_of(words_of(given.name)) == Side::unknown)
-        draft_.parts.back().keys.emplace_back("wheel", next_wheel());
-      doubt("periods: the periods of one channel for each turn of the wheel");
+      encoder(given, pin(0), pin(1));
     } else if (type == "Keypad" && given.each.size() >= 3) {
       keypad(given);
     } else if (type == "shiftOut" && given.each.size() == 2) {
@@ -65,7 +61,9 @@ class Libraries {
 
  private:
   void add(const Given& given, const std::string& type, std::pair<std::string, std::string> pins) {
-    const std::string wanted = given.name.empty() ? type : given.name;
+    const bool has_name =
+        !given.name.empty() && std::isalnum(static_cast<unsigned char>(given.name.front())) != 0;
+    const std::string wanted = has_name ? given.name : type;
     draft_.parts.push_back({part_name(draft_, wanted),
                             type,
                             {std::move(pins)},
@@ -90,22 +88,13 @@ class Libraries {
     if (found_) draft_.parts.back().doubts.push_back(std::move(sentence));
   }
 
-  std::string next_wheel() const {
-    const auto encoders = std::count_if(draft_.parts.begin(), draft_.parts.end(),
-                                        [](const PartDraft& p) { return p.type == "encoder"; });
-    return encoders <= 1 ? "\"left\"" : "\"right\"";
-  }
-
-  // Guesses that the servo drives a wheel if its name contains a side, and otherwise something else.
-  void servo(const Given& given, Pin pin) {
-    const Side side = side_of(words_of(given.name));
-    if (side == Side::unknown) {
-      one_pin(given, "servo", pin);
-      return;
-    }
-    one_pin(given, "wheel-servo", pin);
-    draft_.parts.back().name = side == Side::left ? "left" : "right";
-    draft_.driver = "servo";
+  void encoder(const Given& given, Pin a, Pin b) {
+    part(given, "encoder", {{"a", a}, {"b", b}});
+    if (!found_) return;
+    PartDraft encoder = std::move(draft_.parts.back());
+    draft_.parts.pop_back();
+    add_wheel_and_periods(draft_, side_of(words_of(given.name)), encoder);
+    draft_.parts.push_back(std::move(encoder));
   }
 
   std::string list(const std::vector<Pin>& pins) const {

@@ -48,12 +48,20 @@ int place_of(const PinEvidence& clue) {
   return 0;
 }
 
-const char* kind_of(const Pins& sensors) {
-  if (std::all_of(sensors.begin(), sensors.end(), [](const PinEvidence* c) { return c->facts->measured; }))
-    return "analog";
-  if (std::all_of(sensors.begin(), sensors.end(), [](const PinEvidence* c) { return c->facts->discharged; }))
-    return "rc";
-  return "digital";
+const char* kind_of(const PinEvidence& sensor) {
+  return sensor.facts->measured ? "analog" : sensor.facts->discharged ? "rc" : "digital";
+}
+
+// Returns the sensors that one array can have: those of the most frequent kind. The others are other parts.
+Pins alike(const Pins& sensors) {
+  Pins most;
+  for (const std::string kind : {"analog", "rc", "digital"}) {
+    Pins same;
+    std::copy_if(sensors.begin(), sensors.end(), std::back_inserter(same),
+                 [&](const PinEvidence* clue) { return kind == kind_of(*clue); });
+    if (same.size() > most.size()) most = same;
+  }
+  return most;
 }
 
 // Distance between two elements, and from the axle forward to the elements, as in the stock robots.
@@ -76,13 +84,14 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   Pins sensors;
   for (const PinEvidence* clue : evidence.left())
     if (is_sensor_like(evidence, *clue)) sensors.push_back(clue);
+  sensors = alike(sensors);
   if (sensors.empty() || sensors.size() > kMostElements) return;
   const bool placed =
       std::any_of(sensors.begin(), sensors.end(), [](const PinEvidence* c) { return place_of(*c) != 0; });
   std::stable_sort(sensors.begin(), sensors.end(),
                    [](const PinEvidence* a, const PinEvidence* b) { return place_of(*a) < place_of(*b); });
 
-  const std::string kind = kind_of(sensors);
+  const std::string kind = kind_of(*sensors.front());
   const Layout layout = layout_of(sensors.size(), ways.close);
   std::string pins, why;
   for (const PinEvidence* clue : sensors) {

@@ -65,6 +65,21 @@ wire::RunResult CandidateTrial::run(const wiring::RobotDraft& draft, double for_
   return result;
 }
 
+wiring::RobotDraft CandidateTrial::guess(const wiring::Ways& ways) {
+  wiring::RobotDraft draft = wiring::guess(board_, names_, history_, ways);
+  for (;;) {
+    write_file(file_, wiring::text_of(draft));
+    try {
+      runner_.describe_robot(launch_.robot);
+      return draft;
+    } catch (const InputError& error) {
+      if (error.place().file != file_.string() ||
+          !wiring::remove_refused(draft, error.place().line, error.message()))
+        throw;
+    }
+  }
+}
+
 wiring::RobotDraft CandidateTrial::draft() {
   wiring::RobotDraft draft;
   draft.base = "uno3";
@@ -72,7 +87,7 @@ wiring::RobotDraft CandidateTrial::draft() {
   std::string text = wiring::text_of(draft);
   for (int i = 0; i < kMostDrafts; ++i) {
     run(draft, kLook_s, "none", &history_);
-    draft = wiring::guess(board_, names_, history_, {});
+    draft = guess({});
     const std::string next = wiring::text_of(draft);
     if (next == text) break;
     text = next;
@@ -90,7 +105,7 @@ wire::RunResult CandidateTrial::choose(wiring::RobotDraft& draft) {
     if ((ways.black_low && !open.black) || (ways.other_order && !open.order) ||
         (ways.other_sides && !open.sides) || (ways.close && !open.distance))
       continue;
-    const wiring::RobotDraft other = wiring::guess(board_, names_, history_, ways);
+    const wiring::RobotDraft other = guess(ways);
     wire::RunResult result = run(other, kDrive_s, kGoal, nullptr);
     ++tried_;
     follows_ = follows_a_lap(result, open.distance && !ways.close);

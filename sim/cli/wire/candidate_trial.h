@@ -33,6 +33,8 @@ class CandidateTrial {
   bool follows() const { return follows_; }
 
  private:
+  /// Guesses a draft. Parts that the reader of robot files refuses become questions.
+  wiring::RobotDraft guess(const wiring::Ways& ways);
   wire::RunResult run(const wiring::RobotDraft& draft, double for_s, const std::string& goal,
                       wiring::PinHistory* history);
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sim/wiring/draft.h"
 
 namespace robosim::wiring {
@@ -110,6 +112,20 @@ TEST(Guess, SensorsStandInTheOrderOfTheirSides) {
   EXPECT_THAT(text, HasSubstr("read = \"digital\"\npins = [4, 3, 2]"));
 }
 
+TEST(Guess, DirIsTheRightSideWhereAnotherNameSaysEsq) {
+  Seen run;
+  run.look("D2").look("D3").pwm("D5", 0.5).output("D4", true).pwm("D6", 0.5).output("D7", true);
+  const std::string text = guessed(
+      "const int sensorDir = 2, sensorEsq = 3, dirMotorDir = 4, pwmMotorDir = 5, pwmMotorEsq = 6, dirEsq = "
+      "7;\n"
+      "void loop() { digitalRead(sensorDir); digitalRead(sensorEsq); digitalWrite(dirMotorDir, 1); "
+      "analogWrite(pwmMotorDir, 9); analogWrite(pwmMotorEsq, 9); digitalWrite(dirEsq, 1); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("pins = [3, 2]"));
+  EXPECT_THAT(text, HasSubstr("name = \"left\"                       # pwmMotorEsq, dirEsq"));
+  EXPECT_THAT(text, HasSubstr("name = \"right\"                      # pwmMotorDir, dirMotorDir"));
+}
+
 TEST(Guess, EncodersAndReceiversAreNoLineSensors) {
   Seen run;
   for (const char* pin : {"D2", "D4", "D7", "D8", "D11"}) run.look(pin);
@@ -162,6 +178,102 @@ TEST(Guess, ButtonsBuzzersAndLedsAreKnownByNameOrByUse) {
   EXPECT_THAT(text, HasSubstr("type = \"buzzer\"\npin = 11\n"));
   EXPECT_THAT(text, HasSubstr("type = \"led\"\npin = 13\n"));
   EXPECT_THAT(text, HasSubstr("type = \"led\"\npin = 3\n"));
+}
+
+TEST(Guess, AnArrayHasSensorsOfOneKind) {
+  Seen run;
+  run.look("D2").look("D3").measure("A1").measure("A2").measure("A3");
+  const std::string text = guessed("void loop() { digitalRead(2); digitalRead(3); }", run);
+  EXPECT_THAT(text, HasSubstr("read = \"analog\"\npins = [\"A1\", \"A2\", \"A3\"]"));
+  EXPECT_THAT(text, HasSubstr("# ? pin 2 is read"));
+  EXPECT_THAT(text, HasSubstr("# ? pin 3 is read"));
+  const std::string digital = guessed("", Seen().look("D2").look("D3").look("D4").measure("A0"));
+  EXPECT_THAT(digital, HasSubstr("read = \"digital\"\npins = [2, 3, 4]"));
+  EXPECT_THAT(digital, HasSubstr("# ? pin A0 is measured"));
+  EXPECT_THAT(guessed("", Seen().look("D2").look("D3").look("D4")), Not(HasSubstr("# ? pin")));
+}
+
+TEST(Guess, EveryEncoderHasAWheel) {
+  Seen run;
+  run.look("D2").look("D3").look("D4").look("D7");
+  const std::string named = guessed("Encoder motorLeftEncoder(2, 4), motorRightEncoder(3, 7);", run);
+  EXPECT_THAT(named, HasSubstr("name = \"motorLeftEncoder\""));
+  EXPECT_THAT(named, HasSubstr("periods = 20\nwheel = \"left\""));
+  EXPECT_THAT(named, HasSubstr("periods = 20\nwheel = \"right\""));
+  EXPECT_THAT(named, Not(HasSubstr("guessed from the order of the encoders")));
+  const std::string bare = guessed("Encoder first(2, 4), second(3, 7);", run);
+  EXPECT_THAT(bare, HasSubstr("wheel = \"left\"\n# ? periods"));
+  EXPECT_THAT(bare, HasSubstr("wheel = \"right\"\n# ? periods"));
+  EXPECT_THAT(bare, HasSubstr("# ? wheel: guessed from the order of the encoders"));
+  const std::string edge = guessed(
+      "const int encSag = 3;\nvoid setup() { attachInterrupt(digitalPinToInterrupt(encSag), f, RISING); }",
+      Seen().look("D3"));
+  EXPECT_THAT(edge, HasSubstr("type = \"encoder\"\npins = { a = 3 }\nperiods = 20\nwheel = \"right\""));
+}
+
+TEST(Guess, ServosWithSidesDriveWheelsOnlyIfNoMotorDoes) {
+  const std::string servos =
+      "Servo servo_lt, servo_rt;\nvoid setup() { servo_lt.attach(9); servo_rt.attach(10); }";
+  const std::string wheels = guessed(servos, Seen().output("D9", true).output("D10", true));
+  EXPECT_THAT(wheels,
+              HasSubstr("name = \"left\"                       # attach, a.ino:2\ntype = \"wheel-servo\""));
+  EXPECT_THAT(wheels, HasSubstr("chip = \"servo\""));
+  Seen run;
+  run.output("D9", true)
+      .output("D10", true)
+      .pwm("D5", 0.5)
+      .output("D4", true)
+      .pwm("D6", 0.5)
+      .output("D7", true);
+  const std::string gripper =
+      guessed(servos +
+                  "\nint dirL = 4, speedL = 5, speedR = 6, dirR = 7;\nvoid loop() { digitalWrite(dirL, 1); "
+                  "analogWrite(speedL, 9); analogWrite(speedR, 9); digitalWrite(dirR, 1); }",
+              run);
+  EXPECT_THAT(gripper, HasSubstr("name = \"servo_lt\""));
+  EXPECT_THAT(gripper, HasSubstr("pins = { en = 5, phase = 4 }"));
+  EXPECT_THAT(gripper, Not(HasSubstr("wheel-servo")));
+  EXPECT_THAT(guessed("Servo pan, arm;\nvoid setup() { pan.attach(9); arm.attach(10); }",
+                      Seen().output("D9", true).output("D10", true)),
+              Not(HasSubstr("wheel-servo")));
+}
+
+TEST(Guess, NamesOfPartsAreLettersAndDigits) {
+  const std::string text =
+      guessed("Servo joints[2];\nvoid setup() { joints[0].attach(9); joints[1].attach(10); }",
+              Seen().output("D9", true).output("D10", true));
+  EXPECT_THAT(text, HasSubstr("name = \"servo\""));
+  EXPECT_THAT(text, HasSubstr("name = \"servo_2\""));
+  EXPECT_EQ(part_name({}, std::string(60, 'x')), std::string(36, 'x'));
+  EXPECT_EQ(part_name({}, "]"), "part");
+}
+
+TEST(Draft, APartThatIsRefusedBecomesAQuestion) {
+  RobotDraft draft;
+  draft.parts = {{"left", "motor", {{"pins", "{ en = 5 }"}}, "ENA", {}},
+                 {"eye", "led", {{"pin", "99"}}, "", {}}};
+  draft.standby = "77";
+  const std::string text = text_of(draft);
+  const auto line_of = [&](const char* what) {
+    return static_cast<int>(
+               std::count(text.begin(), text.begin() + static_cast<long>(text.find(what)), '\n')) +
+           1;
+  };
+  RobotDraft eye = draft;
+  EXPECT_TRUE(remove_refused(eye, line_of("pin = 99"), "pin: expected 0 to 19"));
+  EXPECT_THAT(text_of(eye),
+              HasSubstr("# ? how is eye wired (led)? As drafted, it is refused: pin: expected 0 to 19"));
+  EXPECT_EQ(eye.parts.size(), 1u);
+  RobotDraft motor = draft;
+  EXPECT_TRUE(remove_refused(motor, line_of("[[part]]"), "no"));
+  EXPECT_EQ(motor.parts.at(0).name, "eye");
+  RobotDraft driver = draft;
+  EXPECT_TRUE(remove_refused(driver, line_of("standby"), "no"));
+  EXPECT_EQ(driver.standby, "");
+  EXPECT_EQ(driver.parts.size(), 2u);
+  EXPECT_TRUE(remove_refused(driver, 1, "no"));
+  EXPECT_THAT(driver.parts, IsEmpty());
+  EXPECT_FALSE(remove_refused(driver, 1, "no"));
 }
 
 TEST(Guess, LibrariesBringTheirParts) {
