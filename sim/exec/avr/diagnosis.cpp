@@ -100,6 +100,8 @@ std::string Diagnosis::overflow_text() const {
         "stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave free",
         machine_.stack().room_bytes());
   const Symbol* const variable = chip.own_stack_variable();
+  if (!variable && chip.sp() < firmware_.chip->ram_address)
+    return "stack overflow: a stack that the sketch has set up has outgrown the RAM";
   if (!variable)
     return "stack overflow: a stack that the sketch has allocated in the heap has outgrown its block";
   return fmt::format("stack overflow: the stack that the sketch has placed in {} has outgrown its {} bytes",

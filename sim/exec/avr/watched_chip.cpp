@@ -17,13 +17,43 @@ constexpr std::size_t kLargestFlash = 0x10000;
 constexpr std::uint8_t kErased = 0xFF;
 constexpr std::uint16_t kErasedWord = 0xFFFF;
 constexpr std::uint8_t kWatchdogUnlocked = 0x18;  // bits WDCE and WDE
-// Largest distance between the writes of the stack pointer's two halves: at most one write of SREG comes
-// between them.
-constexpr Cycle kHalvesApart = 6;
+// Largest distance between the writes of the stack pointer's two halves. Unoptimised code computes the second
+// half after it has written the first one.
+constexpr Cycle kHalvesApart = 32;
 // Largest distance, in instructions, between the computation of a stack pointer's value and its write.
 constexpr std::uint32_t kLooksBack = 8;
 
 bool is_load(Op op) { return (op >= Op::ld_x && op <= Op::lds) || op == Op::pop; }
+
+bool is_arithmetic(Op op) {
+  return (op >= Op::add && op <= Op::eor) || (op >= Op::subi && op <= Op::ori) || op == Op::adiw ||
+         op == Op::sbiw;
+}
+
+/// The source of a register's value.
+struct Origin {
+  Op op = Op::nop;           ///< a load, IN or LDI; nop = unknown
+  std::int32_t address = 0;  ///< the address of an IN
+  bool is_changed = false;   ///< arithmetic followed
+};
+
+/// Returns the origin of the value that the last instruction has stored. Follows copies through registers.
+Origin origin_of_stored_value(const robosim::avr::Cpu& cpu) {
+  const std::uint32_t pc = cpu.last_pc();
+  unsigned source = cpu.instruction(pc).a;
+  bool is_changed = false;
+  for (std::uint32_t back = 1; back <= kLooksBack && back < pc; ++back) {
+    const Instruction& before = cpu.instruction(pc - back);
+    const bool is_pair = before.op == Op::movw || before.op == Op::adiw || before.op == Op::sbiw;
+    const bool is_second_word = cpu.instruction(pc - back - 1).words == 2;
+    if (is_second_word || before.a != (is_pair ? source & ~1u : source)) continue;
+    if (is_load(before.op) || before.op == Op::in || before.op == Op::ldi)
+      return {before.op, before.k, is_changed};
+    if (before.op == Op::mov || before.op == Op::movw) source = before.b + (is_pair ? source & 1 : 0);
+    is_changed |= is_arithmetic(before.op);
+  }
+  return {};
+}
 
 std::vector<std::uint8_t> flash_of(const Firmware& firmware) {
   std::vector<std::uint8_t> flash = firmware.flash;
@@ -300,54 +330,36 @@ void WatchedChip::stack_pointer_written() {
   if (!whole) state_.pointer_before = chip_.cpu().state.sp_before;
   chip_.cpu().state.sp_watch = 0xFFFF;
   if (!whole) return;
-  const std::uint16_t now_at = sp();
-  const bool loaded = was_loaded();
-  if (loaded) task_changed(state_.pointer_before, now_at);
-  if (now_at + 1 >= state_.stack_limit) {
+  const Origin origin = origin_of_stored_value(cpu());
+  const bool loaded = is_load(origin.op) && !origin.is_changed;
+  const bool computed_from_itself =
+      origin.op == Op::in && (origin.address == reg::kSpL || origin.address == reg::kSpH);
+  if (loaded) task_changed(state_.pointer_before, sp());
+  // The sketch's own stack may begin at the last byte of the variables and heap, or directly after it.
+  if (sp() > state_.stack_limit || (computed_from_itself && sp() + 1 >= state_.stack_limit)) {
     state_.own_stack = false;
-  } else if (!is_computed_from_itself()) {
+  } else if (!computed_from_itself) {
     state_.own_stack = true;
-    state_.own_variable = variable_of_stack(now_at, loaded);
-    state_.own_limit = static_cast<std::uint16_t>(
-        state_.own_variable ? state_.own_variable->address - kAvrData : firmware_.globals_end);
+    state_.own_variable = variable_of_stack(sp(), loaded);
+    state_.own_limit = lowest_of_own_stack();
   }
   stack_moved();
+}
+
+/// Returns the lowest address of the stack that the sketch has set up. Inside the variables, a stack without a
+/// name, as in a .hex, has an unknown size.
+std::uint16_t WatchedChip::lowest_of_own_stack() const {
+  if (state_.own_variable) return static_cast<std::uint16_t>(state_.own_variable->address - kAvrData);
+  return sp() > firmware_.globals_end ? firmware_.globals_end : spec_.ram_address;
 }
 
 /// Returns the variable that contains a stack. A new stack may start directly after its variable, at the
 /// first byte of another variable.
 const Symbol* WatchedChip::variable_of_stack(std::uint16_t at, bool is_in_use) const {
   const Symbol* const here = firmware_.symbols.variable_at(kAvrData + at);
-  if (is_in_use || (here && here->address < kAvrData + at)) return here;
+  if (here && (is_in_use || here->address < kAvrData + at)) return here;
   const Symbol* const below = firmware_.symbols.variable_at(kAvrData + at - 1u);
   return below ? below : here;
-}
-
-/// Returns whether the new stack pointer was computed from the old one, as when a function reserves room for
-/// its variables. Otherwise the new one belongs to another stack, such as that of another task.
-bool WatchedChip::is_computed_from_itself() const {
-  const auto& cpu = chip_.cpu();
-  const std::uint32_t pc = cpu.last_pc();
-  const std::uint8_t source = cpu.instruction(pc).a;
-  for (std::uint32_t back = 1; back <= kLooksBack && back <= pc; ++back) {
-    const Instruction& before = cpu.instruction(pc - back);
-    if (before.a != source) continue;
-    if (is_load(before.op)) return false;
-    if (before.op == Op::in && (before.k == reg::kSpL || before.k == reg::kSpH)) return true;
-  }
-  return false;
-}
-
-/// Returns whether the new stack pointer was read from memory, like the stack pointer of another task.
-bool WatchedChip::was_loaded() const {
-  const auto& cpu = chip_.cpu();
-  const std::uint32_t pc = cpu.last_pc();
-  const std::uint8_t source = cpu.instruction(pc).a;
-  for (std::uint32_t back = 1; back <= kLooksBack && back <= pc; ++back) {
-    const Instruction& before = cpu.instruction(pc - back);
-    if (before.a == source) return is_load(before.op);
-  }
-  return false;
 }
 
 /// Handles a switch of tasks. A handler may leave the interrupted task, and continue another task. If that

@@ -178,8 +178,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   void stack_pointer_written();
   void stack_moved();
   const Symbol* variable_of_stack(std::uint16_t at, bool is_in_use) const;
-  bool is_computed_from_itself() const;
-  bool was_loaded() const;
+  std::uint16_t lowest_of_own_stack() const;
   void task_changed(std::uint16_t from, std::uint16_t to);
   unsigned traps_at(std::uint32_t pc) const;
   /// Returns the first place with a trap at or after `pc`.

@@ -231,6 +231,54 @@ TEST_F(FailuresTest, StacksOfItsOwnMayBeSwitchedThroughOneRegister) {
   EXPECT_GT(numbers().size(), 7u);
 }
 
+/// Returns a sketch that moves the stack pointer by `move`, calls work(), and moves it back. The 160 bytes of
+/// `tail` are the last variable.
+std::string on_tail(const std::string& move, const std::string& work = "") {
+  return "uint8_t tail[160] __attribute__((section(\".noinit\"), used));\nvolatile uint16_t top, old;\n"
+         "int deep(int n) { volatile char room[20]; room[n % 20] = n; return n == 0 ? 0 : deep(n - 1) + "
+         "room[n % 20]; "
+         "}\n"
+         "void __attribute__((noinline)) work() { volatile char room[16]; room[3] = 7; old = room[3]; " +
+         work +
+         " }\nvoid setup() { Serial.begin(115200); top = (uint16_t)tail + 150; }\n"
+         "void loop() { uint16_t was = SP; cli(); " +
+         move + " work(); SP = was; sei(); Serial.println(old); }";
+}
+
+TEST_F(FailuresTest, AStackInTheLastVariableIsLegalHoweverItsPointerIsSet) {
+  for (const char* const move : {
+           "SP = (uint16_t)(tail + 159);",
+           "SP = (uint16_t)(tail + sizeof tail);",
+           "SPH = (uint16_t)(tail + 159) >> 8; SPL = (uint16_t)(tail + 159);",
+           "SPL = (uint16_t)(tail + 159); SPH = (uint16_t)(tail + 159) >> 8;",
+           "old = SP; SP = (uint16_t)(tail + 100);",
+           "SP = top;",
+           "SP = top + 10;",
+           "uint16_t to = top; SPL = to; asm volatile(\"nop\\n nop\\n nop\\n nop\\n nop\\n nop\\n nop\\n\"); "
+           "SPH = to >> 8;",
+       }) {
+    start(on_tail(move));
+    run(50 * kMillisecond);
+    EXPECT_FALSE(avr_->crash()) << move << ": " << avr_->crash()->reason;
+    EXPECT_GT(numbers().size(), 3u) << move;
+  }
+}
+
+TEST_F(FailuresTest, AStackInTheLastVariableOutgrowsIt) {
+  for (const char* const move :
+       {"SP = (uint16_t)(tail + 159);", "SP = (uint16_t)(tail + sizeof tail);", "old = SP; SP = top;"}) {
+    start(on_tail(move, "old = deep(9);"));
+    run(50 * kMillisecond);
+    ASSERT_TRUE(avr_->crash()) << move;
+    EXPECT_EQ(avr_->crash()->reason,
+              "stack overflow: the stack that the sketch has placed in tail has outgrown its 160 bytes");
+  }
+  start(on_tail("", "old = deep(99);"));
+  run(50 * kMillisecond);
+  ASSERT_TRUE(avr_->crash());
+  EXPECT_THAT(avr_->crash()->reason, HasSubstr("bytes of RAM that the variables leave free"));
+}
+
 // `stack + sizeof stack`: the first pushed byte is after the variable, and the rest of the stack inside it.
 TEST_F(FailuresTest, AStackOfItsOwnMayBeginRightBehindItsVariable) {
   const auto with = [](const char* body) {
