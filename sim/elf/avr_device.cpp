@@ -24,4 +24,13 @@ std::string avr_device(const ElfFile& elf) {
   return std::string(rest.substr(0, rest.find('\0')));
 }
 
+bool is_same_device(std::string_view a, std::string_view b) {
+  // The suffixes P, A and PA mean less power or a newer process; PB has more peripherals.
+  const auto without_suffix = [](std::string_view name) {
+    while (name.ends_with('p') || name.ends_with('a')) name.remove_suffix(1);
+    return name;
+  };
+  return without_suffix(a) == without_suffix(b);
+}
+
 }  // namespace robosim

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "sim/elf/elf_file.h"
 
@@ -10,5 +11,8 @@ namespace robosim {
 /// Returns the name for -mmcu: "atmega328p". Returns an empty string if the file lacks the name, which is in
 /// a note of avr-libc 2's start-up code.
 std::string avr_device(const ElfFile& elf);
+
+/// Returns whether programs for these names of -mmcu are interchangeable: "atmega328" and "atmega328p".
+bool is_same_device(std::string_view a, std::string_view b);
 
 }  // namespace robosim

@@ -11,6 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/elf/avr_addresses.h"
+#include "sim/elf/avr_device.h"
 #include "sim/exec/avr/registers.h"
 #include "sim/exec/elf/intel_hex.h"
 #include "sim/exec/elf/program.h"
@@ -103,9 +104,24 @@ void load_hex(std::string_view text, const BoardSpec& board, Firmware& firmware)
   firmware.ram_bytes = firmware.globals_end - firmware.chip->ram_address;
 }
 
+/// Throws InputError if the file names another chip than the board's. Most files have such a name.
+void check_device(const ElfFile& elf, const BoardSpec& board) {
+  const std::string device = avr_device(elf);
+  if (device.empty() || is_same_device(device, board.chip->compiler_name)) return;
+  std::string hint = fmt::format("compile it with -mmcu={}", board.chip->compiler_name);
+  for (int i = 0; const BoardSpec* other = board_at(i); ++i) {
+    if (!is_same_device(device, other->chip->compiler_name)) continue;
+    hint = fmt::format("choose a robot with that chip, as with --robot ROBOT@{}", other->name);
+    break;
+  }
+  throw InputError({elf.file()}, fmt::format("expected an image for the {}'s {}, got one for the {}: {}",
+                                             board.name, board.chip->name, device, hint));
+}
+
 void load_elf(std::string content, const BoardSpec& board, Firmware& firmware) {
   const ElfFile elf(content_for("avr", std::move(content), firmware.file), firmware.file);
   check_program(elf);
+  check_device(elf, board);
   load_symbols(elf, board, firmware);
   load_flash(elf, board, firmware);
   load_eeprom(elf, firmware);

@@ -34,6 +34,34 @@ TEST_F(ImageTest, WhatIsNoAvrProgramIsRefusedWithItsName) {
   EXPECT_THAT(refusal(arm), HasSubstr("expected an image for the target avr, got one for the target stm32"));
 }
 
+TEST_F(ImageTest, AnImageForAnotherChipIsRefusedWithBothNames) {
+  const std::string empty = "void setup() {}\nvoid loop() {}";
+  const std::string of_uno = read_file(build(empty));
+  board_name_ = "mega";
+  const std::string of_mega = read_file(build(empty));
+  EXPECT_THAT(refusal(of_uno), HasSubstr("expected an image for the mega's ATmega2560, got one for the "
+                                         "atmega328p: choose a robot with that chip, as with --robot "
+                                         "ROBOT@uno"));
+  board_name_ = "uno";
+  EXPECT_THAT(refusal(of_mega), HasSubstr("expected an image for the uno's ATmega328P, got one for the "
+                                          "atmega2560: choose a robot with that chip, as with --robot "
+                                          "ROBOT@mega"));
+  const auto for_device = [&](std::string_view device) {
+    constexpr std::string_view kOwn = "atmega328p";
+    std::string name(device), image = of_uno;
+    name.resize(kOwn.size());
+    for (std::size_t at = 0; (at = image.find(kOwn, at)) != image.npos;) image.replace(at, kOwn.size(), name);
+    return image;
+  };
+  for (const char* const other : {"atmega16", "atmega128", "attiny4313", "atmega88p"}) {
+    const std::string got = refusal(for_device(other));
+    EXPECT_THAT(got, HasSubstr(std::string("got one for the ") + other + ": compile it with"));
+    EXPECT_THAT(got, HasSubstr("-mmcu=atmega328p"));
+  }
+  EXPECT_EQ(refusal(for_device("atmega328")), "accepted") << "the same chip, with more power";
+  EXPECT_EQ(refusal(for_device("")), "accepted") << "older avr-libc has no name";
+}
+
 TEST_F(ImageTest, ADamagedFileNeverReachesTheChip) {
   const std::string good = read_file(build("void setup() { Serial.begin(9600); }\nvoid loop() {}"));
   for (std::size_t size = 52; size < good.size(); size += 97)
