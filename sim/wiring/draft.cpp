@@ -23,8 +23,6 @@ std::string text_of(const PartDraft& part) {
 
 std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
-std::ptrdiff_t lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
-
 bool has_motors(const RobotDraft& draft) {
   for (const PartDraft& part : draft.parts)
     if (part.type == "motor" || part.type == "wheel-servo") return true;
