@@ -9,10 +9,11 @@ namespace robosim::wiring {
 
 enum class Side { unknown, left, right };
 
-/// Returns the side that words for left and right describe: left, rm, izquierda, esq, gauche, rechts, sx, sag …
+/// Returns the side that words for left and right describe: left, rm, izquierda, esq, gauche, rechts, sx,
+/// sag …
 Side spelled_side(const std::vector<std::string>& words);
-/// Like spelled_side(), and by convention for other names: the first of numbered motors and channels counts as
-/// the left one (ENA, IN3, motorB, M2, m21). Only a run can confirm a convention.
+/// Like spelled_side(), and by convention for other names: the first of numbered motors and channels counts
+/// as the left one (ENA, IN3, motorB, M2, m21). Only a run can confirm a convention.
 Side side_of(const std::vector<std::string>& words);
 
 /// Returns whether any of the words is one of the list.

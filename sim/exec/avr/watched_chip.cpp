@@ -346,8 +346,8 @@ void WatchedChip::stack_pointer_written() {
   stack_moved();
 }
 
-/// Returns the lowest address of the stack that the sketch has set up. Inside the variables, a stack without a
-/// name, as in a .hex, has an unknown size.
+/// Returns the lowest address of the stack that the sketch has set up. Inside the variables, a stack
+/// without a name, as in a .hex, has an unknown size.
 std::uint16_t WatchedChip::lowest_of_own_stack() const {
   if (state_.own_variable) return static_cast<std::uint16_t>(state_.own_variable->address - kAvrData);
   return sp() > firmware_.globals_end ? firmware_.globals_end : spec_.ram_address;

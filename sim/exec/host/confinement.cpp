@@ -35,8 +35,8 @@ constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProc
 
 /// Size in bytes of the kernel's signal sets.
 constexpr std::size_t kSignalSet = 8;
-/// Limit of the address space. RLIMIT_DATA does not count page tables, nor pages that can only be read: they may
-/// have been written before, and a kernel may give memory to those that were never written.
+/// Limit of the address space. RLIMIT_DATA does not count page tables, nor pages that can only be read:
+/// they may have been written before, and a kernel may give memory to those that were never written.
 constexpr rlim_t kConfinedAddresses = kConfinedMemory + (64 << 20);
 /// Size of the process's first stack, which RLIMIT_DATA does not count.
 constexpr rlim_t kConfinedStack = 8 << 20;
