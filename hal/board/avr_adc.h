@@ -25,7 +25,7 @@ constexpr int adc_selection(const AdcSpec& adc, uint8_t multiplexer, uint8_t con
   return (multiplexer & adc.multiplexer_bits) | (control_b & adc.high_channels ? 0x20 : 0);
 }
 
-/// Returns the single-ended analog input that `selection` connects, or -1 if there is none. MUX5 selects
+/// Returns the single-ended analog input that `selection` connects, or -1. MUX5 selects
 /// inputs from 8 on.
 constexpr int adc_channel(const AdcSpec& adc, int selection) {
   return (selection & 0x18) != 0 || (selection & 7) + (selection & 0x20 ? 8 : 0) >= adc.pins

@@ -39,7 +39,7 @@ struct HeapBlock {
   uintptr_t begin;
   size_t bytes;
 };
-/// Returns the last block that begins at or before the address, in use or freed; all zero if there is none.
+/// Returns the last block that begins at or before the address, in use or freed, or all zero.
 HeapBlock block_around(uintptr_t address);
 
 #ifdef ROBOSIM_SANITIZE

@@ -60,7 +60,7 @@ extern Lines lines;
 
 /// Returns whether this pin interrupts through `lines`.
 bool has_line(Pin pin);
-/// Clears the lowest flag that is raised and enabled, and returns its pin; kNoPin if there is none.
+/// Clears the lowest flag that is raised and enabled, and returns its pin, or kNoPin.
 Pin take_line();
 
 /// Reports to the executor which edges matter. Call it after a change of these registers.

@@ -67,7 +67,7 @@ class Host {
   virtual bool has_state(const uint8_t* stack) = 0;
   /// Returns the time before which reads of `pin` surely equal the present one; `now` = unknown.
   virtual SimTime same_until(Pin pin, SimTime now) = 0;
-  /// Stores the earliest input at or before `until` in `input`; returns false if there is none. Updates
+  /// Stores the earliest input at or before `until` in `input`. Returns false without one. Updates
   /// FirmwareState::next_input.
   virtual bool take_input(SimTime until, Input& input) = 0;
   /// Starts or stops delivery of edges on `pin` as input, from `now` on. Returns the pin's present level.

@@ -90,7 +90,7 @@ void* take(size_t size) {
   return nullptr;
 }
 
-/// Makes all resting blocks free; returns false if there are none.
+/// Makes all resting blocks free. Returns false if no block rests.
 bool wake_resting() {
   bool any = false;
   for (uint8_t* block = arena(); block < arena_end(); block = next(block)) {

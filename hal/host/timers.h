@@ -85,7 +85,7 @@ class Timer {
   /// Returns how a channel drives its pin.
   PinDrive drive(int channel) const;
   /// For a channel with PWM: return its level at a time after the last register write, and the time of its
-  /// next change; kNever if there is none.
+  /// next change, or kNever.
   bool level(int channel, SimTime at) const { return level_at(channel, tick_at(at)); }
   ROBOSIM_RARE SimTime next_edge(int channel, SimTime after) const;
   /// Returns the time of the next turn. Levels and edges are valid until then.

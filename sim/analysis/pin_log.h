@@ -22,7 +22,7 @@ struct PinUse {
 
 class PinLog {
  public:
-  /// Stores each pin's last use before `moment_ns`, or its first use afterwards if there is none before.
+  /// Stores each pin's last use before `moment_ns`, or else its first use afterwards.
   explicit PinLog(std::int64_t moment_ns) : moment_ns_(moment_ns) {}
 
   void add(const wire::Event& event);

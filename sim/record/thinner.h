@@ -55,7 +55,7 @@ class Thinner {
   static void unpack(Ahead& ahead, std::string_view bytes);
   /// Removes and returns `count` numbers.
   static std::string take(Ahead& ahead, std::size_t count);
-  /// Reads some rows. Returns false if there are none.
+  /// Reads some rows. Returns false at the end.
   bool read_some(const CompressedRows& all, std::size_t most_rows);
   void keep_last();
 

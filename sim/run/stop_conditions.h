@@ -36,7 +36,7 @@ class StopConditions {
   void happened(const wire::RunEvent& event);
   /// Returns whether the leg ends at `t`. Call it at the end of each tick.
   bool look(SimTime t);
-  /// Returns the number of the first stop that ended the leg; -1 if there is none.
+  /// Returns the number of the first stop that ended the leg, or -1.
   int met() const { return state_.met; }
 
   struct Watch {

@@ -61,8 +61,8 @@ void guess_the_rest(Evidence& evidence, RobotDraft& draft);
 /// Adds the keys of an encoder. Without a known side, the draft's first encoder is at the left wheel.
 void add_wheel_and_periods(const RobotDraft& draft, Side side, PartDraft& encoder);
 
-/// Returns a part's name, made from `wanted`: letters, digits, `_` and `-`, different from the names of other
-/// parts.
+/// Returns a part's name, made from the letters, digits and `_` of `wanted`. It differs from the names of
+/// other parts.
 std::string part_name(const RobotDraft& draft, const std::string& wanted);
 
 }  // namespace robosim::wiring

@@ -93,11 +93,6 @@ Side side_of(const std::vector<std::string>& words) {
   return Side::unknown;
 }
 
-bool has_word(const std::vector<std::string>& words, Words list) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](const std::string& word) { return is_one_of(word, list); });
-}
-
 bool says(const std::vector<std::string>& words, Words beginnings) {
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
     return std::any_of(beginnings.begin(), beginnings.end(),

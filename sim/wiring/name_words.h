@@ -16,8 +16,6 @@ Side spelled_side(const std::vector<std::string>& words);
 /// as the left one (ENA, IN3, motorB, M2, m21). Only a run can confirm a convention.
 Side side_of(const std::vector<std::string>& words);
 
-/// Returns whether any of the words is one of the list.
-bool has_word(const std::vector<std::string>& words, std::initializer_list<const char*> list);
 /// Returns whether any of the words starts with any of the beginnings.
 bool says(const std::vector<std::string>& words, std::initializer_list<const char*> beginnings);
 

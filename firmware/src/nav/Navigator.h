@@ -17,7 +17,7 @@
 //
 // A planner is any type with
 //
-//   Id next(const Network&, Id here, Id to)   the next node on the path, or kNone if there is none
+//   Id next(const Network&, Id here, Id to)   the next node on the path, or kNone
 //   void forget()                             called when its earlier plans become invalid
 //
 // Available: ClimbPlanner (trees, no memory), DijkstraPlanner, TreeOrDijkstra, and PathPlanner for any of the

@@ -16,8 +16,8 @@ class Diagnosis {
   /// Returns the current activity, except last_call.
   Activity activity() const;
   SourceLine where_now() const;
-  /// Returns the innermost line of the call stack that is in the sketch, not in a library. Returns
-  /// where_now() if there is none.
+  /// Returns the innermost line of the call stack that is in the sketch, not in a library. Without one,
+  /// returns where_now().
   SourceLine sketch_line() const;
   /// Returns the place of the first of `calls` that is in user code.
   SourceLine place_of_calls(const std::vector<Stack::Call>& calls) const;

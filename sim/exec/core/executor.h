@@ -140,7 +140,7 @@ class Executor {
   /// Prepares driving(). Takes effect at the next power-on. Returns false if lines are unknown, or are not
   /// known while the drive is reported.
   virtual bool trace_drives() { return false; }
-  /// Returns the line that drives a pin; empty if there is none. Call it while the drive is reported.
+  /// Returns the line that drives a pin; empty without one. Call it while the drive is reported.
   virtual const SourceLine& driving(Pin pin, const PinDrive& drive) {
     static const SourceLine unknown;
     return static_cast<void>(pin), static_cast<void>(drive), unknown;

@@ -30,7 +30,7 @@ class DebugInfo {
   /// Returns the function that contains the instruction at `pc`, and the functions into which it was inlined,
   /// innermost first. Each entry has the line that was reached. Empty if unknown.
   std::vector<SourceLine> frames(std::uint32_t pc) const;
-  /// Returns the first of frames() in the user's code; empty if there is none. The result is cached for each
+  /// Returns the first of frames() in the user's code; empty without one. The result is cached for each
   /// `pc`.
   const SourceLine& place(std::uint32_t pc) const;
   /// Returns the first of frames() in the sketch itself, excluding libraries.

@@ -28,9 +28,9 @@ class Symbols {
   void sort();
 
   const Symbol* find(const std::string& name) const;
-  /// Returns the function that contains an address; null if there is none.
+  /// Returns the function that contains an address, or null.
   const Symbol* function_at(std::uint32_t address) const;
-  /// Returns the variable that contains an address; null if there is none.
+  /// Returns the variable that contains an address, or null.
   const Symbol* variable_at(std::uint32_t address) const;
 
  private:

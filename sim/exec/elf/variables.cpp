@@ -52,7 +52,7 @@ bool has_constructor(Dwarf_Die type) {
   return false;
 }
 
-/// Returns the path of the member at this offset, such as ".left.pwm"; empty if there is none. `where`
+/// Returns the path of the member at this offset, such as ".left.pwm"; empty without one. `where`
 /// receives the member's declaration, unless a class that contains it has a constructor.
 std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool constructed = false,
                       int depth = 0) {

@@ -16,7 +16,7 @@ class PulseTrain {
 
   /// Adds a change of the level at `at`, not before the last change.
   void flip(SimTime at) { flips_.push_back(at); }
-  /// Returns the time of the last change; 0 if there is none.
+  /// Returns the time of the last change, or 0.
   SimTime end() const { return empty() ? 0 : flips_.back(); }
   bool level(SimTime t) const { return before_ != (((passed(t) - first_) & 1) != 0); }
   /// Returns the time, exclusive, until which the level stays as at `t`.
