@@ -13,10 +13,10 @@ namespace robosim::calibrate {
 namespace {
 
 constexpr double kCodes = 1024.0;           // number of codes of analogRead() on all boards
-constexpr double kTapeShare = 0.03;         // minimum share of readings over the tape
-constexpr double kMostSaturated = 0.3;      // maximum share of readings over floor, or over tape
-constexpr double kLeastContrast = 0.03;     // minimum share of the converter's range
-constexpr double kMostDisagreement = 0.35;  // maximum share of the tape's width
+constexpr double kTapeShare = 0.03;         // minimum share of a sweep's readings over the tape
+constexpr double kMostSaturated = 0.3;      // maximum share of saturated readings, over floor or over tape
+constexpr double kLeastContrast = 0.03;     // minimum range of the readings / range of the converter
+constexpr double kMostDisagreement = 0.35;  // maximum relative error of the tape's width by the wheels
 
 /// Converts a reading to a signal. `late` is the mean delay in us until the sketch notices that a pin is low.
 double signal(double reading, const robot::ReflectanceSpec& part, double supply, double late) {
@@ -90,8 +90,8 @@ Trace make_trace(const Log& log, const Sweep& sweep, std::size_t column, const r
                     "{:.0f} and {:.0f} counts; check whether each motor turns and each encoder counts",
                     sweep.count[0].back() - sweep.count[0].front(),
                     sweep.count[1].back() - sweep.count[1].front()));
-  // The robot turns about the stationary point of the axle. `centre` is that point's distance to the left of
-  // the axle's middle.
+  // The robot turns about the stationary point of the axle. `centre` is that point's distance to the right of
+  // the axle's middle; it is negative in a left turn.
   const double centre = 0.5 * robot.chassis.track.value * (left + right) / (left - right);
   const Vec2 at = part.elements[element].at;
   trace.radius = std::hypot(at.x, at.y + centre);
@@ -168,7 +168,7 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
       now.last = i - 1;
       inside = false;
       const double duration = now.leaves - now.enters;
-      if (now.last < now.first + 4) continue;  // a spot, or noise
+      if (now.last < now.first + 4) continue;  // too few readings: a spot, or noise
       if (now.enters - 0.5 * duration < t.front() || now.leaves + 0.5 * duration > t.back()) continue;
       found.push_back(now);
     }
@@ -190,7 +190,8 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
     while (last + 1 < t.size() && t[last + 1] < crossing.leaves + duration) ++last;
     const double width = std::fabs(slope(t, trace.angle, first, last)) * trace.radius * duration;
     seen += width / static_cast<double>(found.size());
-    // If the wheels stopped for a moment, the tape determines the speed.
+    // An implausible width means that the wheels stopped for a moment. Then the speed stays tape_m /
+    // duration.
     if (width > 0.5 * tape_m && width < 2.0 * tape_m) crossing.speed = width / duration;
   }
   if (!trace.angle.empty() && std::fabs(seen / tape_m - 1.0) > kMostDisagreement)

@@ -1,5 +1,5 @@
-// Stores a map for the robot on cells, with one byte per cell. Sensing is one look-up in a table of 128
-// entries.
+// Stores a map for a robot that moves from cell to cell, with one byte per cell. Sensing is one look-up in a
+// table of 128 entries.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@
 
 namespace robosim::cells {
 
-/// The robot's perception, by v1's table: it depends on which of the front, right, left and own cells are
-/// line.
+/// What the robot perceives, as in Robosim v1. It depends on which of four cells are line: the cells in
+/// front, on the right and on the left, and the robot's own cell.
 enum class Sense : std::uint8_t { no_path, straight, right_turn, left_turn, junction };
 /// Returns "no_path", "straight", …
 const char* name_of(Sense sense);
 
-// Bits of a cell's byte: whether the next cells east, south, west and north are open line, and the cell's own
-// kind.
+// Bits of a cell's byte: the directions whose next cell is open line (line without an obstacle), and the
+// cell's own kind.
 inline constexpr std::uint8_t kNeighbours = 0x0F;
 inline constexpr std::uint8_t kOpen = 0x10;
 inline constexpr std::uint8_t kNearObstacle = 0x20;
@@ -83,7 +83,7 @@ class CellFloor {
 
   const grid::Map& map() const { return map_; }
 
-  /// Returns a cell's number: row by row, with a border of one cell around the map.
+  /// Returns a cell's number. Cells are numbered row by row, with a border of one cell around the map.
   std::size_t index_of(grid::CellAt c) const {
     return static_cast<std::size_t>(c.y + 1) * columns_ + static_cast<std::size_t>(c.x + 1);
   }
@@ -106,7 +106,7 @@ class CellFloor {
   /// Returns whether a cell is off the map, or has an obstacle.
   bool is_shut(std::size_t index) const { return (cells_[index] & kShut) != 0; }
   bool is_wall(std::size_t index) const { return (cells_[index] & kWall) != 0; }
-  /// Returns the directions of a cell's neighbours that are open line: bit 1 << Direction.
+  /// Returns the directions in which a cell's neighbour is open line, as bits 1 << Direction.
   unsigned open_neighbours(std::size_t index) const { return cells_[index] & kNeighbours; }
   /// Returns whether a neighbouring cell has an obstacle.
   bool is_near_obstacle(std::size_t index) const { return (cells_[index] & kNearObstacle) != 0; }
@@ -115,8 +115,8 @@ class CellFloor {
     const SenseTable::Entry entry = kSenseTable.of(cells_[index], d);
     return entry != SenseTable::kAlone ? static_cast<Sense>(entry) : sense_alone(index, d);
   }
-  /// Returns the perception if the robot misses the line on one of the four cells: 0 = front, 1 = right, 2 =
-  /// its own, 3 = left.
+  /// Returns what the robot perceives if it does not detect the line on one of the four cells. `cell`: 0 =
+  /// front, 1 = right, 2 = the robot's own cell, 3 = left.
   Sense sense_without(std::size_t index, grid::Direction d, unsigned cell) const;
 
  private:

@@ -1,7 +1,7 @@
 // Simulates the robot of Robosim v1, which senses four cells and moves from cell to cell.
 //
-// The pose is a cell and a direction. The robot senses the cells in front, on the right, on the left, and its
-// own, relative to its direction. It senses no others. Each move adds `speed` to the clock once.
+// The pose is a cell and a direction. The robot senses only four cells: the cells in front, on the right and
+// on the left, and its own cell. Each move takes `speed` seconds.
 //
 //   step_forward   moves one cell ahead
 //   turn_right     moves to the cell on the right, facing that way; turn_left mirrors this

@@ -13,7 +13,7 @@ using nav::LandmarkKind;
 
 namespace {
 
-// Returns the directions in which line leaves the robot's cell, even under obstacles.
+// Returns the directions in which line leaves the robot's cell, including line under obstacles.
 unsigned lines_at(const CellRobot& robot) {
   const CellFloor& floor = robot.floor();
   if (!floor.is_near_obstacle(robot.at())) return floor.open_neighbours(robot.at());
@@ -109,8 +109,8 @@ inline bool CellWalker::goes_on() {
   }
 }
 
-// Continues to the next stop. The byte of a cell shows the usual ends of a line: no obstacle is near, and
-// line continues on three or four sides, or only behind the robot.
+// Continues to the next landmark. Usually no obstacle is near, and line continues on three or four sides, or
+// only behind the robot. In these cases, the cell's byte alone shows the landmark.
 Landmark CellWalker::met() {
   const CellFloor& floor = robot_.floor();
   const Spot spot = robot_.spot();
@@ -129,7 +129,7 @@ Landmark CellWalker::met() {
   return junction ? landmark(LandmarkKind::junction, robot_.pose().cell, robot_.facing()) : end_of_line();
 }
 
-// Begins in the middle of a line: enters the line in any direction.
+// Follows a line from its middle: ahead if possible, otherwise to the right, to the left, or back.
 Landmark CellWalker::first_follow() {
   pending_ = Pending::nothing;
   const unsigned lines = lines_at(robot_);
@@ -189,8 +189,8 @@ Landmark CellWalker::follow() {
   return at;
 }
 
-// Returns true if the robot goes back over the last line. If the number of moves is known, the robot is
-// already at the line's other end.
+// Returns whether the robot goes back over the last recorded line. If the line's number of moves is known,
+// first puts the robot at the line's other end.
 bool CellWalker::goes_back() {
   if (ways_.empty()) return false;
   const Way way = ways_.back();
@@ -219,7 +219,7 @@ void CellWalker::turn_around() {
 
 CellAt CellWalker::obstacle() const {
   if (pending_ == Pending::blocked) return ahead(cell_, arm_);
-  // The line continues ahead, or to a side in a bend.
+  // The obstacle is where the line continues: ahead, or to a side in a bend.
   const unsigned onward = lines_at(robot_) & ~(1u << static_cast<int>(reversed(heading_)));
   const auto to = onward == 0 ? heading_ : static_cast<Direction>(std::countr_zero(onward));
   return ahead(cell_, to);

@@ -1,17 +1,16 @@
-// Implements a Walker for the navigator (firmware/src/nav/Landmark.h) by the robot on cells.
+// Implements the navigator's Walker (firmware/src/nav/Landmark.h) with a robot that moves from cell to cell.
 //
-// The walker moves like v1. At a junction, choose_right takes the first way out to the right of the entry.
-// choose_left takes the last way, and step_forward the way between them. turn_around and step_forward take
-// the way back. Places are the map's cells. A grid has a compass: heading 0 is east, whatever the robot's
-// first direction.
+// The walker makes the moves of Robosim v1. At a junction, the ways out are counted from the right of the
+// entry: choose_right takes the first way, choose_left the last way, and step_forward the way between them.
+// turn_around and then step_forward take the way back. Places are the map's cells. Heading 0 is always east,
+// whatever the robot's first direction.
 //
-// A line is the same from both ends. Unless a watcher follows each move, the robot therefore walks along a
-// line only once. The walker records each line. If the robot goes back over the latest recorded line, it
-// reaches the other end at once. That line's moves are counted again. An explorer goes back over
-// every line of a tree.
+// The walker records each line, because an explorer goes back over every line of a tree. If the robot goes
+// back over the latest recorded line, the walker puts it at the other end at once. The line's moves are still
+// counted. If a watcher must see each move, the robot makes all moves.
 //
-// If an obstacle is directly next to a junction, the robot senses the obstacle before it moves. Finding it
-// therefore costs no move.
+// If an obstacle is directly next to a junction, the robot senses the obstacle before it moves. Finding such
+// an obstacle therefore takes no move.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +28,8 @@ class CellWalker {
 
   explicit CellWalker(CellRobot& robot) : robot_(robot) {}
 
-  /// Returns the landmark, known from the map at no cost. If the robot is at a line's end and faces away
-  /// from the line, it turns round, which is a move.
+  /// Returns the landmark at the robot's place, which is read from the map without a move. If the robot is at
+  /// a line's end and faces away from the line, it first makes a turn_around.
   nav::Landmark begin();
   nav::Landmark follow();
   void leave(nav::Turn turn);
@@ -38,8 +37,8 @@ class CellWalker {
   /// Notes that the robot was put onto the end of a line, facing along the line.
   void reset();
 
-  /// Return data of the last landmark: its cell, the number of moves before it, and, if it is
-  /// `blocked`, the place of the obstacle.
+  /// Return data of the last landmark: its cell, and the number of moves since the previous landmark.
+  /// obstacle() is the place of the obstacle if the last landmark is `blocked`.
   grid::CellAt cell() const { return cell_; }
   std::uint32_t cost() const { return cost_; }
   grid::CellAt obstacle() const;
@@ -69,10 +68,10 @@ class CellWalker {
   CellRobot& robot_;
   grid::CellAt cell_;
   std::size_t node_ = 0;                         ///< number of cell_
-  grid::Direction out_ = grid::Direction::east;  ///< direction of the robot's exit
+  grid::Direction out_ = grid::Direction::east;  ///< direction in which the robot left node_
   std::vector<Way> ways_;                        ///< lines to go back over, oldest first
   std::uint32_t cost_ = 0;
-  std::uint64_t counted_ = 0;                        ///< number of moves before the last landmark
+  std::uint64_t counted_ = 0;                        ///< robot's number of moves at the last landmark
   grid::Direction heading_ = grid::Direction::east;  ///< heading at the last landmark
   bool on_junction_ = false;                         ///< the last landmark is a junction
   grid::Direction arm_ = grid::Direction::east;

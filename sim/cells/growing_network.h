@@ -1,4 +1,5 @@
-// Implements the explorer's map, a Network (firmware/src/nav/Network.h), with growing arrays, for a host.
+// Implements the explorer's map, a Network (firmware/src/nav/Network.h), with arrays that grow, for programs
+// on a host.
 //
 // Places are cells of a map, so they are never negative.
 #pragma once

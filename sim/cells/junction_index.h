@@ -1,4 +1,5 @@
-// Finds the junction at a cell of a map, by tiles of 64 x 64 cells that exist only where junctions are.
+// Finds the junction at a cell of a map. The map is divided into tiles of 64 x 64 cells; only tiles with
+// junctions are stored.
 //
 // Almost always, a bit of the tile shows that the cell has no junction yet. Otherwise the tile's junctions
 // are searched, in the order in which they were added.
@@ -20,7 +21,8 @@ class JunctionIndex {
   using Id = std::uint32_t;
   static constexpr Id kNone = 0xFFFFFFFF;
 
-  /// Returns the junction at `place`; kNone if none is there. A `place` must not be negative, here and below.
+  /// Returns the junction at `place`; kNone if none is there. Coordinates must not be negative, also in
+  /// add().
   Id find(const nav::Place& place) const {
     const Tile* tile = tile_at(place);
     if (!tile || (tile->row(place) >> column(place) & 1) == 0) return kNone;

@@ -9,7 +9,7 @@
 
 namespace robosim::cells {
 
-/// Memory for a path or for planning, which grows.
+/// Growing memory for a path or for planning.
 class GrowingMemory {
  public:
   using Id = GrowingNetwork::Id;
@@ -36,7 +36,7 @@ class GrowingMemory {
 /// Returns "bfs", "dfs", …
 const std::vector<std::string>& planner_names();
 
-/// Returns the default, as in AiNavigator: climb on a tree, dijkstra elsewhere.
+/// Returns the default planner, as in AiNavigator: "climb" for a tree, "dijkstra" for other networks.
 std::string default_planner(const GrowingNetwork& network);
 
 /// Plans a path. `planner` must be one of planner_names().

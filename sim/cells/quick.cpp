@@ -7,8 +7,8 @@ namespace {
 
 using grid::Direction;
 
-// Maps the byte of the robot's cell to the walk's action: a number of quarter turns to the right, and then a
-// move, or one of the other codes. The robot moves onto open line, so nothing can block it.
+// Maps the byte of the robot's cell to the walk's action: a number of quarter turns to the right before a
+// move, or kAround, or kAhead. The robot moves only onto open line, so nothing can block it.
 class WalkTable {
  public:
   static constexpr std::uint8_t kRight = 1, kLeft = 3;
@@ -46,8 +46,8 @@ class WalkTable {
 };
 constexpr WalkTable kKeepsLeft(Side::left), kKeepsRight(Side::right);
 
-// Returns the byte of plain line. Bends use branches, which a processor predicts, and not a table, for which
-// the processor would wait.
+// Returns the byte of a straight piece of plain line in direction d. Bends are handled by branches, because a
+// processor predicts branches, but would have to wait for a table's entry.
 constexpr std::uint8_t straight(unsigned d) {
   return static_cast<std::uint8_t>(kOpen | 1u << d | 1u << (d ^ 2));
 }
@@ -125,7 +125,7 @@ std::uint64_t run_along(const CellFloor& floor, Spot& spot, std::uint64_t most) 
       at += ahead;
       --left;
     }
-    // A bend is open, with exactly two sides, one of them behind the robot.
+    // A bend is an open cell with line on exactly two sides, one of them behind the robot.
     const unsigned behind = 1u << (d ^ 2);
     const unsigned side = bytes[at] ^ (kOpen | behind);
     if (left == 0 || side == 0 || side == behind || side > kNeighbours || (side & (side - 1)) != 0) break;

@@ -1,6 +1,6 @@
 // Makes many moves at once if no watcher follows each move. The robot's place, direction and moves are then
-// in registers, and a cell's byte alone decides. If the byte does not decide, these functions stop, and the
-// caller continues with a move of CellRobot.
+// in registers. The byte of the robot's cell decides the next move. If the byte is not sufficient, these
+// functions stop, and the caller makes the next move by CellRobot.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ enum class Side { left, right };
 /// number of moves.
 std::uint64_t run_along(const CellFloor& floor, Spot& spot, std::uint64_t most);
 
-/// Walks along one side, by at most `most` moves. Returns the number of moves.
+/// Makes at most `most` moves of the walk that keeps to `side`. Returns the number of moves.
 std::uint64_t keep_to(Side side, const CellFloor& floor, Spot& spot, std::uint64_t most);
 /// Walks like the function above, but also stops where a line may end, and at the spots `a` and `b`.
 std::uint64_t keep_to(Side side, const CellFloor& floor, Spot& spot, std::uint64_t most, const Spot& a,

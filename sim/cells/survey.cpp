@@ -81,7 +81,8 @@ Arm Survey::arm(Id node, std::uint8_t slot) const {
   return arm;
 }
 
-// Returns whether the line ends in front of a wall at this station. v1 then steps into the wall.
+// Returns whether the line ends in front of a wall at this station. There the robot steps into the wall, as
+// in Robosim v1.
 bool Survey::stands_in_wall(int station) const {
   const Id node = station_nodes_[static_cast<std::size_t>(station)];
   const CellAt cell = network_.stations[static_cast<std::size_t>(station - 1)];
@@ -139,7 +140,7 @@ void Survey::find_unreachable() {
   }
 }
 
-// A planner for the navigator that is selected by name.
+// A planner, selected by name, for the navigator.
 struct Survey::NamedPlanner {
   std::string name;
   std::vector<Id> way;
@@ -233,8 +234,8 @@ Route Survey::drive(int to, const std::string& planner) {
   return route;
 }
 
-// Returns the number of moves of a shortest path. Counts the path's cells, the turn at the destination, and
-// v1's steps out of a wall or into a wall.
+// Returns the number of moves of a shortest path. Counts the path's cells and the turn at the destination.
+// Also counts a step out of a wall at the start, and a step into a wall at the destination.
 std::uint64_t Survey::fewest_moves(int from, int to) {
   const grid::Map& map = robot_.floor().map();
   if (!truth_) {

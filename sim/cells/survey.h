@@ -1,9 +1,9 @@
 // Implements the third algorithm: scans a floor into a graph, then uses the graph to drive from station to
 // station.
 //
-// The navigator's explorer (firmware/src/nav/Explorer.h) scans with the robot on cells. As in v1, the robot
-// ends the scan at the start, facing the line. If the start is not the end of a line, the robot continues to
-// station 1 (if it exists) by a shortest path.
+// The navigator's explorer (firmware/src/nav/Explorer.h) makes the scan. As in Robosim v1, the robot ends the
+// scan at the start, facing the line. If the start is not the end of a line, the robot continues to station 1
+// by a shortest path. Station 1 may be missing.
 //
 // Stations are numbered from 1 in the order of discovery. Station 1 is the start if a line ends there.
 // Junctions are numbered from 1 in the order of discovery.
@@ -26,7 +26,7 @@ namespace robosim::cells {
 /// The result of a scan or a drive.
 enum class Ending {
   complete,      ///< a scan found everything reachable, or a drive reached its destination
-  lost,          ///< noise: the robot met an impossible place
+  lost,          ///< because of noise, the robot met an impossible place
   out_of_moves,  ///< the limit was reached
   no_way,        ///< an obstacle blocks every path
   refused        ///< the planner cannot handle this graph; see `why`
@@ -37,7 +37,7 @@ struct Scan {
   std::uint64_t moves = 0;
   double time = 0.0;  ///< by the clock, seconds
   CellPose end;
-  grid::TrueGraph graph;  ///< as found; `unreachable` is the rest of the map
+  grid::TrueGraph graph;  ///< as found; `unreachable` lists the line ends that were not found
 };
 
 struct Route {
@@ -76,7 +76,7 @@ class Survey {
   struct Network : GrowingNetwork {
     struct Obstacle {
       grid::CellAt cell;
-      std::uint32_t moves;  ///< number of moves to the place in front of the obstacle
+      std::uint32_t moves;  ///< number of moves to the cell in front of the obstacle
     };
     const CellWalker* walker = nullptr;
     std::vector<grid::CellAt> stations;  ///< in the order of their nodes

@@ -54,9 +54,9 @@ class DeadEnds {
   std::vector<grid::CellAt> cells_;
 };
 
-/// Walks until the robot is back in its initial pose, a repetition is detected, or the moves are used up.
-/// Repetitions are detected because a robot that starts outside its loop never returns to its initial pose.
-/// Robosim v1 never stops.
+/// Walks until the robot is back in its initial pose, a repetition is detected, or the moves are used up. A
+/// robot that starts outside the loop of its walk never returns to its initial pose, but repeats the loop.
+/// Robosim v1 does not detect repetitions, so that its walk never ends.
 Walk walk(CellRobot& robot, Side side);
 
 }  // namespace robosim::cells

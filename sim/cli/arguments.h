@@ -25,7 +25,7 @@ struct RunArguments : launch::Launch {
   std::string coverage;             ///< a folder; empty = lines are not counted
   bool chip_only = false;           ///< the default target is the chip of the robot's board, not the host
   bool view = false;
-  double speed = 1.0;   ///< of the view: simulated seconds per second of wall time; 0 = as fast as possible
+  double speed = 1.0;   ///< speed of the view, simulated s per s of wall time; 0 = as fast as possible
   bool live = false;    ///< driven by requests on the standard input (run/live.h)
   bool serial = false;  ///< the standard output is the sketch's serial text
   bool json = false;
@@ -101,7 +101,7 @@ struct FlashArguments {
   std::string environment;
   std::string robot;
   std::string port;
-  std::optional<std::uint64_t> baud;  ///< of the boot loader; default: the board's
+  std::optional<std::uint64_t> baud;  ///< of the boot loader; default: the rate of the board's boot loader
   std::vector<std::string> libraries;
   bool dry_run = false;
 };
@@ -120,7 +120,7 @@ struct GenerateArguments {
   std::string family;
   int stations = 0;
   std::uint64_t count = 1;
-  std::uint64_t seed = 1;  ///< of the first map
+  std::uint64_t seed = 1;  ///< seed of the first map
   std::string out = ".";   ///< a folder
 };
 
@@ -160,7 +160,7 @@ struct WireArguments {
   std::string sketch;
   std::string environment;
   std::string board;         ///< empty = the project's board, otherwise the first board
-  std::string map = "oval";  ///< to try the draft on
+  std::string map = "oval";  ///< map on which the draft is tried
   std::string target;        ///< empty = host
   std::vector<std::string> libraries;
   std::string out;  ///< a file; empty = standard output
@@ -229,7 +229,7 @@ struct HuntArguments {
   std::string robot;
   std::vector<std::string> targets;  ///< empty = the chip and the host
   RunArguments each;                 ///< see SweepArguments
-  std::uint64_t seed = 1;            ///< of all random choices
+  std::uint64_t seed = 1;            ///< seed of all random choices
   std::uint64_t runs = 400;
   double minutes = 0.0;  ///< wall time after which no run starts; 0 = no limit
   std::size_t jobs = 1;  ///< simultaneous runs

@@ -75,7 +75,7 @@ std::optional<PrintText> Options::parse(std::vector<std::string> words) {
   for (std::size_t i = 0; i < options_.size(); ++i) {
     const OptionHelp& option = help_.options[i];
     if (options_[i].flag) app.add_flag(option.name, *options_[i].flag);
-    // Rejects a second value below, since CLI11's error for it has the type of the error for a missing value.
+    // Rejects a second value below, because CLI11 throws the same exception for it as for a missing value.
     if (options_[i].one) app.add_option(option.name, *options_[i].one)->take_last();
     if (!options_[i].several) continue;
     CLI::Option* several = app.add_option(option.name, *options_[i].several);
@@ -87,7 +87,7 @@ std::optional<PrintText> Options::parse(std::vector<std::string> words) {
     app.parse(std::move(words));
   } catch (const CLI::CallForHelp&) {
     return help();
-  } catch (const CLI::ArgumentMismatch&) {  // only for the last word: an option consumes any next word
+  } catch (const CLI::ArgumentMismatch&) {  // only at the last word: an option takes any next word
     refuse_missing_value(last.substr(0, last.find('=')));
   } catch (const CLI::ParseError& error) {
     throw InputError(fmt::format("{}: {}", help_.name, error.what()));

@@ -7,10 +7,10 @@
 
 namespace robosim::cli {
 
-/// Writes and flushes; on a terminal through for_terminal(). Throws InputError if that fails (a full disk).
+/// Writes and flushes; on a terminal through for_terminal(). Throws InputError if a write fails (full disk).
 void print(std::string_view text);
 
-/// Writes to standard error, through for_terminal(). If that fails, only the exit status remains.
+/// Writes to standard error, through for_terminal(). A failed write is ignored; the exit status remains.
 void complain(std::string_view text);
 
 // Write a coloured screen in which foreign names and texts are already escaped.

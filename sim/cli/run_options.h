@@ -17,7 +17,7 @@ constexpr const char* kScriptHelp = "apply this script during the run: buttons, 
 
 class RunOptions {
  public:
-  /// Both must outlive this object.
+  /// Both arguments must outlive this object.
   RunOptions(Options& options, RunArguments& run) : options_(options), run_(run) {}
   RunOptions(const RunOptions&) = delete;
   RunOptions& operator=(const RunOptions&) = delete;

@@ -12,7 +12,7 @@
 namespace robosim::client {
 namespace {
 
-/// Number of runs that may finish before a slow run. Their results wait in memory.
+/// Maximum number of runs that may begin after an unfinished run. Their results wait in memory.
 constexpr std::size_t kMostAhead = 10'000;
 /// Limit of wall time for poll(): a signal that arrives just before poll() does not wake it.
 constexpr int kSlice_ms = 100;
@@ -45,7 +45,7 @@ struct Pool::Worker {
       runner = std::make_unique<Runner>(start(task.target));
       target = task.target;
     }
-    task.request.started = false;  // no listener, and each line costs three processes a context switch
+    task.request.started = false;  // not needed, and each line costs three processes a context switch
     runner->begin(task.request);
     run = index;
     busy = true;

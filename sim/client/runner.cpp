@@ -106,7 +106,7 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
       if (!text) fail_silent();
       wire::Line line = wire::parse_line(*text);
       const auto* error = std::get_if<wire::ErrorAnswer>(&line.content);
-      if (error && line.id < 0) throw wire::RunnerError(error->message);  // the number was unreadable
+      if (error && line.id < 0) throw wire::RunnerError(error->message);  // it could not read the number
       if (line.id != last_id_) {
         throw wire::RunnerError("the runner " + name_ + " answered request " + std::to_string(line.id) +
                                 " instead of " + std::to_string(last_id_));
@@ -133,7 +133,7 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
       throw wire::RunnerError(error->message);
     }
   } catch (...) {
-    if (!answered) kill();  // it may be in the middle of a run, with more output to come
+    if (!answered) kill();  // the runner may be in the middle of a run, with more output to come
     throw;
   }
 }

@@ -73,8 +73,8 @@ class Runner {
   };
   explicit Runner(const Program& program);
   [[noreturn]] void fail_silent();
-  /// Returns the answer to the last request, but not events or errors. Returns nothing if the answer has not
-  /// arrived and `wait` is false.
+  /// Returns the answer to the last request. Passes events to `on_event`, and throws errors. Returns nothing
+  /// if the answer has not arrived and `wait` is false.
   std::optional<wire::Line> answer(bool wait, const wire::OnEvent& on_event);
   template <typename Answer>
   std::optional<Answer> take(bool wait, const wire::OnEvent& on_event);

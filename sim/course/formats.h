@@ -11,11 +11,12 @@
 namespace robosim::course {
 
 /// Reads robotrace_course_cad (NTF's Robotrace): circles in driving order, joined by their tangents.
-///   consecutive circles i, j with signs s (+1 counter-clockwise), D between centres, d = s_j r_j - s_i r_i:
-///   the tangent's length L = sqrt(D^2 - d^2), its direction ((dx L + dy d), (dy L - dx d)) / D^2,
+///   consecutive circles i, j with radii r, signs s (+1 = counter-clockwise, -1 = clockwise),
+///   (dx, dy) from centre to centre, D = |(dx, dy)|, d = s_j r_j - s_i r_i:
+///   the tangent's length L = sqrt(D^2 - d^2), its direction u = ((dx L + dy d), (dy L - dx d)) / D^2,
 ///   its ends centre + s r (u_y, -u_x)
-/// Adds marks: corners to the left where the curvature changes, start and goal to the right. Start and goal
-/// are 1 m apart, if they fit on the straight between the last circle and the first.
+/// Adds marks: left of the line where the curvature changes, and right of the line at start and goal. Start
+/// and goal are 1 m apart, if they fit on the straight between the last circle and the first.
 Imported read_robotrace(const nlohmann::json& json, const std::string& file);
 
 /// Reads RoboCupJunior Rescue Line, rcj-rescue-cms: tiles of 300 mm. The first path is the line from the

@@ -33,7 +33,7 @@ Imported read_any(std::string_view text, const std::string& file, double walls_m
   if (lines.empty()) throw InputError({file}, "the file is empty");
   const std::string_view first = lines.front().text;
   const bool is_json = first.front() == '{' || first.front() == '[';
-  // The first line of a maze may consist of + and - alone, and is not a number then.
+  // A line without digits, such as the first line of a maze (+ and - alone), is not a number.
   const bool are_numbers = first.find_first_not_of("0123456789+-.eE,; \t") == first.npos &&
                            first.find_first_of("0123456789") != first.npos;
   if (!is_json && !are_numbers && !first.starts_with("#length")) return read_maze(text, file, walls_m);

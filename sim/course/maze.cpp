@@ -1,5 +1,5 @@
-// Reads mazes of micromouse as lines. The middle of a cell is a node, and lines join neighbours without a
-// wall between them. Alternatively, reads mazes with their walls, and unpainted lines.
+// Reads micromouse mazes as lines. The middle of a cell is a node, and lines join neighbouring cells without
+// a wall between them. Alternatively, the map contains the maze's walls, and its lines are not painted.
 #include <fmt/format.h>
 
 #include <algorithm>

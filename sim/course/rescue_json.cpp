@@ -155,7 +155,7 @@ class RescueReader {
       simplified_ += kind.simplified;
       return;
     }
-    // Uses the paths in the file, each from one side to another, for an unknown tile.
+    // For an unknown tile, uses the paths in the file. Each path leads from one side to another.
     if (!type.is_object() || !type.contains("paths") || !type["paths"].is_object() || type["paths"].empty())
       refuse(fmt::format("{}: unknown type of tile: expected a known tileType or one with paths, got “{}”",
                          where, tile.id.substr(0, 40)));
@@ -303,8 +303,8 @@ class RescueReader {
     }
   }
 
-  // Sets the goal along the first path. Sets none if the path and the route differ in their tiles, because of
-  // levels or of lines on a tile's edge.
+  // Sets the goal along the first path. Sets no goal if the path and the route pass different tiles. Levels,
+  // and lines on a tile's edge, can cause this.
   void set_goal(grid::Map& map) {
     const std::vector<double> middles = tile_middles(map.course.paths.front(), kTile);
     map.goal = "none";

@@ -19,9 +19,9 @@ struct CheckResult {
   ExitStatus status = ExitStatus::interrupted;
   std::string why;     ///< one sentence about a failure
   std::string replay;  ///< the command that repeats the first failed run; empty if no run failed
-  /// The command without added options for detectors, and the trace hash of that run.
+  /// `replay` without the option that is added for detectors, and the trace hash of the first failed run.
   std::string again, again_trace_hash;
-  std::string serial;  ///< output of the sketch in that run
+  std::string serial;  ///< output of the sketch in the first failed run
   std::size_t runs = 0;
   std::size_t passed = 0;
   double time_s = 0.0;                  ///< simulated, sum of all runs
@@ -39,7 +39,7 @@ struct SketchResult {
   struct Problem {
     ExitStatus status = ExitStatus::bad_input;
     Place place;
-    std::string line;  ///< its first error, in one line
+    std::string line;  ///< the first error, in one line
     std::string text;  ///< the full text
   };
   std::optional<Problem> problem;
@@ -48,8 +48,8 @@ struct SketchResult {
   ExitStatus status() const;
 };
 
-/// Returns the more important status. The order is: internal error, missing tool, bad input, failure,
-/// timeout.
+/// Returns the more important status. From most to least important: interrupted, internal error, missing
+/// tool, bad input, failure, timeout.
 ExitStatus worse(ExitStatus a, ExitStatus b);
 
 /// Returns why a run does not meet the check, in one sentence; nullopt if it does.

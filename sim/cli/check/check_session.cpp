@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns the first error of a compiler's messages.
+/// Returns the line of the first error in a compiler's messages.
 std::string first_error(const std::string& text) {
   const std::size_t error = std::min(text.find("error: "), text.size());
   const std::size_t begin = error == text.size() ? 0 : text.rfind('\n', error) + 1;
@@ -73,8 +73,8 @@ std::string run_text(const SweepPlan& plan, std::size_t run) {
                      in.target);
 }
 
-/// Restricts a check to the rights of an untrusted sketch. Throws InputError if it needs more. Unless
-/// `folder` is empty, all files that the check names must be in it.
+/// Restricts a check to the rights of an untrusted sketch. Throws InputError if the check needs more rights.
+/// Unless `folder` is empty, all files that the check names must be in `folder`.
 void confine(Check& check, const fs::path& folder) {
   SweepArguments& sweep = check.sweep;
   sweep.each.untrusted = sweep.each.chip_only = true;
@@ -99,7 +99,7 @@ void confine(Check& check, const fs::path& folder) {
                                    file));
 }
 
-/// Returns the simulated time that all runs of a plan may take, in seconds.
+/// Returns the maximum simulated time of all runs of a plan together, in seconds.
 double simulated_s(const SweepPlan& plan) {
   double sum_s = 0.0;
   for (const Combination& combination : plan.combinations)
@@ -108,7 +108,7 @@ double simulated_s(const SweepPlan& plan) {
 }
 
 /// Limits the total simulated time of the checks that an untrusted sketch brings. Emulating an Uno for this
-/// time takes 100 s.
+/// simulated time takes 100 s of wall time.
 constexpr double kMostSimulated_s = 3600.0;
 
 analysis::Demand demand_of(const Check& check) {
@@ -251,7 +251,7 @@ void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResul
   result.again = replay_command(planned.plan.combination_of(run), planned.plan.seed_of(run));
   result.again_trace_hash = run_result.trace_hash;
   result.replay = result.again;
-  if (is_of_detectors(*why)) result.replay += " --sanitize";  // `run` needs this option for detectors
+  if (is_of_detectors(*why)) result.replay += " --sanitize";  // without this option, `run` uses no detectors
 }
 
 void CheckSession::finish(Planned& planned) {

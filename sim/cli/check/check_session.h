@@ -42,14 +42,15 @@ class CheckSession {
     std::vector<analysis::Tally> tallies;
     bool late_only = true;      ///< all failed runs timed out
     std::string first_failure;  ///< the reason for the first failed run
-    std::string first_name;     ///< the name of that run, if the check has several: "seed 4"
+    std::string first_name;     ///< the name of that run, if the check has several runs: "seed 4"
   };
   struct Run {
     std::size_t planned;
     std::size_t number;
   };
 
-  /// `limited`: limits the simulated time of its runs together with the sketch's earlier checks.
+  /// Plans the runs of a check. `limited`: limits the total simulated time of this check and of the sketch's
+  /// earlier checks.
   void plan(const Check& check, bool limited);
   void answered(const Run& run, const client::Answer& answer);
   void judge(Planned& planned, std::size_t run, const wire::RunResult& result);

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Describe flags of `run` and `sweep`. A flag's key is its name without the hyphens.
+/// These types describe the flags of `run` and `sweep`. A flag's key is its name without the hyphens.
 enum class Kind { value, list, yes_or_no };
 enum class Text { plain, name_or_path, path, sent };
 struct Flag {
@@ -127,7 +127,7 @@ class CheckReader {
   }
 
  private:
-  /// Returns the argument of a flag. Paths in the file are relative to its folder.
+  /// Returns the argument of a flag. Paths in the file are relative to the file's folder.
   std::string flag_word(const std::string& word, Text text) const {
     if (text == Text::sent) return escaped(word);
     if (text == Text::plain || (text == Text::name_or_path && !launch::is_path(word))) return word;
@@ -181,7 +181,7 @@ class CheckReader {
     return word;
   }
 
-  /// Returns the place of the key whose flag begins the message.
+  /// Returns the place of the key whose flag is the message's first word.
   Place place_of(const std::string& message) const {
     for (const Flag& flag : kFlags) {
       const std::string name = fmt::format("--{}", flag.key);

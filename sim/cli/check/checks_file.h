@@ -42,7 +42,7 @@ std::vector<TextAssertion> text_assertions_in(const std::filesystem::path& file)
 /// Returns all checks of a file, in its order. The parser of the command line checks the values, so each key
 /// means the same as its flag. Paths are relative to the file's folder. Throws InputError.
 std::vector<Check> read_checks(const std::filesystem::path& file);
-/// `text` is the content of `file`.
+/// Works like read_checks(), but reads `text`, the content of `file`.
 std::vector<Check> parse_checks(std::string_view text, const std::filesystem::path& file);
 
 }  // namespace robosim::cli

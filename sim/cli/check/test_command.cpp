@@ -21,7 +21,7 @@
 namespace robosim::cli {
 namespace {
 
-/// Makes the runs. Returns whether all of them ended.
+/// Makes all runs. Returns false if the user interrupted them.
 bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress) {
   if (session.runs() == 0) return true;
   client::Pool pool(std::min(jobs, session.runs()));
@@ -34,7 +34,7 @@ bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress)
   return pool.run(batch);
 }
 
-/// Warns if checks for all sketches leave the choice of a file to a sketch's author.
+/// Warns if a check for all sketches names no map or robot: a sketch's author may then choose it.
 void warn_of_own_files(const std::string& checks) try {
   for (const Check& check : read_checks(checks)) {
     if (!check.fleet.empty()) continue;

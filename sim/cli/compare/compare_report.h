@@ -39,13 +39,13 @@ struct Edge {
   std::string target;
   int ppm = 0;                  ///< error of the clock …
   std::int64_t from_ns = 0;     ///< … from this time on
-  analysis::Difference itself;  ///< sides[0]: unchanged; sides[1]: with that clock
-  bool does_as_other = true;    ///< false: with that clock, differs from itself similarly
-  /// If both targets ran with many clocks: the number of clocks, and of runs that behaved like the other
-  /// target.
+  analysis::Difference itself;  ///< of the run with that clock (sides[1]) from the unchanged run (sides[0])
+  bool does_as_other = true;    ///< false: only differs from its unchanged run in a similar way
+  /// If both targets ran with many clocks: the number of clocks, and the number of runs that behaved like the
+  /// other target.
   int clocks = 0, as_other = 0;
   /// If a tick of the host's clock decides: for each target, the lateness with which the sketch on the host
-  /// behaves like it. At least one of them is the unchanged lateness.
+  /// behaves like this target. At least one of the two values is the unchanged lateness.
   std::array<std::vector<wire::Lateness>, 2> late;
 
   bool is_of_tick() const { return !late[0].empty() || !late[1].empty(); }
@@ -74,10 +74,10 @@ struct Compared {
   std::optional<analysis::Difference> difference;
   std::string robot;                  ///< the robot with the difference
   std::array<ComparedSide, 2> sides;  ///< of the difference
-  std::vector<Edge> edges;  ///< of both sides, or of the host's ticks; if any, the targets are not the cause
+  std::vector<Edge> edges;  ///< of both sides, or of the host's ticks; if not empty, the cause is chance
 
   /// A target that lacks chip features, and the missing features that the sketch used before the difference.
-  /// If there are any, the sketch is not the cause.
+  /// If `lacks` is not empty, the sketch is not the cause.
   std::string lacking;
   std::vector<wire::Lack> lacks;
 

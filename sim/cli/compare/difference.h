@@ -20,8 +20,8 @@ void find_lacks(Compared& compared, std::size_t robot, const std::array<std::siz
 /// Returns the index at which a side's text begins to differ from the other side's.
 std::size_t first_difference(const Compared& compared, std::size_t side, const std::string& text);
 
-/// Returns the time by which the difference shows. If only one side has reached a place, allows for a later
-/// arrival of the other side.
+/// Returns the time by which the difference shows. If only one side has reached a place, adds time in which
+/// the other side may still arrive.
 std::int64_t shows_by(const Compared& compared);
 
 }  // namespace robosim::cli

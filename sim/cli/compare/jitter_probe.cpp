@@ -11,18 +11,19 @@
 namespace robosim::cli {
 namespace {
 
-// The clock is wrong from this long before a difference, or from the start, until the difference shows.
+// The clock is wrong from one of these times before a difference, or from the start, until the difference
+// shows.
 constexpr std::int64_t kClockOff_ns[] = {3'000'000'000, 5'000'000'000, 8'000'000'000, 12'000'000'000};
 // An Uno's resonator (Murata CSTCE16M0V53) may be 0.5 % off, so two Unos differ by up to twice that.
 constexpr int kClocksOff_ppm[] = {200, -200, 500, -500, 1000, -1000, 2000, -2000, 3000, -3000, 5000, -5000};
-// More clocks, for two sides that each differ from themselves in several ways: measures how often each
-// behaviour occurs.
+// More clock errors, used to measure how often each behaviour occurs. They are needed if the runs of one side
+// differ from each other in several ways.
 constexpr int kMoreClocksOff_ppm[] = {100,  -100,  300,  -300,  700,  -700,  1500, -1500,
                                       2500, -2500, 3500, -3500, 4000, -4000, 4500, -4500};
-// Range of fast clocks for a rare behaviour; equally many slow clocks are tried.
+// Errors of fast clocks for a rare behaviour. Slow clocks with the same errors are tried as well.
 constexpr int kFirstOfMany_ppm = 50, kStepOfMany_ppm = 80, kLastOfMany_ppm = 5000;
 // An Uno's millis() may lag by two of its ticks, 2.048 ms. Between two calls of delay(), targets differ by
-// some milliseconds. The steps are a quarter of a tick.
+// some milliseconds. Up to 2.08 ms, the steps are a quarter of a tick.
 constexpr std::int64_t kLate_us[] = {260,   520,  -260,  780,   -520, 1040,  -780, 1300, -1040, 1560,
                                      -1300, 1820, -1560, -1820, 2080, -2080, 3000, 5000, 10000};
 constexpr std::int64_t kLateBefore_ns[] = {100'000'000, 1'500'000'000, 5'000'000'000};  // or from the start
@@ -40,9 +41,9 @@ std::vector<Edge> JitterProbe::find(const Compared& compared, const Pair& pair) 
   return find_of_ticks(compared, pair);
 }
 
-/// Finds, for each side, a clock with which this side behaves like the other side. On one of the sides, a
-/// clock with which it differs from itself in a similar way is enough. A behaviour of only one target, such
-/// as a race of its interrupts, is not chance.
+/// Finds, for each side, a clock with which this side behaves like the other side. For one of the sides, it
+/// is enough that its runs with two clocks differ in a similar way. A behaviour that only one target shows,
+/// such as a race of its interrupts, is not chance.
 std::vector<Edge> JitterProbe::find_of_clocks(const Compared& compared, const Pair& pair) {
   std::vector<Edge> edges;
   bool there = false;
@@ -56,8 +57,8 @@ std::vector<Edge> JitterProbe::find_of_clocks(const Compared& compared, const Pa
   return weigh(compared, pair);
 }
 
-/// Compares how often both sides show each behaviour with varied clocks. If chance decides from the start,
-/// each side differs from itself in many ways. Then both must show both behaviours, about equally often.
+/// Compares how often each side shows each of the two behaviours with varied clocks. If chance decides from
+/// the start, both sides must show both behaviours about equally often.
 std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair) {
   const auto choice = analysis::Choice::of(*compared.difference, *pair.histories[0], *pair.histories[1]);
   if (!choice) return {};
@@ -103,8 +104,8 @@ std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair)
   return {std::move(*examples[0]), std::move(*examples[1])};
 }
 
-/// Returns a clock with which this target run behaves like the other. If there is no such clock, returns a
-/// clock with which the target run differs from itself in a similar way.
+/// Returns a clock with which this target run behaves like the other target run. Otherwise returns a clock
+/// with which this target run differs from its unchanged run in a similar way.
 std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::size_t side, const Pair& pair) {
   TargetRun& target_run = *pair.target_runs[side];
   progress_.say(
@@ -130,13 +131,13 @@ std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::si
   return found;
 }
 
-/// Finds out whether one program on the host shows both behaviours if it is delayed by a fraction of a
-/// millisecond. Then the targets are not the cause. If a wrong clock also shows both behaviours,
-/// find_of_clocks() handles the case.
+/// Finds out whether the program on the host shows both behaviours, depending on a delay of milliseconds or
+/// less. Then the cause is chance. Returns no edge if a wrong clock has the same effect, because
+/// find_of_clocks() handles that case.
 std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pair& pair) {
   TargetRun* host = nullptr;
   std::array<bool, 2> done{};
-  std::size_t as = 0;  // the side whose lateness the host starts with
+  std::size_t as = 0;  // the host starts with the lateness of this side
   for (std::size_t side = 0; side < 2; ++side)
     if (pair.target_runs[side]->is_on_host(pair.robot))
       host = pair.target_runs[side], done[side] = true, as = side;
@@ -151,8 +152,8 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
   std::array<std::vector<wire::Lateness>, 2> late{observed.late, observed.late};
   std::array<analysis::History, 2> ways{*pair.histories[0], *pair.histories[1]};
   std::optional<analysis::Difference> itself;
-  // A run that shows one behaviour must clearly differ from the run that shows the other behaviour. Otherwise
-  // a stream of similar lines would match both.
+  // The run that shows one behaviour must clearly differ from the run that shows the other behaviour.
+  // Otherwise a stream of similar lines would match both behaviours.
   const auto look = [&] {
     const analysis::History run = observer_.run(*host, observed);
     for (std::size_t side = 0; side < 2; ++side) {

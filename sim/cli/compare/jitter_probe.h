@@ -28,13 +28,14 @@ struct Pair {
 
 class JitterProbe {
  public:
-  /// `make_host` builds the robot for the host if no target run has done so; it returns null if that is
-  /// impossible. It is called at most once. All arguments must outlive this object.
+  /// `make_host` builds the robot for the host, and returns null if that fails. find() calls it if no target
+  /// run is on the host. All arguments must outlive this object.
   JitterProbe(const Observer& observer, tui::Progress& progress, std::function<TargetRun*()> make_host)
       : observer_(observer), progress_(progress), make_host_(std::move(make_host)) {}
 
-  /// Returns the edges for the difference in `compared`, whose sides must be described; empty if the targets
-  /// cause it. A difference is never chance if it has a named cause, or if the checks have found something.
+  /// Returns the edges for the difference in `compared`; empty if the targets cause the difference. The sides
+  /// of `compared` must be described. A difference is never chance if it has a named cause, or if the checks
+  /// have found something.
   std::vector<Edge> find(const Compared& compared, const Pair& pair);
 
  private:

@@ -9,8 +9,8 @@
 namespace robosim::cli {
 namespace {
 
-// A robot is off the line if both distances are exceeded: of its axle from the line with square corners, and
-// of its sensors' midpoint from the line with its bends.
+// A robot is off the line if two distances are too large. One is from the axle to the line with square
+// corners. The other is from the sensors' midpoint to the line with its real bends.
 constexpr double kOff_cells = 0.75, kOff_mm = 50.0;
 
 }  // namespace

@@ -39,8 +39,8 @@ class Observer {
   analysis::HistoryRecorder recorder_of(const TargetRun& target_run, std::size_t robot) const;
   static wire::RunRequest request_of(const TargetRun& target_run, std::uint64_t seed);
   static bool is_of(const wire::Event& event, std::size_t robot);
-  /// Makes a run. The clocks of other robots deviate in the opposite direction: the order of robots at a
-  /// crossing may also be chance.
+  /// Makes a run. The clocks of the other robots deviate in the opposite direction. The reason is that the
+  /// order of robots at a crossing may also be chance.
   analysis::History run(TargetRun& target_run, const ObservedRobot& observed,
                         const ClockOffset& off = {}) const;
 

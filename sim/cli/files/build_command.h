@@ -18,7 +18,7 @@ namespace robosim::cli {
 std::string size_report(const build::Image& image, const std::string& target, const BoardSpec& board,
                         const std::vector<std::filesystem::path>& files);
 
-/// Returns a sentence for each way in which an image for a chip exceeds the robot's budget.
+/// Returns a sentence for each budget of the robot that an image for a chip exceeds.
 std::vector<std::string> over_budget(const build::Image& image, const wire::RobotInfo& robot);
 
 /// An image with its board and target.

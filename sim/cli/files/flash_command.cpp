@@ -66,8 +66,8 @@ Ending run_avrdude(const fs::path& program, std::vector<std::string> words) {
 }
 
 /// Starts the boot loader of a board whose sketch serves the USB itself: opens the port at 1200 baud and
-/// closes it. The port disappears, and returns with the boot loader. If it cannot be opened, avrdude reports
-/// that.
+/// closes it. The port disappears, and returns when the boot loader runs. A port that cannot be opened is
+/// ignored here, because avrdude reports it.
 void touch(const std::string& port) {
   const Descriptor line(::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   termios settings{};
@@ -148,7 +148,7 @@ int flash_command(const FlashArguments& arguments) {
     throw ToolMissing("avrdude is missing: sudo apt install avrdude");
 
   const BoardSpec* board = nullptr;
-  fs::path file = sketch.path;  // a finished image: avrdude reads it itself
+  fs::path file = sketch.path;  // a finished image is passed to avrdude unchanged
   if (sketch.elf_target.empty()) {
     const Built built = build_sketch(build_arguments(arguments), Boards::own);
     if (const ExitStatus status = check_size(built); status != ExitStatus::ok)

@@ -16,11 +16,11 @@ namespace robosim::cli {
 std::vector<std::string> avrdude_words(const FlashArguments& arguments, const BoardSpec& board,
                                        const std::filesystem::path& file);
 
-/// Builds the sketch and reports like `robosim build --target avr`. Writes the .hex of this image, or an
-/// unchanged finished .elf, to the board; avrdude's output passes through. With --dry-run nothing is written,
-/// and avrdude need not be installed. Returns the exit status: 1 if the image exceeds the robot's budget or
-/// avrdude fails. Throws InputError (build::CompileError also for an image that does not fit the chip) or
-/// ToolMissing.
+/// Builds the sketch and reports like `robosim build --target avr`. Writes the .hex of this image to the
+/// board; a finished .elf is written unchanged. avrdude's output passes through. With --dry-run, nothing is
+/// written, and avrdude need not be installed. Returns the exit status: 1 if the image exceeds the robot's
+/// budget or avrdude fails. Throws InputError (build::CompileError also for an image that does not fit the
+/// chip) or ToolMissing.
 int flash_command(const FlashArguments& arguments);
 
 }  // namespace robosim::cli

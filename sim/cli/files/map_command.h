@@ -13,11 +13,12 @@ namespace robosim::cli {
 
 /// Reads each map (a path, or the name of a sample) and reports size, line, start, goal, stations, and
 /// oddities. Errors go to `errors`, and the other maps are still checked. `start`: as on the command line; ""
-/// = the map's. `json`: reports one JSON object for each map. Returns ok, or bad_input if any map is invalid.
+/// = the map's start. `json`: reports one JSON object for each map. Returns ok, or bad_input if any map is
+/// invalid.
 ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& start, std::ostream& out,
                       std::ostream& errors, bool json = false);
 
-/// Draws one map with its stations numbered from `start` ("" = the map's). Throws InputError.
+/// Draws one map with its stations numbered from `start` ("" = the map's start). Throws InputError.
 ExitStatus show_map(const std::string& map, const std::string& start, const grid::PictureOptions& options,
                     std::ostream& out);
 

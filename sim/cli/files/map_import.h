@@ -8,8 +8,8 @@
 
 namespace robosim::cli {
 
-/// Writes the map to the file of --out and reports its content, or writes the map to `out`. Never overwrites
-/// a file.
+/// Writes the map to the file of --out and reports its content. Without --out, writes the map to `out`. Never
+/// overwrites a file.
 ExitStatus import_map(const ImportArguments& arguments, std::ostream& out);
 
 int import_command(const ImportArguments& arguments);

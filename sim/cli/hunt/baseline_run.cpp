@@ -11,7 +11,7 @@ namespace robosim::cli {
 namespace {
 
 constexpr double kLongest_s = 300.0, kAfter_s = 20.0;
-constexpr double kWayAgain = 1.5, kWayOn_s = 15.0;  // for most runs' limit: factor, and additional time
+constexpr double kWayAgain = 1.5, kWayOn_s = 15.0;  // limit of most runs: factor, plus a time
 constexpr double kSlower = 5.0;
 constexpr std::size_t kTours = 4, kEnoughTours = 2;
 
@@ -65,7 +65,7 @@ bool Hunt::find_baseline() {
   baseline_ = {*results[*best], campaign_.robot()};
   baseline_case_ = test_cases[*best];
   if (!campaign_.maps_are_given()) {
-    // Keeps all maps on which the robot reaches its goal without additional collisions.
+    // Keeps all maps on which the robot reaches its goal without more collisions than in the baseline run.
     std::vector<std::size_t> kept{baseline_case_.map};
     for (std::size_t i = 0; i < test_cases.size(); ++i)
       if (reached(results[i]) && results[i]->metrics.collisions <= baseline_.result.metrics.collisions &&
@@ -84,8 +84,8 @@ bool Hunt::find_baseline() {
   return feel() && hear() && tour();
 }
 
-/// Finds out whether the sketch uses a bumper, by pressing it. Reading the pin proves nothing, because a read
-/// of a whole port includes it.
+/// Finds out whether the sketch uses a bumper, by pressing the bumper. A read of its pin proves nothing,
+/// because a read of the whole port includes the pin.
 bool Hunt::feel() {
   const auto& unused = baseline_.result.usage.unused;
   std::vector<TestCase> pressed;
@@ -116,8 +116,8 @@ bool Hunt::hear() {
   return true;
 }
 
-/// Finds out on which maps the sketch reliably reaches its goal. A loop follower that turns at a line's end
-/// may tour one floor by luck.
+/// Finds out on which kinds of maps the sketch reliably reaches its goal. A loop follower that turns at a
+/// line's end may visit all stations of a single map by luck.
 bool Hunt::tour() {
   HuntSpace& space = campaign_.space();
   for (std::size_t map = 1; map < space.maps.size() && !campaign_.maps_are_given() && space.draws_maps;

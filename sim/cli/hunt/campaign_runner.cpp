@@ -28,7 +28,7 @@ namespace {
 constexpr const char* kGuesses[] = {"oval", "a"};
 constexpr std::size_t kMostWords = 60;
 
-/// Returns the number of line segments, at most 3, that a tree would not have.
+/// Returns the number of independent cycles of the line, but at most 3.
 int cycles_of(const grid::Map& map) {
   int nodes = 0, links = 0;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -204,7 +204,7 @@ void CampaignRunner::keep_maps(const std::vector<std::size_t>& maps) {
 wire::RunRequest CampaignRunner::request_of(const TestCase& test_case, const std::string& folder) const {
   wire::RunRequest request = prepared_[test_case.build].request;
   request.seed = test_case.seed;
-  request.detect = !space_.builds[test_case.build].checked;  // checks change the timing
+  request.detect = !space_.builds[test_case.build].checked;  // a build with checks has other timing
   request.clock_ns = test_case.clock_ms * 1'000'000;
   request.for_ns = static_cast<std::int64_t>(test_case.for_s * 1000.0) * 1'000'000;
   request.script = script_of(test_case);
@@ -261,7 +261,7 @@ bool CampaignRunner::run(const std::vector<TestCase>& test_cases,
   results.assign(test_cases.size(), std::nullopt);
   if (ran) ran->assign(test_cases.size(), {});
   const std::vector<Task> tasks = tasks_of(test_cases);
-  std::vector<std::size_t> alone;  // test cases of families that cannot share a run
+  std::vector<std::size_t> alone;  // test cases of families that could not share a run
   const auto counters = [&](std::size_t t) { return work_.path() / std::to_string(t) / "lines"; };
   const auto keep = [&](std::size_t i, wire::RunResult&& result, const fs::path& lines) {
     results[i] = std::move(result);

@@ -30,7 +30,7 @@ class CampaignRunner {
   const std::vector<std::string>& left_out() const { return left_out_; }
   /// Returns the fingerprint of everything that affects the runs.
   std::string fingerprint() const;
-  /// Returns whether the user has chosen the maps. Otherwise the maps are guesses, and others are possible.
+  /// Returns whether the user has chosen the maps. Otherwise the maps are guesses that may be dropped.
   bool maps_are_given() const { return maps_are_given_; }
   void keep_maps(const std::vector<std::size_t>& maps);
   /// Returns the names of the dropped maps, for which the sketch is apparently not meant.
@@ -38,13 +38,13 @@ class CampaignRunner {
 
   /// Returns the script of a test case: the user's script, followed by the test case's script.
   std::string script_of(const TestCase& test_case) const { return script_ + script_text(test_case, space_); }
-  /// Returns the request of a test case. Writes the map and robot that belong to it to `folder`, as
-  /// world.map and robot.toml.
+  /// Returns the request of a test case. If the test case has its own map or robot, writes it to `folder` as
+  /// world.map or robot.toml.
   wire::RunRequest request_of(const TestCase& test_case, const std::string& folder) const;
 
-  /// Runs test cases and sets their results, in the same order; nullopt for an impossible test case. `ran`:
-  /// receives the sketch's lines that ran, for test cases on a chip without checks. Returns false if it was
-  /// interrupted.
+  /// Runs test cases and sets their results, in the same order; nullopt for an impossible test case. `ran`
+  /// receives the lines of the sketch that ran, for test cases on a chip without checks. Returns false if the
+  /// user interrupted the runs.
   bool run(const std::vector<TestCase>& test_cases, std::vector<std::optional<wire::RunResult>>& results,
            std::vector<std::vector<std::string>>* ran = nullptr);
   client::Pool& pool() { return pool_; }

@@ -17,7 +17,7 @@ constexpr std::size_t kOften = 20, kFirst = 3, kLongest = 60, kFarMore = 5;
 constexpr double kFar = 20.0, kNear = 0.1, kNearBy = 2.0;
 constexpr double kDrives_m = 0.3, kStands_m = 0.03;
 constexpr int kLater_ms = 37;
-constexpr std::int64_t kEarlier_ms = 10 << 16;  // a multiple of 2^16, so that a 16-bit clock is equal
+constexpr std::int64_t kEarlier_ms = 10 << 16;  // a multiple of 2^16, which does not change a 16-bit clock
 constexpr std::uint64_t kOtherSeed = 1009;
 constexpr double kLonger = 1.3;
 
@@ -36,8 +36,8 @@ std::vector<Line> lines_of(const std::string& serial) {
   return lines;
 }
 
-/// Removes frequent lines and returns them by form, because frequent lines of different forms have no defined
-/// order.
+/// Removes frequent lines from both runs and returns them by form. They are compared separately, because
+/// frequent lines of different forms have no defined order.
 std::map<std::string, std::array<std::vector<Line>, 2>> take_frequent(std::vector<Line>& a,
                                                                       std::vector<Line>& b) {
   std::map<std::string, std::array<std::vector<Line>, 2>> all;
@@ -123,8 +123,8 @@ bool is_same(const Divergence& a, const Divergence& b) {
 TestCase counterpart_of(const TestCase& test_case, const HuntSpace& space) {
   TestCase differential = test_case;
   if (test_case.differential == Differential::host) differential.build = *space.host_counterpart;
-  // Starts the clock earlier, so that it does not wrap. As in the test case, all one-time actions after
-  // power-on are past.
+  // Starts the clock earlier, so that it does not wrap. Even at kPast_ms, all one-time actions after power-on
+  // are past.
   differential.clock_ms = test_case.differential == Differential::clock
                               ? std::max(kPast_ms, test_case.clock_ms - kEarlier_ms)
                               : 0;

@@ -1,7 +1,7 @@
-// Compares two runs of a test case that should be alike: on the host and on the board's chip, or on the chip
-// with and without a clock near its wrap. If they always diverge in the same way, the sketch depends on
-// something that it should not. Examples are the width of an int, the content of flash, and the time since
-// power-on.
+// Compares two runs of a test case that should be alike. One pair of runs is on the host and on the board's
+// chip. The other pair is on the chip, with and without a clock near its wrap. If the two runs always diverge
+// in the same way, the sketch depends on something that it should not. Examples are the width of an int, the
+// content of flash, and the time since power-on.
 #pragma once
 
 #include <optional>
@@ -21,11 +21,13 @@ struct Divergence {
   std::vector<double> of_ours, of_other;  ///< the numbers, if they differ
 };
 
-/// Returns the first difference between two runs. Compares frequent lines separately, and ignores times.
-/// With `numbers`, numbers in lines differ if one is more than twice the other. A chip is compared with
-/// itself without `numbers`: then frequencies of lines differ if one is more than five times the other.
+/// Returns the first difference between two runs. Compares frequent lines separately, and ignores times. With
+/// `numbers`, numbers in lines differ if one is more than twice the other. Without `numbers`, counts of a
+/// frequent line differ if one is more than five times the other. Runs on one chip are compared without
+/// `numbers`.
 std::optional<Divergence> divergence(const wire::RunResult& ours, const wire::RunResult& other, bool numbers);
-/// Returns whether two pairs of runs diverge in the same way. Numbers that vary each time count as chance.
+/// Returns whether two pairs of runs diverge in the same way. Numbers that vary from pair to pair count as
+/// chance.
 bool is_same(const Divergence& a, const Divergence& b);
 
 /// Returns the test case whose run should resemble the run of `test_case`.
@@ -37,8 +39,8 @@ inline constexpr int kTriedAgain = 3;
 
 Symptom symptom_of(const Divergence& divergence, const TestCase& test_case, const HuntSpace& space);
 
-/// Runs the counterparts of test cases that need one and ran without a fault, and adds their symptoms.
-/// Returns false if it was interrupted.
+/// Runs the counterpart of each test case that needs one and has shown no symptom. Adds a symptom for each
+/// divergence. Returns false if the user interrupted the runs.
 bool run_differential_tests(CampaignRunner& campaign, const std::vector<TestCase>& test_cases,
                             const std::vector<std::optional<wire::RunResult>>& results,
                             std::vector<std::vector<Symptom>>& found);

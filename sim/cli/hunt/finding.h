@@ -12,7 +12,7 @@
 
 namespace robosim::cli {
 
-/// The run that shows a finding.
+/// Describes the run that shows a finding, so that the user can repeat it.
 struct Shown {
   struct Option {
     std::string name, value;

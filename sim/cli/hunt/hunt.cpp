@@ -152,8 +152,8 @@ void Hunt::tell(const HuntFinding& finding) {
   listener_.found(findings_.back(), findings_.size());
 }
 
-/// Classifies a symptom and, if it is a finding, finds its smallest test case. Returns nullopt if it was
-/// interrupted.
+/// Classifies the symptoms of a run. Finds the smallest test case of a new finding. Returns nullopt if the
+/// user interrupted the search.
 std::optional<HuntRow> Hunt::take(const TestCase& test_case, const wire::RunResult& result,
                                   const std::vector<Symptom>& found, const std::vector<std::string>& ran) {
   HuntRow row;
@@ -234,7 +234,7 @@ bool Hunt::make_round() {
   return true;
 }
 
-/// Checks requirements on all runs together.
+/// Checks the requirements that apply to all runs together.
 void Hunt::look_back() {
   const auto add_plain = [&](Symptom symptom) {
     HuntFinding finding{std::move(symptom), baseline_case_, {}, baseline_.result.time_s};
@@ -248,7 +248,7 @@ void Hunt::look_back() {
                  fmt::format("None of {} runs had {}, which must occur sometimes.", runs_, assertion.text()),
                  false});
   const wire::RunResult& result = baseline_.result;
-  // A sketch that neither reads the line nor has a given goal has a different purpose.
+  // Without a given goal, a sketch that does not read the line has another purpose than to reach a goal.
   const bool has_goal = reads_the_floor(result, baseline_.robot) || !arguments_.each.request.goal.empty();
   if (!has_goal || reached_ > 0 || !findings_.empty() || result.goal == "none" ||
       result.metrics.distance_m < kMoved_m)

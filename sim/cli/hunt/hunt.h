@@ -29,10 +29,10 @@ class Hunt {
   Hunt(CampaignRunner& campaign, const HuntArguments& arguments, std::filesystem::path out, HuntLog& log,
        HuntListener listener);
 
-  /// Hunts until enough runs were made, or time is up. Returns false if it was interrupted.
+  /// Hunts until enough runs were made, or time is up. Returns false if the user interrupted the hunt.
   bool go();
   /// Alternative to go(): merges the findings of other machines, and evaluates them together. Returns false
-  /// if it was interrupted.
+  /// if the user interrupted the merge.
   bool merge(const std::vector<HuntPart>& parts);
 
   const std::vector<HuntFinding>& findings() const { return findings_; }
@@ -57,8 +57,8 @@ class Hunt {
   bool add(HuntFinding finding, HuntRow& row);
   bool is_known(const HuntFinding& finding, HuntRow& row) const;
   bool shrink(HuntFinding& finding);
-  /// Runs the test cases and sets their symptoms; impossible test cases have no result. Returns false if it
-  /// was interrupted.
+  /// Runs the test cases and sets their symptoms; impossible test cases have no result. Returns false if the
+  /// user interrupted the runs.
   bool look(const std::vector<TestCase>& test_cases, std::vector<std::optional<wire::RunResult>>& results,
             std::vector<std::vector<Symptom>>& found, std::vector<std::vector<std::string>>* ran = nullptr);
   std::vector<Symptom> symptoms(const wire::RunResult& result, const TestCase& test_case) const;

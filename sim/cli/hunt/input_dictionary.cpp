@@ -31,7 +31,7 @@ bool may_be_sent(const std::string& word) {
 
 void add_words(const std::string& source, std::vector<std::string>& words) {
   const auto add = [&](const std::string& literal) {
-    // Splits the literal at escapes: it may contain several words, with a 0 after each.
+    // Splits the literal at escapes, because a literal may contain several words that each end with \0.
     std::string word;
     for (std::size_t i = 0; i < literal.size(); ++i) {
       if (literal[i] != '\\') {

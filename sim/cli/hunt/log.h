@@ -45,8 +45,8 @@ inline constexpr const char* kMerged = "merged";
 class HuntLog {
  public:
   /// Opens a log in an existing folder. `from` identifies the source of the runs; `part` is a shard, kMerged
-  /// or empty. `resume`: reads the rows of an equal hunt, and skips an incomplete last line. Throws
-  /// InputError.
+  /// or empty. `resume`: reads the rows that the same hunt has written, and skips an incomplete last line.
+  /// Throws InputError.
   HuntLog(const std::filesystem::path& folder, const std::string& from, const std::string& part, bool resume);
 
   /// Returns the row of a run; null if there is no such run yet.

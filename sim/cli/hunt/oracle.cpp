@@ -149,7 +149,7 @@ std::vector<Symptom> warned_in(const std::string& messages) {
 
 std::optional<Symptom> failed_assertion(const wire::RunResult& result,
                                         const std::vector<TextAssertion>& assertions) {
-  // A run that ended early has not broken any `always` assertion.
+  // A run that ended early cannot have broken an `always` assertion.
   const bool whole = result.verdict == "reached" || result.verdict == "timeout" || result.verdict == "ended";
   for (const TextAssertion& assertion : assertions) {
     if (assertion.when == TextAssertion::When::always && !whole) continue;

@@ -49,7 +49,7 @@ double longest_wait_s(const TestCase& test_case, const HuntSpace& space, const B
 
 /// Returns whether the robot's behaviour in this test case is evidence of a fault. Excludes builds with
 /// checks, which change the timing. Excludes power cycles and manual moves, after which the robot may be
-/// anywhere. Excludes robots that tour one floor by luck.
+/// anywhere. Excludes drawn maps of a kind on which the sketch does not reliably reach its goal.
 bool tells_behaviour(const TestCase& test_case, const HuntSpace& space);
 
 std::optional<Symptom> symptom_of(const wire::RunResult& result, const TestCase& test_case,

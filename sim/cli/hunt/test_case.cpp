@@ -24,7 +24,7 @@ constexpr std::uint64_t kPairEvery = 6;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
-constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // by then, the robot is at the obstacle
+constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // meanwhile the robot is at the obstacle
 
 /// Returns a distance between landmarks that leaves room for bends like those of the map.
 int apart(const HuntSpace::Map& map) {
@@ -76,7 +76,7 @@ void draw_wrap_while_blocked(TestCase& test_case, const HuntSpace& space, const 
   test_case.clock_ms = kMillisWrap_ms - std::min(space.for_ms / 2, kBlockedAfter_ms + rng(kBlockedFor_ms));
 }
 
-/// Draws a test case without faults that is compared with a counterpart.
+/// Draws a test case that has no faults and is compared with a counterpart.
 TestCase pair(const HuntSpace& space, const RandomSource& rng) {
   TestCase test_case;
   test_case.differential =
@@ -163,7 +163,7 @@ TestCase like(const Noted& noted, const HuntSpace& space, const RandomSource& rn
 }
 
 /// Draws a build. Most test cases run on the host, which is many times as fast as a chip. The robot's
-/// behaviour is only judged without checks.
+/// behaviour is judged only in builds without checks.
 std::size_t draw_build(const HuntSpace& space, std::uint64_t run, const RandomSource& rng) {
   if (!space.host_counterpart)
     return static_cast<std::size_t>(run % 2 == 0 ? 0 : run / 2 % drawn_builds(space));

@@ -54,7 +54,7 @@ struct TestCase {
   std::size_t map = 0;    ///< index in HuntSpace::maps, unless a map is drawn
   std::optional<worlds::Track> track;
   std::optional<worlds::LineNetwork> network;
-  worlds::RobotVariant robot;  ///< without levels, the robot of the file
+  worlds::RobotVariant robot;  ///< if it has no levels, the unchanged robot of the file
   std::uint64_t seed = 1;
   worlds::FaultPlan faults;
   std::vector<Stimulus> stimuli;
@@ -64,8 +64,8 @@ struct TestCase {
                              ///< `branch_point` and differ in the last stimulus. On a chip, a family is
                              ///< one run that branches (wire::Ways)
   Moment branch_point = {};
-  bool to_goal = true;   ///< ends at the goal; otherwise when its time is up
-  bool is_long = false;  ///< lasts for the maximum time of a run
+  bool to_goal = true;   ///< the run ends at the goal; false: when its time is up
+  bool is_long = false;  ///< the run lasts for HuntSpace::for_ms
   int least_ms = 0;      ///< minimum duration
   double for_s = 60.0;
 
@@ -81,7 +81,7 @@ struct HuntSpace {
   };
   struct Map {
     std::string name;
-    std::string goal;                       ///< empty = the map's
+    std::string goal;                       ///< empty = the map's goal
     bool tracks = false, networks = false;  ///< the kind of random maps that resemble this map
     int cycles = 0;                         ///< approximate number of cycles of its network
     double cell_mm = 100.0, corner_mm = 0.0;
@@ -145,7 +145,7 @@ std::vector<TestCase> networks_like(const HuntSpace& space, std::size_t map, std
 /// after finitely many steps.
 std::vector<TestCase> smaller(const TestCase& test_case, const HuntSpace& space);
 
-/// Returns the differences from the baseline: "another map", "chassis track", "fault noisy", "press start".
+/// Returns the differences from the baseline: "a drawn map", "another seed", "fault noisy", "press start".
 /// The opening does not count.
 std::set<std::string> needs_of(const TestCase& test_case, const HuntSpace& space);
 

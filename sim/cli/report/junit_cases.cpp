@@ -62,7 +62,7 @@ class Reader {
 
  private:
   int line() const {
-#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // in 2.9, the old one is deprecated
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9  // Expat 2.9 deprecates the function below
     return static_cast<int>(XML_GetCurrentLineNumber64(parser_.get()));
 #else
     return static_cast<int>(XML_GetCurrentLineNumber(parser_.get()));

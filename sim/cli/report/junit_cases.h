@@ -18,14 +18,13 @@ struct JunitCase {
   std::string message = {};                ///< of a failure; may contain several lines
   std::optional<double> off_line_mm = {};  ///< for a check of one run: the largest cross-track error
   std::string again = {};                  ///< the command that repeats the failed run of a check
-  std::string trace_hash = {};             ///< the trace hash of that run
+  std::string trace_hash = {};             ///< the trace hash of the failed run
 };
 
 /// Reads the cases. Throws InputError with file and line.
 std::vector<JunitCase> read_junit(std::string_view text, const std::string& file);
 
-/// Returns the page, named in a C++ test's message, that the harness has saved of the failed run; otherwise
-/// empty.
+/// Returns the path of the failed run's page, as named in a C++ test's message; empty if none is named.
 std::string kept_page(const std::string& message);
 
 }  // namespace robosim::cli

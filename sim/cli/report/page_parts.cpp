@@ -53,7 +53,7 @@ std::string heat_map(const LeftOn& left) {
       "<stop offset=\"1\" stop-color=\"#d55e00\" stop-opacity=\"0\"/></radialGradient></defs>{3}",
       floor.width_mm, floor.height_mm, markup_text(left.map), record::floor_elements(floor));
   const double radius = std::max(floor.width_mm, floor.height_mm) / 28.0;
-  // Draws fewer places with higher opacity, because many places overlap.
+  // Draws many places with lower opacity, because they overlap.
   text += fmt::format("<g fill-opacity=\"{:.2f}\">",
                       std::clamp(20.0 / static_cast<double>(left.places_mm.size() + 1), 0.08, 1.0));
   for (const auto& [x, y] : left.places_mm)

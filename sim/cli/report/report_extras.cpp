@@ -27,14 +27,14 @@ class Replays {
   explicit Replays(const std::string& page)
       : beside_(fs::path(page).parent_path()), folder_(fs::path(page).stem().string() + "-runs") {}
 
-  /// Writes a replay and returns its link. `number`: the run's number, which makes an existing name unique.
+  /// Writes a replay and returns its link. `number`: the run's number, which is added to a name in use.
   std::string write(const std::string& title, std::size_t number, const std::string& recording) {
     std::string name;
     for (const char c : title) {
       const bool kept = std::isalnum(static_cast<unsigned char>(c)) != 0;
       if (kept || (!name.empty() && name.back() != '-')) name += kept ? c : '-';
     }
-    if (!names_.insert(name).second) name += fmt::format("-row-{}", number + 1);  // "a b" equals "a-b"
+    if (!names_.insert(name).second) name += fmt::format("-row-{}", number + 1);  // "a b" becomes "a-b", too
     fs::create_directories(beside_ / folder_);
     const fs::path file = beside_ / folder_ / (name + ".html");
     write_file(file, record::page_of(recording));

@@ -43,7 +43,7 @@ std::optional<std::string> Rerun::operator()(launch::Launch launch, const std::s
 std::optional<std::string> Rerun::operator()(launch::Fleet fleet, wire::RunRequest common,
                                              const std::string& trace_hash) {
   record::RecRecorder("").ask(common);
-  common.script.clear();  // each robot has its own
+  common.script.clear();  // each robot has its own script
   launch::ChosenFleet chosen = choose(fleet);
   client::Runner& by = runner(chosen.runner);
   const launch::PreparedFleet prepared = launch::prepare(

@@ -9,7 +9,7 @@
 
 namespace robosim::cli {
 
-/// Returns counts by file and line, and removes the file. Returns no counts without a file.
+/// Returns counts by file and line, and removes the file. Returns no counts if there is no file.
 std::map<std::pair<std::string, int>, double> take_line_counts(const std::filesystem::path& file);
 
 }  // namespace robosim::cli

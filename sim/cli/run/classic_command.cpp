@@ -21,8 +21,8 @@ namespace {
 
 using cells::Ending;
 
-// Returns a limit far above the moves of a scan: two for each line cell, and a few at the ends of lines. With
-// noise, the robot may get lost.
+// Returns a limit for a robot that gets lost because of noise. The limit is far above the moves of a scan:
+// two for each line cell, and a few at the ends of lines.
 std::uint64_t enough_moves(const grid::Map& map) { return 100 * map.cells.size() + 100'000; }
 
 // Records moves if they must be printed, and forwards them.
@@ -85,8 +85,8 @@ std::vector<cells::Route> drive(cells::Survey& survey, const grid::TrueGraph& gr
   return routes;
 }
 
-/// Runs the algorithm and prints the report. `library`: the user's own algorithm, if any; `progressed`
-/// receives its moves.
+/// Runs the algorithm and prints the report. `library`: the user's own algorithm, if any. `progressed`
+/// receives the robot's moves.
 int run_on(const grid::Map& map, const grid::Start& start, const ClassicArguments& arguments,
            const std::filesystem::path& library, cells::MoveWatcher* progressed) {
   const cells::CellFloor floor(map);

@@ -35,8 +35,8 @@ struct Step {
   std::int64_t to, beside;  ///< a clock that differs by `beside` passes no such value
 };
 constexpr Step kSteps[] = {{10'000 * kSecond, 1000 * kSecond}, {16'777'216 * kMillisecond, -1000 * kSecond}};
-// Number of other clocks to try, which pass no such value. If the robot's path depends on a microsecond, each
-// clock usually changes the path.
+// Number of other clocks to try, during which no number becomes longer. If the robot's path depends on a
+// microsecond, each clock usually changes the path.
 constexpr int kOtherClocks = 6;
 constexpr std::int64_t kApart = 1000 * kSecond;
 constexpr std::size_t kMostMoments = 6;
@@ -44,7 +44,8 @@ constexpr std::int64_t kBehindChange = 30 * kMillisecond;
 constexpr std::int64_t kSettled = kSecond, kShortest = 3 * kSecond, kLongest = 600 * kSecond;
 constexpr std::int64_t kSamplesEvery = 10 * kMillisecond, kBehind = 2 * kSecond, kCounted = kSecond;
 constexpr double kSameWay_mm = 30.0, kSameDistance = 0.25;
-// A pin counts as driven differently if it is driven this much more often.
+// A pin counts as driven differently if it changes at least kFewChanges times in one run. This must be more
+// than kManyTimes times the changes in the other run.
 constexpr int kFewChanges = 8, kManyTimes = 8;
 constexpr const char* kLibraries = "libraries/";
 constexpr std::size_t kMostChanges = 100'000;
@@ -106,8 +107,8 @@ bool is_alike(const wire::RunResult& a, const wire::RunResult& b) {
 }
 
 /// Returns whether the sketch has sent its clock, in microseconds, milliseconds, hundredths, tenths, seconds
-/// or minutes. Requires so much output that the sketch may wait for the serial port. After the wrap, the
-/// number has one digit and takes less time.
+/// or minutes. Requires so much output that the sketch may wait for the serial port. After the wrap, sending
+/// the clock takes less time, because it has fewer digits.
 bool prints_clock(const Look& look, std::int64_t clock) {
   constexpr std::int64_t kUnits[] = {1000,    kMillisecond, 10 * kMillisecond, 100 * kMillisecond,
                                      kSecond, 60 * kSecond};
@@ -135,7 +136,7 @@ bool prints_clock(const Look& look, std::int64_t clock) {
 
 /// Returns whether the behaviour also changes without a wrap: with another clock, or with a clock that gains
 /// a digit or bit. A difference of one microsecond can cause such a change. A change after a wrap then proves
-/// nothing. `usual`: the run with `clock`, which passes no such value.
+/// nothing. `usual`: the run with `clock`, which neither wraps nor gains a digit or bit.
 bool is_touchy(client::Runner& runner, const wire::RunRequest& request, const Look& usual, std::int64_t clock,
                std::int64_t moment) {
   for (int i = 1; i <= kOtherClocks; ++i)
@@ -146,7 +147,8 @@ bool is_touchy(client::Runner& runner, const wire::RunRequest& request, const Lo
   });
 }
 
-/// Returns moments shortly after the sketch has driven a pin, before a long pause in which it may wait.
+/// Returns the middle of the run, and moments shortly after the sketch has driven a pin. A long pause, in
+/// which the sketch may wait, follows each of these moments.
 std::vector<std::int64_t> moments_in(const Look& usual) {
   std::vector<std::int64_t> changes;
   for (const auto& [pin, times] : usual.changes) changes.insert(changes.end(), times.begin(), times.end());

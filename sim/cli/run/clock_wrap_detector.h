@@ -6,11 +6,11 @@
 // minutes. If `next` is computed just before the wrap, it may wrap as well, and the deadline passes at once.
 // Or `next` does not wrap: then millis() is less than `next` for 49 days, and steer() is not called.
 //
-// The detector repeats the run twice: with a clock that wraps to 0 during the run, and with a clock that is
-// nearly as high and does not wrap. If these two runs differ after the wrap, the sketch does not handle the
-// wrap. A difference is another verdict, another path in the next 2 s, or a pin that stops changing. Line
-// counts show which line ran far more often, or stopped running. Some sketches also differ with clocks that
-// do not wrap or that gain a digit: a microsecond changes the robot's path. Nothing is reported for them.
+// The detector repeats the run twice. In one run, the clock wraps to 0. In the other run, the clock is nearly
+// as high and does not wrap. If these two runs differ after the wrap, the sketch does not handle the wrap. A
+// difference is another verdict, another path in the next 2 s, or a pin that stops changing. Line counts show
+// which line ran far more often, or stopped running. Some sketches also differ with other clocks that do not
+// wrap, because a microsecond changes the robot's path. Nothing is reported for them.
 //
 // The clock wraps in the middle of the run, or after a pin change that precedes a long pause. The detector
 // misses deadlines that are not pending at any of these moments, and 16-bit variables. It skips sketches

@@ -12,7 +12,8 @@ namespace robosim::cli {
 /// is for whole test suites, so it does not apply to runs that cannot be counted (on a chip).
 std::string coverage_folder(const std::string& option, const std::string& target);
 
-/// A file in the folder for a run's counters, until the end of the scope. Throws InputError if that fails.
+/// Names a file for a run's counters in the folder, and removes the file at the end of the scope. Throws
+/// InputError if files cannot be written to the folder.
 class CounterFile {
  public:
   explicit CounterFile(const std::filesystem::path& folder);

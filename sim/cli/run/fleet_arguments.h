@@ -14,7 +14,7 @@ namespace robosim::cli {
 /// Copies the common settings to each robot of the fleet that does not have its own.
 void fill_up(launch::Fleet& fleet, const RunArguments& all);
 
-/// "A=uno5" is for A; a path may contain = after its first '/' or '.'.
+/// A value for all robots, or for one robot, as in "A=uno5". A path may contain = after its first '/' or '.'.
 struct Named {
   std::string name;  ///< empty = for all
   std::string value;

@@ -30,7 +30,7 @@ namespace {
 
 /// Returns 0 if all robots have reached their goals; otherwise the most important failure.
 int status_of(const std::vector<wire::RunResult>& results) {
-  // If a sketch has taken the process down, the other robots are interrupted, too.
+  // If a sketch has crashed the process, the runs of the other robots are interrupted, too.
   if (client::Interrupts::count() > 0) return static_cast<int>(ExitStatus::interrupted);
   for (const ExitStatus status : {ExitStatus::failed, ExitStatus::timeout, ExitStatus::interrupted})
     for (const wire::RunResult& result : results)
@@ -38,7 +38,7 @@ int status_of(const std::vector<wire::RunResult>& results) {
   return static_cast<int>(ExitStatus::ok);
 }
 
-/// Runs in the live view.
+/// Runs the robots in the live view.
 wire::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, const launch::Fleet& fleet,
                       const RunArguments& arguments, const wire::OnEvent& on_event) {
   runner.keep_close();

@@ -2,7 +2,7 @@
 // of JSON on the standard input (sim/wire/live.h), at any time. Reports are lines on the standard output,
 // about 60 times a second. The first report is `recording`, the header of the run's recording. The runner's
 // events follow, with `paused` at each pause; the last report is the `result`. The run begins paused, and
-// ends with the standard input.
+// ends at the end of the standard input.
 #pragma once
 
 #include "sim/client/runner.h"

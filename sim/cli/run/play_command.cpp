@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The list of maps only examines smaller files.
+// Larger files are listed without being examined.
 constexpr std::uintmax_t kLargestListed_bytes = 256'000;
 
 volatile sig_atomic_t the_signal = 0;

@@ -1,4 +1,4 @@
-// `robosim play`: the session of the original program.
+// `robosim play`: an interactive session, as in the original program, Robosim v1.
 #pragma once
 
 #include "sim/cli/arguments.h"

@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kWidestEnd_columns = 78;
 
-/// Thrown through the recording when the user quits.
+/// Thrown to stop the playback when the user quits.
 struct Left {};
 
 /// Returns the robots' names if there are several; otherwise empty.

@@ -1,5 +1,5 @@
 // Runs a failed sketch a second time, built with the checks of --sanitize. The checks may report the faulty
-// line: a product that does not fit a 16-bit int, or an index that overwrote other data long before.
+// line. Examples are a product that does not fit a 16-bit int, and an index that has overwritten other data.
 #pragma once
 
 #include <optional>

@@ -234,8 +234,8 @@ wire::Cause SourceText::named_in(std::deque<wire::SourceLine> chain) {
   return named;
 }
 
-/// Returns the file that declares a name: `file` itself, or the only neighbouring file that does. Returns
-/// `file` if there is no such file.
+/// Returns the file that declares a name: `file` itself, or the only neighbouring file that declares the
+/// name. Returns `file` if there is no such file.
 std::string SourceText::file_that_declares(const std::string& name, const std::string& file) {
   if (declarations_in(file).contains(name)) return file;
   std::string found = file;
@@ -292,8 +292,9 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   return known->second;
 }
 
-// Skips missing files, and files outside the reach of each folder (build::reach_of), also through a link: a
-// sketch can claim any name with #line. For a library, the image only has "libraries/NAME/...".
+// Skips missing files. A sketch can claim any file name with #line. Therefore also skips files outside the
+// reach of each folder (build::reach_of), even if a link leads to them. For a library, the image contains
+// only "libraries/NAME/...".
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
   if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;

@@ -38,7 +38,7 @@ wire::RunResult error_result(const Combination& c, const wire::RunRequest& reque
   return result;
 }
 
-/// Detects a file that changes during a sweep, because its results would mix two versions in one table.
+/// Throws if a file has changed during the sweep, because the table would mix results of two versions.
 void check_unchanged(const Combination& c, const wire::RunResult& result) {
   const auto check = [](const std::string& file, const std::string& then, const std::string& now) {
     if (then != now)

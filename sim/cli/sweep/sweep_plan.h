@@ -19,7 +19,7 @@ namespace robosim::cli {
 /// A fingerprint of all inputs of a run except its seed. It has several parts, so that the changed part can
 /// be reported. Each part has 8 hexadecimal digits, the beginning of a SHA-256.
 struct Fingerprint {
-  /// Image, map, robot; and everything else: Robosim's version and the options that all runs share.
+  /// The image, the map, the robot, and everything else: Robosim's version, and options that all runs share.
   std::array<std::string, 4> parts;
   /// Returns "0123abcd-…"
   std::string text() const;

@@ -1,5 +1,5 @@
 // Tries out a draft of a robot with its sketch. The sketch's use of its pins refines the next draft. If
-// several wirings are possible, chooses one that follows a line.
+// several wirings are possible, chooses a wiring with which the robot follows a line.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,9 @@
 
 namespace robosim::cli {
 
-/// Returns whether the robot has followed the line for a lap. Excludes laps of an easy map by luck: the
-/// cross-track error (RMS) is half the robot's width or more, or the sensors rarely see the line.
-/// `sensors_beside`: the sensors are next to the line, and so rarely see it.
+/// Returns whether the robot has followed the line for a lap. Excludes laps by luck: the RMS cross-track
+/// error is at least 50 mm, or the sensors are off the line half of the time. `sensors_beside`: the sensors
+/// are next to the line, so that they rarely see it.
 bool follows_a_lap(const wire::RunResult& result, bool sensors_beside);
 
 class CandidateTrial {
@@ -25,7 +25,8 @@ class CandidateTrial {
 
   /// Makes drafts until a run shows nothing new. Throws InputError if the sketch does not build.
   wiring::RobotDraft draft();
-  /// Sets `draft` to the variant that drives best among its open variants. Returns the result of its run.
+  /// Sets `draft` to the variant that drives best among its open variants. Returns the result of the best
+  /// run.
   wire::RunResult choose(wiring::RobotDraft& draft);
   /// Return the number of variants that choose() has tried, and whether the chosen variant follows the line
   /// for a lap.

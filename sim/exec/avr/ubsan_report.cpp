@@ -74,8 +74,8 @@ std::uintptr_t handle(const std::uint64_t& value, unsigned bits) {
                                             : reinterpret_cast<std::uintptr_t>(&value);
 }
 
-/// Returns whether the data has no location. For a float that does not fit, the data of avr-gcc 5 starts with
-/// the float's type.
+/// Returns whether the data about a float that does not fit contains no location. The data of avr-gcc 5
+/// starts with the float's type instead.
 bool lacks_location(const Memory& memory, unsigned data) {
   return memory.word(memory.word(data)) == ubsan::Type::floating;
 }

@@ -34,7 +34,7 @@ bool is_arithmetic(Op op) {
 struct Origin {
   Op op = Op::nop;           ///< a load, IN or LDI; nop = unknown
   std::int32_t address = 0;  ///< the address of an IN
-  bool is_changed = false;   ///< arithmetic followed
+  bool is_changed = false;   ///< arithmetic has changed the loaded value
 };
 
 /// Returns the origin of the value that the last instruction has stored. Follows copies through registers.
@@ -118,7 +118,7 @@ void WatchedChip::run_to(Cycle cycle) {
     const std::uint32_t last = 2 * cpu().last_pc(), here = pc();
     switch (why) {
       case Chip::Stop::reached:
-      case Chip::Stop::sleep:  // never returned by Chip::run_to(), which sleeps by itself
+      case Chip::Stop::sleep:  // never returned by Chip::run_to(), which handles sleep itself
         break;
       case Chip::Stop::off:
         state_.off = true;
@@ -346,8 +346,8 @@ void WatchedChip::stack_pointer_written() {
   stack_moved();
 }
 
-/// Returns the lowest address of the stack that the sketch has set up. Inside the variables, a stack
-/// without a name, as in a .hex, has an unknown size.
+/// Returns the lowest address of the stack that the sketch has set up. A stack among the variables that has
+/// no symbol, as in a .hex, has an unknown size.
 std::uint16_t WatchedChip::lowest_of_own_stack() const {
   if (state_.own_variable) return static_cast<std::uint16_t>(state_.own_variable->address - kAvrData);
   return sp() > firmware_.globals_end ? firmware_.globals_end : spec_.ram_address;
@@ -362,8 +362,8 @@ const Symbol* WatchedChip::variable_of_stack(std::uint16_t at, bool is_in_use) c
   return below ? below : here;
 }
 
-/// Handles a switch of tasks. A handler may leave the interrupted task, and continue another task. If that
-/// task had yielded by itself, the handler returns by RET instead of RETI.
+/// Handles a switch of tasks. A handler may leave the interrupted task, and continue another task. If the
+/// other task had yielded by itself, the handler returns by RET instead of RETI.
 void WatchedChip::task_changed(std::uint16_t from, std::uint16_t to) {
   if (cpu().open_handlers() > 0) state_.handlers_of_stacks[from] = cpu().open_handlers();
   const auto left = state_.handlers_of_stacks.find(to);

@@ -100,7 +100,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   /// Sets the end of variables and heap, below which the sketch's stack must not go.
   void set_stack_limit(std::uint16_t limit);
   /// Returns whether the sketch has set up the current stack, for example for a task. own_stack_variable()
-  /// returns the variable that contains it; null = in the heap.
+  /// returns the variable that contains this stack; null = in the heap.
   bool has_own_stack() const { return state_.own_stack; }
   const Symbol* own_stack_variable() const { return state_.own_variable; }
   /// Returns false between the writes of the stack pointer's two halves.

@@ -2,8 +2,8 @@
 //
 //   ELF ──► ChipFirmware ── power_on() ──► RunningChip ──► ClockedBoard ──► board
 //
-// A tick runs to the first instruction that ends at or after the tick's end. Edges and bytes scheduled by the
-// robot reach the chip at the end of the instruction that runs at that time.
+// A tick runs to the first instruction that ends at or after the tick's end. Edges and bytes from the robot
+// reach the chip after the instruction that runs at their scheduled time.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,6 @@
 // The board that all executors share. It implements the views of firmware and robot. It stores how pins are
-// driven, their watchers, and the inputs that have not reached the chip yet. All times are the world's.
+// driven, their watchers, and the inputs that have not reached the chip yet. All times are by the world's
+// clock.
 #pragma once
 
 #include <algorithm>

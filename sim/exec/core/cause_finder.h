@@ -2,7 +2,7 @@
 // the inputs that were read.
 //
 //   begin()         records each instruction from now on
-//   ask()           selects the question: why pins are driven, or (ask_place()) why firmware is where it is
+//   ask()           selects the question: why pins are driven, or (ask_place()) why firmware is at its place
 //   follow()        goes back to the beginning of the record
 //   open_bytes()    returns the bytes that were written before the record. To trace them, restore an earlier
 //                   state, call begin(), run again, and call follow() again

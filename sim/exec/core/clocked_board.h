@@ -1,5 +1,6 @@
-// Gives executors the board, with all times by the firmware's own clock. Only this class converts between the
-// firmware's times and the world's. Executors and their parts use the firmware's clock only.
+// Connects executors to the board, with all times by the firmware's own clock. Only this class converts
+// between times of the firmware and times of the world. Executors and their parts use the firmware's clock
+// only.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ class ClockedBoard final : public FirmwarePort {
  public:
   explicit ClockedBoard(BoardState& board) : board_(board) {}
 
-  // --- for executors; times are the firmware's, except where stated
+  // --- for executors; times are by the firmware's clock, except where stated
   /// Begins a tick that ends at `end`, a time of the world. Returns `end` by the firmware's clock. If an
   /// instruction begins before `end` and ends after it, its effects appear in the world at `end`.
   SimTime begin_tick(SimTime end) {
@@ -47,7 +48,7 @@ class ClockedBoard final : public FirmwarePort {
     FirmwareClock clock;
     SimTime limit = kNever;
   };
-  /// Saves the state, except the board's.
+  /// Saves the state, except the board's state.
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
 

@@ -63,8 +63,8 @@ class Executor {
   /// Runs the firmware up to simulated time `t`. Edges and bytes scheduled before `t` arrive at their exact
   /// time. Returns at once if the firmware is off or has crashed.
   virtual void run_until(SimTime t) = 0;
-  /// Returns the time up to which run_until() would only store the time; 0 = unknown. The result is valid
-  /// until the board gets an edge or byte, or another function of this class is called.
+  /// Returns the time up to which run_until() has no effect except on the time; 0 = unknown. The result is
+  /// valid until the board gets an edge or byte, or another function of this class is called.
   virtual SimTime sleeps_until() const { return 0; }
   /// Variant of run_until() for times up to sleeps_until().
   virtual void sleep_until(SimTime t) { run_until(t); }

@@ -1,7 +1,8 @@
-// Converts between the firmware's clock and the world's. Both are equal until drift() is called; from then on
+// Converts between the firmware's clock and the world's. Both are equal until drift() is called, when they
+// are f0 and w0. From then on, in whole nanoseconds:
 //   firmware = f0 + ceil((world - w0) (1 + ppm / 10^6))
 //   world    = w0 + floor((firmware - f0) / (1 + ppm / 10^6))
-// in whole nanoseconds, so that world(f) >= w exactly if f >= firmware(w).
+// The rounding ensures that world(f) >= w if and only if f >= firmware(w).
 #pragma once
 
 #include "hal/board/sim_time.h"

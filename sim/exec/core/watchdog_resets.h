@@ -1,5 +1,5 @@
-// Counts resets by the watchdog. An occasional reset is the watchdog's purpose. Firmware that makes no
-// progress between resets has crashed.
+// Counts resets by the watchdog. An occasional reset is the watchdog's purpose. Firmware that is reset
+// several times in a row has crashed.
 #pragma once
 
 #include <fmt/format.h>

@@ -18,7 +18,7 @@ namespace robosim::exec::gdb {
 namespace {
 
 constexpr char kInterrupt = '\x03';
-constexpr int kSlice_ms = 200;  // limit of one poll(), which a signal just before it does not end
+constexpr int kSlice_ms = 200;  // limit of one poll(): a signal just before poll() does not end it
 constexpr std::size_t kLongestPacket = 1 << 16;
 
 int checksum(std::string_view body) {

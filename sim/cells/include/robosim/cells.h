@@ -1,4 +1,4 @@
-// Declares the senses and moves of a navigation algorithm on Robosim's floor of cells.
+// Declares the sensing and the moves for a navigation algorithm on Robosim's floor of cells.
 //
 // Write one file:
 //

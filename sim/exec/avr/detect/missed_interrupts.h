@@ -7,7 +7,7 @@
 //   a fourth unread byte                    the middle of a message is missing
 //   an overflow of timer 0                  millis() loses 1.024 ms: delay() and timeouts take longer
 //
-// Counts the actual losses, with the place that delayed the handler: a section between noInterrupts() and
+// Counts the actual losses. Reports the place that delayed the handler: a section between noInterrupts() and
 // interrupts(), or another slow handler. Slow handlers print, wait, or compute with floats. An encoder with
 // 1200 edges per second needs its handler within 0.8 ms; bytes at 115200 baud within 0.26 ms.
 //

@@ -109,8 +109,8 @@ void RaceAnalysis::find_accesses(const DebugInfo& debug) {
   accesses_.erase(same, accesses_.end());
 }
 
-/// Adds an access if the instruction at word address `pc`, and one soon after it, access different bytes of
-/// one number.
+/// Adds an access if the instruction at word address `pc` and a later instruction access different bytes of a
+/// number.
 void RaceAnalysis::add_group(std::uint32_t pc, const DebugInfo& debug) {
   const Cpu& cpu = chip_.cpu();
   const Instruction& first = cpu.instruction(pc);
@@ -192,7 +192,7 @@ Cycle RaceAnalysis::soon() const { return static_cast<Cycle>(chip_.core().clock_
 void RaceAnalysis::touch(std::size_t access) {
   const std::size_t number = accesses_[access].number;
   std::erase_if(armed_, [&](const Armed& armed) { return accesses_[armed.access].number == number; });
-  if (chip_.core().events.next_urgent() > chip_.cycle() + soon()) return;  // no handler runs within that time
+  if (chip_.core().events.next_urgent() > chip_.cycle() + soon()) return;  // no handler will run soon
   const std::uint64_t vectors = chip_.may_interrupt();
   if (vectors) armed_.push_back({access, vectors, chip_.cycle(), chip_.cpu().data, chip_.cpu().state});
 }

@@ -3,7 +3,7 @@
 // about to write back a changed value (flags |= 2). If a handler writes the byte in between, its write is
 // lost.
 //
-// Such coincidences are rare. A finding therefore proves, step by step, that one is possible:
+// Such coincidences are rare, so the analysis does not wait for one. It reports a finding if one is possible:
 //
 //   the program accesses two bytes of a number, or writes back a byte, while interrupts are on
 //   an enabled interrupt has a handler that would change the number at that point

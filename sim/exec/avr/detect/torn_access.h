@@ -1,6 +1,7 @@
 // Detects torn reads, torn writes and lost updates (detect/race_analysis.h) in the flashed sketch, without
 // ending the run. In addition to the cases that RaceAnalysis misses, this detector misses numbers that the
-// compiler accesses through a pointer register. The compiler may do that only in the flashed image.
+// compiler accesses through a pointer register. The compiler may access a number this way only in the flashed
+// image, not in an image with checks.
 #pragma once
 
 #include <string>

@@ -41,7 +41,7 @@ class Branches {
 
  private:
   std::uint32_t led_to(std::uint32_t pc, std::int32_t by) const;
-  /// Returns the function that is called at `pc`; nothing without a call, or if the target is unknown.
+  /// Returns the function that is called at `pc`; nothing if no function is called, or if it is unknown.
   std::optional<std::uint32_t> called_at(std::uint32_t pc) const;
   /// Returns the addresses at which execution can continue in the same function; empty after a return, or if
   /// unknown.

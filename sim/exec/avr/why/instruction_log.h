@@ -1,7 +1,7 @@
 // Records each executed instruction, with its accesses to data memory.
 //
-// While the log records, the chip runs in single steps and does not skip waiting loops. The results are the
-// same.
+// While the log records, the chip runs in single steps and does not skip waiting loops. The results do not
+// change.
 #pragma once
 
 #include <cstdint>
