@@ -12,8 +12,8 @@
 
 namespace robosim::cells {
 
-/// What the robot perceives, as in Robosim v1. It depends on which of four cells are line: the cells in
-/// front, on the right and on the left, and the robot's own cell.
+/// The robot's perception, as in Robosim v1. It depends on which of four cells are line: the cells in front,
+/// on the right and on the left, and the robot's own cell.
 enum class Sense : std::uint8_t { no_path, straight, right_turn, left_turn, junction };
 /// Returns "no_path", "straight", …
 const char* name_of(Sense sense);

@@ -3,7 +3,7 @@
 namespace robosim::cells {
 namespace {
 
-// For each set of arms and each entry, the headings of the slots, two bits each.
+// Contains, for each set of arms and each entry, the headings of a node's slots, two bits each.
 constexpr auto kHeadings = [] {
   std::array<std::uint8_t, 64> all{};
   for (unsigned arms = 0; arms < 16; ++arms) {

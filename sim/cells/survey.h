@@ -1,9 +1,9 @@
-// Implements the third algorithm: scans a floor into a graph, then uses the graph to drive from station to
-// station.
+// Implements the third algorithm of `robosim classic`: scans a floor into a graph, then uses the graph to
+// drive from station to station.
 //
 // The navigator's explorer (firmware/src/nav/Explorer.h) makes the scan. As in Robosim v1, the robot ends the
 // scan at the start, facing the line. If the start is not the end of a line, the robot continues to station 1
-// by a shortest path. Station 1 may be missing.
+// by a shortest path. Without stations, it stays at the start.
 //
 // Stations are numbered from 1 in the order of discovery. Station 1 is the start if a line ends there.
 // Junctions are numbered from 1 in the order of discovery.

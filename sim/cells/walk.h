@@ -1,5 +1,5 @@
-// Implements the first two algorithms: walks that keep to the left or to the right. On a tree, both visit
-// everything and return to the start.
+// Implements the first two algorithms of `robosim classic`: walks that keep to the left or to the right. On a
+// tree, both visit everything and return to the start.
 #pragma once
 
 #include <unordered_set>

@@ -9,7 +9,7 @@
 namespace robosim::cli {
 namespace {
 
-/// Returns the possible words of a value; files may be possible, too.
+/// Returns the possible words of a value. Files may be possible in addition.
 std::vector<std::string> words_of(const PossibleValues& values) {
   switch (values.kind) {
     case PossibleValues::Kind::sketch:
@@ -38,7 +38,7 @@ bool takes_files(const PossibleValues& values) {
 
 std::string joined(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, " ")); }
 
-/// Returns the commands without actions, and all actions: "run", "map check".
+/// Returns the commands that have no actions, and the actions of the others: "run", "map check".
 std::vector<CommandHelp> leaves(const std::vector<CommandGroup>& groups) {
   std::vector<CommandHelp> all;
   for (const CommandGroup& group : groups) {

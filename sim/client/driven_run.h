@@ -1,4 +1,4 @@
-// Controls a run step by step. The run pauses at t = 0 and at every stop. During a pause, its state is
+// Controls a run step by step. The run pauses at t = 0 and at every stop. During a pause, the run's state is
 // available, and lines of the scenario language can be run.
 //
 //   request.samples_every_ns = …;
@@ -7,7 +7,7 @@
 //   if (run.go_on(5'000'000'000, {client::Stop::serial("ready")})) …   // pauses at 5 s, or earlier
 //   const client::RunResult result = run.end();
 //
-// A run with run.script() as its script gives an equal trace.
+// A later run with run.script() as its script has the same trace.
 #pragma once
 
 #include <optional>
@@ -20,8 +20,8 @@ namespace robosim::client {
 
 class DrivenRun {
  public:
-  /// Starts a run on a runner, which is busy until the run is over. `on_event` is called during calls of this
-  /// class, and must not call the class. Throws the exceptions of Runner::run().
+  /// Starts a run on a runner, which is busy until the run is over. `on_event` is called by this class, and
+  /// must not call the class. Throws the exceptions of Runner::run().
   DrivenRun(Runner& runner, wire::RunRequest request, wire::OnEvent on_event = {});
   /// Ends the run unless it is over.
   ~DrivenRun();

@@ -47,9 +47,9 @@ struct Batch {
   std::function<Task(std::size_t)> task;
   /// Called for each run in ascending order. An exception ends the batch and is passed on.
   std::function<void(std::size_t, Answer)> answered;
-  /// Returns whether a run is (still) wanted; may be empty. It is called before a run begins, when the answer
-  /// may not be known yet. It is called again after the answers of all earlier runs, before the run's own
-  /// answer is passed on. Runs after the deciding run are therefore dropped, even if they were executed.
+  /// Returns whether a run is still wanted; may be empty. It is called before a run begins, when earlier runs
+  /// may not have ended yet. It is called again after the answers of all earlier runs, before the run's own
+  /// answer is passed on. An unwanted run is therefore dropped, even if it was executed.
   std::function<bool(std::size_t)> wanted;
 };
 

@@ -39,7 +39,7 @@ class Process {
   /// Returns whether read_line() reached the end of the output.
   bool silent() const { return silent_; }
 
-  /// Makes the output pipe as short as possible (a page), so that the program cannot run far ahead of its
+  /// Makes the output pipe as small as possible (a page). The program then cannot run far ahead of its
   /// reader.
   void keep_close() const;
 

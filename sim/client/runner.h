@@ -85,7 +85,7 @@ class Runner {
   wire::Hello hello_;
   long long last_id_ = 0;
   wire::BatchReader batches_{{}};  ///< reader for the last requested run
-  bool batch_is_damaged_ = false;  ///< in the last requested run, whose later batches are not read
+  bool batch_is_damaged_ = false;  ///< in the last requested run; its later batches are not read
 };
 
 }  // namespace robosim::client

@@ -19,9 +19,9 @@ namespace robosim::course {
 /// and goal are 1 m apart, if they fit on the straight between the last circle and the first.
 Imported read_robotrace(const nlohmann::json& json, const std::string& file);
 
-/// Reads RoboCupJunior Rescue Line, rcj-rescue-cms: tiles of 300 mm. The first path is the line from the
-/// start tile, the second path the line after the evacuation zone. The other lines of the tiles follow. The
-/// remarks name the features that a map cannot represent. `json` must have the key “tiles”.
+/// Reads a RoboCupJunior Rescue Line course of rcj-rescue-cms, made of tiles of 300 mm. The first path is the
+/// line from the start tile, the second path the line after the evacuation zone. The other lines of the tiles
+/// follow. The remarks name the features that a map cannot represent. `json` must have the key “tiles”.
 Imported read_rescue(const nlohmann::json& json, const std::string& file);
 
 /// Parses JSON. Throws InputError with the line of the first error.

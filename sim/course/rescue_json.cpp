@@ -276,7 +276,7 @@ class RescueReader {
         "no tile of the evacuation zone is next to startTile2, so the path after the zone is missing");
   }
 
-  // Adds a strip across the path, on this side of the edge of a tile.
+  // Adds a strip across the path. The strip's edge towards `side` goes through `at`.
   void strip(Vec2 at, char side, grid::Hue hue, double across) {
     const Vec2 out{(side == 'R') - 1.0 * (side == 'L'), (side == 'T') - 1.0 * (side == 'B')};
     areas_.push_back({{{at - out * (0.5 * kGreen), out}, 0.5 * kGreen, 0.5 * across}, {hue}});

@@ -1,5 +1,5 @@
 // Reads loaded segments, sections and symbols of ELF files with libelf (elfutils). Users' files may be
-// damaged; they are rejected with an error message.
+// damaged. Damaged files are rejected with an error message.
 #pragma once
 
 #include <cstddef>

@@ -33,8 +33,8 @@ std::optional<std::string> why_beyond(const FigureLimit& limit, const wire::RunR
   return std::nullopt;
 }
 
-/// Returns the first of `texts` that does not follow the previous text in `all`: "“b” by its serial port
-/// after “a”".
+/// Returns the first of `texts` that does not follow the previous text in `all`: "“b” over its serial
+/// port after “a”".
 std::optional<std::string> missing_of(const std::vector<std::string>& texts, const std::string& all,
                                       const char* by) {
   std::size_t at = 0;

@@ -25,7 +25,7 @@ struct FigureLimit {
 struct Check {
   std::string name;
   Place place;
-  SweepArguments sweep;             ///< its runs, without sketches yet
+  SweepArguments sweep;             ///< the runs of the check; the caller adds sketches
   std::string fleet;                ///< a file of several robots, which replaces the sketch; empty = none
   std::vector<std::string> expect;  ///< the verdicts that a run may end with
   std::vector<FigureLimit> limits;

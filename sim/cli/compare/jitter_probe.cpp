@@ -146,7 +146,7 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
   progress_.say("checking whether the host shows both behaviours when slightly delayed …");
   const analysis::Difference& difference = *compared.difference;
   const bool drives = analysis::is_of_driving(difference);
-  // Checks output only for a short time: behind_tick() compares later output, with the host equally late.
+  // Checks output only for a short time, because behind_tick() compares later output with the delayed host.
   const std::int64_t behind_ns = drives || pair.target_runs[as] != host ? analysis::kBehindEdge_ns : kSoon_ns;
   ObservedRobot observed = observed_robot_of(compared, as, pair);
   std::array<std::vector<wire::Lateness>, 2> late{observed.late, observed.late};

@@ -1,5 +1,5 @@
 // Decides whether a difference is chance. Runs each target with a slightly wrong clock, and delays the
-// program on the host by a fraction of a millisecond. docs/howto/comparing.md explains the method.
+// program on the host by up to 10 ms. docs/howto/comparing.md explains the method.
 #pragma once
 
 #include <array>

@@ -11,8 +11,8 @@
 namespace robosim::cli {
 
 /// Returns avrdude's command line, beginning with its name: for the board's chip through Arduino's boot
-/// loader, as in the core's platform.txt. `file` is a .hex or an .elf. -D: the boot loader erases each page
-/// as it writes it.
+/// loader, as in the core's platform.txt. `file` is a .hex or an .elf. The words include -D, because the boot
+/// loader erases each page before it writes the page.
 std::vector<std::string> avrdude_words(const FlashArguments& arguments, const BoardSpec& board,
                                        const std::filesystem::path& file);
 

@@ -1,4 +1,4 @@
-// `robosim man`: manual pages to standard output, or all of them into a folder.
+// `robosim man`: writes one manual page to standard output, or all pages into a folder.
 #pragma once
 
 #include "sim/cli/arguments.h"

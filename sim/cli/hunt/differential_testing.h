@@ -1,7 +1,7 @@
-// Compares two runs of a test case that should be alike. One pair of runs is on the host and on the board's
-// chip. The other pair is on the chip, with and without a clock near its wrap. If the two runs always diverge
-// in the same way, the sketch depends on something that it should not. Examples are the width of an int, the
-// content of flash, and the time since power-on.
+// Compares two runs of a test case that should be alike. Either one run is on the host, and the other run on
+// the board's chip. Or both runs are on the chip, and only one has a clock near its wrap. If the two runs
+// always diverge in the same way, the sketch depends on something that it should not. Examples are the width
+// of an int, the content of flash, and the time since power-on.
 #pragma once
 
 #include <optional>

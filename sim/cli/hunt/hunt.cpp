@@ -274,7 +274,8 @@ bool Hunt::go() {
   return true;
 }
 
-/// Adds a row of another machine. The files of its finding are in `files`. The finding may already be known.
+/// Adds a row from another machine's log. The files of the row's finding are in `files`. The finding may
+/// already be known.
 void Hunt::adopt(HuntRow& row, const fs::path& files) {
   HuntFinding finding = std::move(*row.fresh);
   row.fresh.reset();

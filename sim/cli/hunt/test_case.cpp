@@ -18,7 +18,7 @@ using worlds::RandomSource;
 
 constexpr int kMostSquares = 4, kMostPieces = 10, kUsualPieces = 5, kFewPieces = 3, kMostFaults = 2;
 constexpr int kMostSeeds = 1000;
-constexpr int kHeldFor_ms = 300, kAfterHeld_ms = 4'000;  // a button at power-on
+constexpr int kHeldFor_ms = 300, kAfterHeld_ms = 4'000;  // for a button held at power-on
 constexpr int kLongBefore_ms = 40'000, kAfterStimulus_ms = 4'000;
 constexpr std::uint64_t kPairEvery = 6;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;

@@ -72,7 +72,7 @@ struct TestCase {
   bool drawn() const { return track || network; }
 };
 
-/// The possible choices.
+/// The choices from which test cases are drawn.
 struct HuntSpace {
   /// A build: its target, and whether the sketch is compiled with checks.
   struct Build {

@@ -31,7 +31,7 @@ struct MutationResult {
   std::size_t count(Trial::Ending ending) const;
   std::size_t found() const { return count(Trial::Ending::failed) + count(Trial::Ending::late); }
   std::size_t unobserved() const;
-  std::size_t brittle() const;  ///< controls that failed
+  std::size_t brittle() const;  ///< number of controls (harmless changes) that did not pass
   /// Returns the share of found mutants among those that a run can show; 1 if there are no such mutants.
   double score() const;
 };

@@ -29,7 +29,7 @@ struct ReportExtras {
   std::size_t not_made = 0;   ///< number of failed runs beyond the maximum to repeat
   std::size_t written = 0;    ///< number of `replays` for this page
   std::string cannot;         ///< the first reason why a run cannot be repeated
-  std::size_t cannot_be = 0;  ///< number of such runs
+  std::size_t cannot_be = 0;  ///< number of runs that cannot be repeated
 
   void add(const RecordingExtract& extract);
 

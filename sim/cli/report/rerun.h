@@ -19,7 +19,7 @@ namespace robosim::cli {
 /// The parts of a recording that a report needs.
 struct RecordingExtract {
   std::string map;       ///< its name
-  std::string map_text;  ///< if the map is too large to be drawn, empty, and `floor` is unset
+  std::string map_text;  ///< empty if the map is too large to be drawn; `floor` is then unset
   std::optional<record::FloorShapes> floor;
   std::vector<std::array<double, 2>> left_mm;  ///< x, y where no sensor had seen the line for 20 ms
 };

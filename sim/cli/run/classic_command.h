@@ -1,4 +1,4 @@
-// `robosim classic`: runs the robot on cells.
+// `robosim classic`: runs a robot that moves from cell to cell.
 #pragma once
 
 #include "sim/cli/arguments.h"

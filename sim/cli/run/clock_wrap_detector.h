@@ -13,12 +13,12 @@
 // wrap, because a microsecond changes the robot's path. Nothing is reported for them.
 //
 // The clock wraps in the middle of the run, or after a pin change that precedes a long pause. The detector
-// misses deadlines that are not pending at any of these moments, and 16-bit variables. It skips sketches
+// misses 16-bit variables, and deadlines that are not pending at any of these moments. It skips sketches
 // whose behaviour depends on the time since power-on. It also skips sketches that send their clock (in
 // microseconds to minutes) among 64 or more bytes per second: the clock has fewer digits after the wrap.
 //
-// To fix such a sketch, compare durations, which are correct across 0: millis() - start >= 50, both
-// `unsigned long`.
+// To fix such a sketch, compare durations, which are correct across 0: millis() - start >= 50, with an
+// `unsigned long` start.
 #pragma once
 
 #include <vector>

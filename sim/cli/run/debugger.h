@@ -1,4 +1,4 @@
-// `robosim run --gdb PORT`: prints the command for the user's other terminal.
+// `robosim run --gdb PORT`: prints the command that starts the debugger in another terminal.
 #pragma once
 
 #include <cstdint>

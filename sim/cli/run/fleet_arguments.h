@@ -1,5 +1,5 @@
-// Options of `run` and `compare` for one of several robots. `--robot A=uno5` is for robot A, `--robot uno5`
-// for all robots without their own. The sketch argument may also name a fleet's file.
+// Options of `run` and `compare` for one of several robots. `--robot A=uno5` is for robot A. `--robot uno5`
+// is for all robots without a value of their own. The sketch argument may also name a fleet's file.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace robosim::cli {
 
-/// Copies the common settings to each robot of the fleet that does not have its own.
+/// Copies each common setting to the robots of the fleet that do not have their own value.
 void fill_up(launch::Fleet& fleet, const RunArguments& all);
 
 /// A value for all robots, or for one robot, as in "A=uno5". A path may contain = after its first '/' or '.'.

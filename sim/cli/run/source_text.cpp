@@ -118,7 +118,7 @@ bool writes(const std::string& line, const std::string& name) {
                        R"(\s*(?:\+\+|--)|(?:\+\+|--)\s*)" + name + "\\b"));
 }
 
-/// Returns the function that contains the line `at`, from 0; empty if unknown.
+/// Returns the function that contains the line `at`, counted from 0; empty if unknown.
 std::string function_at(const std::vector<std::string>& lines, std::size_t at) {
   static const std::regex head(R"((?:[A-Za-z_][\w:<>]*[\s*&]+)*([A-Za-z_]\w*)\s*\(.*\{.*)");
   for (std::size_t i = at + 1; i-- > 0;) {

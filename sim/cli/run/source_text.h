@@ -16,7 +16,7 @@ namespace robosim::cli {
 
 class SourceText {
  public:
-  /// The files are searched in `folders`: the sketch's folder, folders of single libraries, and folders that
+  /// Looks for the files in `folders`: the sketch's folder, folders of single libraries, and folders that
   /// contain libraries.
   explicit SourceText(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 

@@ -30,8 +30,8 @@ class Progressed final : public cells::MoveWatcher {
 };
 
 /// Runs `work` in another process. `work` receives the shared memory, prints its output and returns the exit
-/// status. The exit status is 1 if the process dies, exits by itself, or uses 5 s of processor time without a
-/// move. Then a sentence about `name` is written to standard error.
+/// status. Returns 1 if the process dies, exits by itself, or makes no move in 5 s of processor time. In
+/// these cases, supervise() also writes a sentence about `name` to standard error.
 int supervise(const std::string& name, const std::function<int(Progressed&)>& work);
 
 }  // namespace robosim::cli

@@ -2,7 +2,7 @@
 //
 //   ELF ──► WatchedChip ── Chip of sim/avr ──► BoardAdapter ──► FirmwarePort
 //
-// The chip uses the board's clock. A tick may end up to 3 cycles late.
+// The chip uses the board's clock. A tick ends with a whole instruction, up to 3 cycles late.
 #pragma once
 
 #include <filesystem>

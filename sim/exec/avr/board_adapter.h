@@ -16,7 +16,7 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
 
   /// Connects the chip. Must be called before all other functions.
   void plug_in(robosim::avr::Chip& chip) { chip_ = &chip; }
-  /// Passes the inputs that have arrived by now to the chip, and schedules the call for the next input.
+  /// Passes to the chip the inputs that have arrived by `now`, and schedules the call for the next input.
   void take_inputs(Cycle now) {
     state_.expected = kNever;
     if (board_.next_input() != kNever) take_waiting(now);

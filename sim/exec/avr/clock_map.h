@@ -1,4 +1,4 @@
-// Converts between the chip's cycles and the board's time.
+// Converts between the chip's cycles and times.
 #pragma once
 
 #include "hal/board/cycle_time.h"
@@ -8,7 +8,7 @@ namespace robosim::exec::avr {
 
 using robosim::avr::Cycle;
 
-/// Converts times that the chip's own clock measures.
+/// All times are measured by the chip's own clock.
 class ClockMap {
  public:
   /// Maps cycle 0 to `began`, the time of the power-on.

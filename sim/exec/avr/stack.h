@@ -2,8 +2,8 @@
 //
 //   0x0100 variables | heap -> ...        ... <- stack | 0x08FF      addresses of an ATmega328P
 //
-// The chip checks every change of the stack pointer. This also detects short deep calls, and large arrays
-// that are never written.
+// The chip checks every change of the stack pointer. Therefore deep calls that return soon, and large arrays
+// that are never written, are detected as well.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class Stack {
   Stack(WatchedChip& chip, const Firmware& firmware);
 
   bool has_heap() const { return heap_pointer_ != 0; }
-  /// Updates the limit that the stack must not cross to the current end of the heap.
+  /// Sets the stack's limit to the current end of the heap.
   void look();
   /// Returns the largest number of bytes that were in use.
   std::uint32_t most_bytes() const {

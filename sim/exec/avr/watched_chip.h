@@ -1,9 +1,10 @@
 // Runs a chip (sim/avr) with a sketch in its flash, and detects faults: wild reads, writes and jumps, stack
 // overflow, and repeated watchdog resets.
 //
-// The chip starts at the address to which the boot loader would jump. After a watchdog reset it behaves like
-// the Uno's boot loader (optiboot): MCUSR is cleared, and the watchdog is off. Without a boot loader, WDRF
-// stays set. The watchdog then resets the chip again in 16 ms, unless the sketch turns the watchdog off.
+// The chip starts at the address to which the boot loader would jump. After a watchdog reset, the chip is in
+// the state that the Uno's boot loader (optiboot) leaves: MCUSR is cleared, and the watchdog is off. Without
+// a boot loader, WDRF stays set. The watchdog then resets the chip again in 16 ms, unless the sketch turns
+// the watchdog off.
 #pragma once
 
 #include <cstdint>
@@ -75,8 +76,8 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   void set_trap(Trap trap, std::uint32_t pc);
   /// Counts the executions of lines, by a kLineTrap at the start of each line.
   void count(LineCounts& lines);
-  /// Counts rounds from the second on at each kLoopTrap. run_to() does not return there unless the place has
-  /// another trap.
+  /// Counts rounds at each kLoopTrap, from the second round on. run_to() does not return at such a place
+  /// unless the place has another trap.
   void count(LoopTimer<Cycle>& rounds) { rounds_ = &rounds; }
   /// Reports torn reads and writes as faults.
   void look_for_tearing(const DebugInfo& debug);

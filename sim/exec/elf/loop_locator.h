@@ -19,8 +19,8 @@ class ChipCode {
   virtual Steps steps_of(const Symbol& function) const = 0;
 };
 
-/// Returns the beginnings of loop()'s rounds: its calls, or the result of loop_marks_of() if it is inlined.
-/// For a program without setup() and loop(), returns the beginnings of the rounds of the for (;;) in main().
+/// Returns the beginnings of loop()'s rounds: its calls, or loop_marks_of() if loop() is inlined. For a
+/// program without setup() and loop(), returns the beginnings of the rounds of the for (;;) in main().
 LoopMarks locate_loop(const ChipCode& code, const Symbols& symbols, const DebugInfo& debug);
 
 }  // namespace robosim::exec

@@ -16,7 +16,7 @@ namespace robosim::exec::gdb {
 class Connection {
  public:
   /// Listens at 127.0.0.1. Throws InputError if the port is in use or not allowed for this user.
-  /// `interrupted` ends all waiting. A signal handler sets it.
+  /// `interrupted`, which a signal handler sets, ends all waiting.
   Connection(std::uint16_t port, const std::atomic<bool>& interrupted);
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;

@@ -9,7 +9,7 @@
 // leaves a hole between used blocks, which fits only allocations of at most its size. A fragmented heap
 // (strings of many lengths, some freed, some not) therefore grows although enough bytes are free.
 //
-//   heap_grows      the heap's end has risen several times in each third of the run, except its first second
+//   heap_grows      after the first second, the heap's end has risen several times in each third of the run
 //   heap_in_pieces  without heap_grows: after the first second, the end has risen three times although the
 //                   requested number of bytes was free, in pieces that were all too small
 //   no_memory       malloc() or realloc() has failed; reports whether fragmentation was the reason

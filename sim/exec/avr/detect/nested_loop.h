@@ -11,7 +11,7 @@
 // One nested call is not a finding: some sketches wait for a button that way, and return. Not detected: other
 // functions that call themselves; calls of loop() that the compiler has turned into jumps.
 //
-// To fix the sketch, return from loop(): main() calls loop() repeatedly.
+// To fix the sketch, return from loop(), because main() calls loop() repeatedly.
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,8 @@
 // about to write back a changed value (flags |= 2). If a handler writes the byte in between, its write is
 // lost.
 //
-// Such coincidences are rare, so the analysis does not wait for one. It reports a finding if one is possible:
+// Such coincidences are rare, so the analysis does not wait for them. A finding requires four facts, which
+// prove that a coincidence is possible:
 //
 //   the program accesses two bytes of a number, or writes back a byte, while interrupts are on
 //   an enabled interrupt has a handler that would change the number at that point
@@ -13,7 +14,7 @@
 // Accesses to a number are examined only after a handler has changed the number. Most numbers belong to the
 // main program alone, and observing each access takes time.
 //
-// Not a finding: a number that is read again until two reads agree; a number that a flag hands over; a number
+// Not a finding: a number that is read again until two reads agree; a number that a flag guards; a number
 // that is accessed while its interrupt is masked; a byte that is written independently of its old value. The
 // analysis covers global numbers of the sketch and its libraries whose addresses are in instructions. Numbers
 // of the core are excluded: when tone() writes its counter while the previous tone decrements the counter,

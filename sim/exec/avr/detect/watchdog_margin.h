@@ -4,7 +4,7 @@
 //
 // With 270 ms, the watchdog resets the chip: the robot restarts in the middle of its course, with its motor
 // pins in the reset state. The finding contains the sketch's place at the first reset, and the number of
-// resets. An intentional reset is not a finding: the sketch waits for the watchdog in an empty loop.
+// resets. An intentional reset, for which the sketch waits in an empty loop, is not a finding.
 //
 // With 230 ms, the simulated chip does not reset, because its exact main clock also counts the watchdog's 256
 // ms. A real watchdog has its own oscillator, of 128 kHz at 3 V and 25 °C. The frequency varies by some 10 %
@@ -47,7 +47,7 @@ class WatchdogMargin final : public Detector {
   void (*const reset_)(void* self, std::uint8_t flags);
   void* const reset_self_;
   Cycle last_ = 0, longest_ = 0;
-  std::uint32_t longest_power_ = 0;  ///< exponent of the watchdog's period at that time
+  std::uint32_t longest_power_ = 0;  ///< exponent of the watchdog's period at the time of longest_
   Detected seen_;
   std::vector<Detected> bite_;  ///< empty, or the first reset by the watchdog
 };
