@@ -251,7 +251,7 @@ void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResul
   result.again = replay_command(planned.plan.combination_of(run), planned.plan.seed_of(run));
   result.again_trace_hash = run_result.trace_hash;
   result.replay = result.again;
-  if (is_of_detectors(*why)) result.replay += " --sanitize";  // without this option, `run` uses no detectors
+  if (is_of_detectors(*why)) result.replay += " --sanitize";  // `run` may need this option to use detectors
 }
 
 void CheckSession::finish(Planned& planned) {

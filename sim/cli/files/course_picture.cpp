@@ -14,7 +14,8 @@ std::string draw_course(const grid::Map& map, const grid::Start& start, const gr
   const char32_t arrow = tui::arrow(pose.yaw());
   tui::Frame frame(picture.window().columns, picture.window().rows);
   const tui::Look look{!options.ascii, false};
-  // Passes colour = true, so that the line is drawn in braille. No trail is drawn in braille here.
+  // Passes colour = true, so that the line is drawn in braille. A trail would look the same, but none is
+  // drawn.
   picture.draw(frame, 0, 0, {{pose.position, {arrow, tui::Ink::mark}}}, {!options.ascii, true});
   std::string text = tui::to_text(frame, look);
   std::string sign;

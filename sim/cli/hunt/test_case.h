@@ -65,7 +65,7 @@ struct TestCase {
                              ///< one run that branches (wire::Ways)
   Moment branch_point = {};
   bool to_goal = true;   ///< the run ends at the goal; false: when its time is up
-  bool is_long = false;  ///< the run lasts for HuntSpace::for_ms
+  bool is_long = false;  ///< the run may last for HuntSpace::for_ms
   int least_ms = 0;      ///< minimum duration
   double for_s = 60.0;
 

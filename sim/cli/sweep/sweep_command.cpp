@@ -128,7 +128,7 @@ class Sweep {
   tui::Progress& progress_;
   std::vector<SweepOutcome> outcomes_;
   std::optional<SweepTable> table_;
-  std::vector<analysis::Tally> counters_;  ///< they have a demand only if runs may be skipped
+  std::vector<analysis::Tally> counters_;  ///< have a demand only if runs may be skipped
   std::size_t counted_ = 0;
   std::size_t made_ = 0;
   std::size_t runs_;  ///< of the shard

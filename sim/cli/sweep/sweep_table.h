@@ -1,5 +1,5 @@
 // The table of a sweep (--csv): docs/howto/sweeps.md describes its columns. The table is written during the
-// sweep. However the sweep ends, the table contains only whole rows, and the sweep can be resumed.
+// sweep. However the sweep ends, its complete rows remain, and the sweep can be resumed.
 #pragma once
 
 #include <cstdio>

@@ -6,10 +6,11 @@
 // pins in the reset state. The finding contains the sketch's place at the first reset, and the number of
 // resets. An intentional reset, for which the sketch waits in an empty loop, is not a finding.
 //
-// With 230 ms, the simulated chip does not reset, because its exact main clock also counts the watchdog's 256
-// ms. A real watchdog has its own oscillator, of 128 kHz at 3 V and 25 °C. The frequency varies by some 10 %
-// between chips, and with heat and a falling supply. One robot in ten then resets occasionally while driving.
-// The finding is the longest time between two feeds, if that time exceeds 80 % of the watchdog's period.
+// With 230 ms, the simulated chip does not reset, because its exact main clock also counts the watchdog's
+// 256 ms. A real watchdog has its own oscillator, of 128 kHz at 3 V and 25 °C. The frequency varies by some
+// 10 % between chips, and with heat and a falling supply. One robot in ten then resets occasionally while
+// driving. The finding is the longest time between two feeds, if that time exceeds 80 % of the watchdog's
+// period.
 //
 // Not detected: a pass that takes longer in another scenario.
 //
