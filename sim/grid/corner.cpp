@@ -18,7 +18,7 @@ std::optional<Direction> first_leg(unsigned lines) {
 
 bool is_straight(unsigned lines, Direction d) { return lines == (bit(d) | bit(reversed(d))); }
 
-// Returns the usable length of a leg for an arc, at most the corner radius. Two bends share the leg between
+// Returns the length of a leg that an arc may use, at most the corner radius. Two bends share the leg between
 // them equally.
 double room(const Map& map, CellAt corner, Direction d) {
   CellAt cell = corner;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLeastPiece = 1e-4;   // m
-constexpr double kLeastTurn = 1.7e-8;  // rad: 0.000001 deg; course_text() changes an angle by less than 2e-11
+constexpr double kLeastTurn = 1.7e-8;  // rad: 1e-6 deg; course_text() alters angles by less than 2e-11 rad
 constexpr double kMostRadius = 1000.0;
 constexpr double kLeastWidth = 1e-3, kMostWidth = 0.1;  // m, for lines
 constexpr double kLatestSignal = 600.0;                 // s

@@ -18,8 +18,7 @@ void read_areas(const ConfigValue& value, double gloss, Course& course, Draw dra
 /// Reads [rescue]. Throws InputError.
 void read_rescue(const ConfigValue& value, Course& course);
 
-/// Reads [race]. Throws InputError, also if the path is not closed within `line_m`, unless the race is a drag
-/// race.
+/// Reads [race]. Throws InputError. The path must be closed within `line_m`, except in a drag race.
 void read_race(const ConfigValue& value, double line_m, Course& course);
 
 }  // namespace robosim::grid

@@ -1,4 +1,4 @@
-// The TOML between the two +++ lines of a map file.
+// Reads the front matter: the TOML between the two +++ lines of a map file.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace robosim::grid {
 
-/// The content of the front matter with its places in the file, not yet checked against the cells.
+/// The content of the front matter with its places in the file. It is not yet checked against the cells.
 struct FrontMatter {
   struct PlacedCell {
     CellAt cell;

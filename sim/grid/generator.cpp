@@ -19,7 +19,7 @@ namespace {
 constexpr const char* kFamilies[] = {"tree", "cycles", "grid"};
 constexpr Direction kDirections[] = {Direction::east, Direction::south, Direction::west, Direction::north};
 constexpr unsigned kLeastPitch = 3;  // cells: smallest distance of lattice lines, and margin around the map
-constexpr unsigned kPitches = 2;     // number of different distances
+constexpr unsigned kPitches = 2;     // number of different distances between lattice lines
 
 class Chance {
  public:
@@ -72,10 +72,10 @@ class Lattice {
   std::vector<std::uint8_t> arms_;  // bit 1 << Direction
 };
 
-// Grows a tree from the middle outward. A new node at a dead end lengthens the line; elsewhere it adds one
-// dead end. Any number of dead ends can therefore be reached exactly. One step in four extends the newest
-// node, which makes lines with bends. The other steps extend a random node. Returns false if the lattice
-// fills up first.
+// Grows a tree from the middle outward. A node added at a dead end moves the dead end; a node added elsewhere
+// creates a dead end. Any number of dead ends can therefore be reached exactly. One step in four extends the
+// newest node, which makes lines with bends. The other steps extend a random node. Returns false if the
+// lattice fills up first.
 bool grow_tree(Lattice& lattice, std::size_t stations, std::size_t least_nodes, Chance& chance) {
   std::vector<std::uint32_t> growing{lattice.index(lattice.width() / 2, lattice.height() / 2)};
   std::size_t nodes = 1;
@@ -115,8 +115,8 @@ Lattice tree(std::size_t stations, std::size_t least_nodes, Chance& chance) {
   }
 }
 
-// Connects one in four pairs of lattice neighbours that are not dead ends, and at least one pair. Returns
-// false if there is no such pair.
+// Connects a random quarter, and at least one, of the unconnected pairs of lattice neighbours that are not
+// dead ends. Returns false if there is no such pair.
 bool close_cycles(Lattice& lattice, Chance& chance) {
   const auto inner = [&](std::uint32_t i) { return lattice.degree(i) >= 2; };
   std::vector<std::pair<std::uint32_t, Direction>> pairs;
@@ -205,8 +205,8 @@ class City {
       }
   }
 
-  // Removes a third of the streets that have no station and are outside a spanning tree (Kruskal's, in random
-  // order).
+  // Removes a random third of the streets, except those with a station or in a random spanning tree
+  // (Kruskal's algorithm). Each crossing retains at least two streets.
   void remove_streets() {
     for (std::size_t n = streets_.size(); n > 1; --n) std::swap(streets_[n - 1], streets_[chance_.below(n)]);
     Groups connected(lattice_.size());
@@ -229,7 +229,8 @@ class City {
   std::vector<Street> streets_;
 };
 
-// Returns the coordinate, in cells, of each lattice line from `first` to `last`, by the number of the line.
+// Returns the coordinate, in cells, of each lattice line from `first` to `last`, indexed by the line's
+// number.
 std::vector<int> spread(int first, int last, Chance& chance) {
   std::vector<int> at(static_cast<std::size_t>(last) + 1, 0);
   int cell = static_cast<int>(kLeastPitch);

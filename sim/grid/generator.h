@@ -18,7 +18,7 @@
 namespace robosim::grid {
 
 enum class Family : std::uint8_t {
-  tree,    ///< no cycles, and `stations` - 2 three-way junctions; supported by v1
+  tree,    ///< no cycles, and `stations` - 2 three-way junctions; supported by Robosim v1
   cycles,  ///< a tree with added lines, which close at least one cycle and make some four-way crossings
   grid,  ///< a grid of city streets with some streets missing, four-way crossings, and stations inside blocks
 };

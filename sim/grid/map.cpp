@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kChunk = 256 * 1024;  // fits into the second-level cache
+constexpr std::size_t kChunk = 256 * 1024;  // bytes; fits into the second-level cache
 
 class MapFile {
  public:

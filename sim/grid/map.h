@@ -102,7 +102,7 @@ struct Map {
   double worn = 0.0;          ///< default Paint::worn of lines and marks
   double gloss = 0.0;         ///< default Paint::gloss of the floor and everything painted on it
   std::vector<Light> lights;  ///< ambient light
-  /// floor = "NAME.png": the painted picture. Cells and paths then only define where the line is.
+  /// floor = "NAME.png": the painted picture. In this case, cells and paths only define where the line is.
   std::shared_ptr<const FloorImage> image;
   Course course;               ///< everything except the cells, such as paths and marks
   std::optional<Start> start;  ///< from [start] or S
@@ -180,7 +180,8 @@ constexpr bool has(unsigned mask, Direction d) { return (mask >> static_cast<int
 
 /// Returns whether an obstacle blocks the line directly ahead of a robot on a line cell. An obstacle is an
 /// `x`, or a wall placed on the line. Such a wall is straight ahead of a line's end, and the line continues
-/// directly behind it. A wall next to a continuing line, or around a single line cell, is not an obstacle.
+/// directly after the wall. A wall next to a continuing line, or around a single line cell, is not an
+/// obstacle.
 inline bool blocks_line(const Map& map, CellAt c, Direction d) {
   const CellAt next = ahead(c, d);
   const Cell what = map.at(next);

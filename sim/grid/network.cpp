@@ -42,7 +42,7 @@ class Walk {
   }
 
  private:
-  // Walks depth first and takes the rightmost way first. On a tree, v1 meets the stations in the same order.
+  // Walks depth first and takes the rightmost way first. On a tree, Robosim v1 meets stations in this order.
   // Skips cells that have been reached in the meantime, so that the walk ends despite cycles.
   void explore(const Start& start) {
     struct Way {
@@ -73,7 +73,8 @@ class Walk {
       if (map_.at(ahead(cell, static_cast<Direction>(d))) == Cell::obstacle) only_loops_ = false;
   }
 
-  // Returns the first direction on a loop: the first possible of straight ahead, right, left and back.
+  // Returns the first direction of travel on a loop: the first possible of straight ahead, right, left and
+  // back.
   Direction first_step(const Start& start) const {
     const unsigned lines = line_neighbours(map_, start.cell);
     for (const Direction d :
@@ -119,7 +120,7 @@ std::vector<Vec2> lap_of(const Map& map, const OnPath& on) {
   return points;
 }
 
-// Returns the network with stations, junctions and loop only.
+// Returns the network without `unreachable` and `lap`.
 Network network_of(const Map& map, const Start& start, const Walk& walk) {
   Network network;
   const auto add = [&](CellAt cell, std::string name) {

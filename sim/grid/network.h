@@ -9,7 +9,7 @@
 namespace robosim::grid {
 
 struct Station {
-  int id = 0;        ///< from 1, in the order of the right-hand walk from the start, as in v1
+  int id = 0;        ///< from 1, in the order of the right-hand walk from the start (as in Robosim v1)
   std::string name;  ///< from the map, else the id as text
   CellAt cell;
 };

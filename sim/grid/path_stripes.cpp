@@ -7,7 +7,7 @@
 namespace robosim::grid {
 namespace {
 
-constexpr double kLeastStretch = 1e-9;  // m; shorter pieces are rounding
+constexpr double kLeastStretch = 1e-9;  // m; shorter pieces are rounding errors
 
 // An unpainted interval along the path, m.
 struct Unpainted {
@@ -15,8 +15,8 @@ struct Unpainted {
   double to;
 };
 
-// Returns the unpainted intervals. `half_widths` contains half the paint's width for each piece: paint
-// extends this far beyond a stripe's end.
+// Returns the unpainted intervals. `half_widths` contains half the paint's width for each piece. Gaps are
+// longer by these widths, since paint extends this far beyond a stripe's end.
 std::vector<Unpainted> gaps_of(const Path& path, const std::vector<double>& half_widths) {
   std::vector<Unpainted> gaps;
   double along = 0.0;

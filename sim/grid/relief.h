@@ -1,5 +1,5 @@
-// [[hill]], [[surface]] and [[joint]] of a map: the floor's height, its surfaces, and the gaps in it. Without
-// these tables, and without surfaces in the map's [legend] (legend.h), the floor is a uniform plane.
+// [[hill]], [[surface]] and [[joint]] of a map: the floor's height, its surfaces, and its gaps. Without these
+// tables, and without surfaces in the map's [legend] (legend.h), the floor is a uniform plane.
 //
 // The map shows the unrolled floor, like a course's tiles before they are put on a ramp. Lengths are measured
 // along the slope. For a height h, dh/ds is therefore the sine of the slope angle.
@@ -20,7 +20,7 @@ struct Course;
 /// that are higher than the floor next to them are steps.
 struct Hill : Shape {
   std::vector<double> heights;  ///< m, at even distances from the beginning to the end, linear in between
-  double pivot = 0.0;     ///< m, height of a seesaw's axis; 0 = no seesaw. It starts with its beginning down
+  double pivot = 0.0;     ///< m, height of a seesaw's axis; 0 = no seesaw. At first its beginning is down
   double plank_kg = 0.0;  ///< mass of a seesaw's plank
 
   /// Returns the hill's height at a point, m; 0 for a seesaw, which has no fixed height.

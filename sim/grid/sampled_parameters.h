@@ -14,7 +14,7 @@ namespace robosim::grid {
 /// The seed and profile for which values are sampled.
 struct Draw {
   std::uint64_t seed = 0;
-  Profile profile = Profile::ideal;  ///< `ideal` draws nothing and uses the file's values
+  Profile profile = Profile::ideal;  ///< `ideal` samples nothing and uses the file's values
   bool* differs = nullptr;           ///< set to true if another seed would give another value; may be null
 };
 

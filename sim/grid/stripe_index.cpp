@@ -80,7 +80,7 @@ StripeIndex::StripeIndex(const Map& map, std::span<const Stripe> stripes, double
   if (total >= kEmpty || stripes.size() >= kEmpty)
     throw InputError({map.file}, "the map has too much line to drive on; robosim classic can still walk it");
 
-  // Converts the counts to end positions. Filling each slot from its end then leaves its beginning.
+  // Converts the counts to end positions. Filling a slot backwards turns its end position into its beginning.
   std::uint32_t end = 0;
   for (std::uint32_t& slot : first_) slot = end += slot;
   first_.push_back(end);

@@ -6,7 +6,7 @@
 namespace robosim::grid {
 namespace {
 
-constexpr double kNothing = 1e-9;  // m; shorter pieces are rounding
+constexpr double kNothing = 1e-9;  // m; shorter pieces are rounding errors
 
 // An unpainted interval of a leg, by distance from the leg's first cell.
 struct Gap {
@@ -14,7 +14,7 @@ struct Gap {
   double to;
 };
 
-// A leg, from its first cell in a direction. Cells are counted from 0; distances are in metres.
+// A row of cells from `first` in the direction `d`. Cells are counted from 0; distances are in metres.
 struct Leg {
   const Map& map;
   CellAt first;
@@ -27,8 +27,8 @@ struct Leg {
   Vec2 point(double t) const { return map.centre(first) + heading(d) * t; }
 
   /// Returns the gaps among the first `count` cells, sorted and without overlap. Paint reaches line/2 beyond
-  /// a stripe's end, so a gap shortens the neighbouring stripes by that length. A part of a single painted
-  /// cell always remains.
+  /// a stripe's end, so a gap shortens the neighbouring stripes by that length. A single painted cell between
+  /// gaps always remains in part.
   std::vector<Gap> gaps(int count) const {
     const double beside = std::min(map.line_m / 2, map.cell_m * 0.45);
     std::vector<Gap> found;
@@ -45,7 +45,7 @@ struct Leg {
   }
 };
 
-// Calls piece(from, to, painted) for the parts into which gaps cut a stretch of a leg, in order.
+// Calls piece(from, to, painted), in order, for the parts into which gaps divide a stretch of a leg.
 template <typename Piece>
 void cut(double from, double to, const std::vector<Gap>& gaps, Piece piece) {
   const auto part = [&](double begin, double end, bool painted) {
@@ -93,8 +93,8 @@ class Builder {
         stripes_.push_back({a, b, centre, r, painted});
     };
 
-    // Each half of the arc is painted where the leg next to it is painted. At distance t from the corner, the
-    // arc is r - sqrt(r^2 - (r-t)^2) away from the leg.
+    // Each half of the arc is painted where the leg next to it is painted. At distance t from the corner, an
+    // arc of radius r is r - sqrt(r^2 - (r-t)^2) away from the leg.
     const auto at = [&](const Leg& leg, const Leg& other, double t) {
       const double side = r - std::sqrt(std::max(r * r - (r - t) * (r - t), 0.0));
       return leg.point(t) + heading(other.d) * side;

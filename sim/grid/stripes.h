@@ -29,8 +29,8 @@ struct Stripe {
   std::uint8_t paint = 0;  ///< index in paints_of()
 };
 
-/// Returns the distance from p to the nearest point of a stripe, m. Uses no trigonometry, and is therefore
-/// safe inside a tick.
+/// Returns the distance from p to the nearest point of a stripe, m. Uses no trigonometry, whose results may
+/// differ between machines, and may therefore be called inside a tick.
 inline double distance(const Stripe& s, Vec2 p) {
   if (s.radius == 0.0) {
     if (s.a.x != s.b.x && s.a.y != s.b.y) {

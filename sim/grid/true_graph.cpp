@@ -190,11 +190,11 @@ class Survey {
 
   const Map& map_;
   TrueGraph graph_;
-  std::unordered_map<std::size_t, int> known_;  // numbers of nodes by cell; no cell is a node of both kinds
+  std::unordered_map<std::size_t, int> known_;  // number of the station or junction at a cell
   std::vector<Open> open_;
 };
 
-// Visits all arms of a graph with the cells of their nodes.
+// Visits all arms of a graph, together with the cell of each arm's node.
 template <typename Visit>
 void for_each_arm(const TrueGraph& graph, Visit visit) {
   for (const GraphStation& station : graph.stations)
@@ -253,7 +253,7 @@ std::vector<int> distances_from(const TrueGraph& graph, int station) {
 
 namespace {
 
-// An arm without the numbers of nodes and slots.
+// An arm described by cells, without the numbers of nodes and slots.
 struct PlacedArm {
   CellAt from;
   Direction out;

@@ -13,8 +13,8 @@
 //   - was written 20 times, over at least five seconds, so often that it would wear out within a day.
 //
 // Sketches that save when a button is pressed, or by update() when a value has changed, are not reported. To
-// fix a finding, use EEPROM.update(), which writes only changed bytes, save rarely, or rotate over several
-// bytes.
+// fix a finding, use EEPROM.update(), since it writes only changed bytes. Or save rarely, or rotate over
+// several bytes.
 //
 // Not detected: wear from years of rare writes; writes of earlier runs; wear of other memories such as flash.
 // If two lines write the same byte, the finding names the line that exceeded the limit.

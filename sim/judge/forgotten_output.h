@@ -5,15 +5,15 @@
 // The pull-up has 20 to 50 kOhm (ATmega328P, DS40002061B, 29.2). An LED gets a tenth of a milliampere and
 // hardly glows; a buzzer stays silent, and a servo does not move. A motor driver may or may not read the
 // level as high, depending on the module. Simulated drivers read it as high, so that the run succeeds. The
-// built-in LED of an Uno R3, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and shines. A
-// Nano and many clones have no amplifier.
+// built-in LED of an Uno R3, at pin 13, has an amplifier (LMV358, Arduino_Uno_Rev3-schematic) and lights up.
+// A Nano and many clones have no amplifier, so that their LED hardly glows.
 //
 // A finding is a pin whose pull-up was switched on, and which was never an output. The run must continue for
 // 0.1 s or more after the pull-up was switched on. The pin is wired to a motor, driver, LED, buzzer, servo,
 // fan, stepper, seven-segment digit or shift register.
 //
-// A sketch may write HIGH before it sets the pin to OUTPUT, to avoid a short LOW: this is not reported. To
-// fix a finding, call pinMode(pin, OUTPUT) in setup(), or set the pin's bit in DDRx.
+// A sketch that writes HIGH before it sets the pin to OUTPUT, to avoid a short LOW, is not reported. To fix a
+// finding, call pinMode(pin, OUTPUT) in setup(), or set the pin's bit in DDRx.
 //
 // Not detected: pins that were only written LOW, which changes nothing; displays, radios and other parts on a
 // bus; pins without wiring.

@@ -201,7 +201,7 @@ void Progress::compete(const RulesInput& now, Events& events) {
   reached_ = contest_.reached();
 }
 
-// Sets the result for a body that covers no place.
+// Sets the result for a body that covers none of the remaining places.
 void Progress::find_nothing() {
   if (goal_.kind == Goal::Kind::tour) left_start_ = true;
   if (goal_.kind == Goal::Kind::tour || goal_.kind == Goal::Kind::laps) reached_ = false;
@@ -240,7 +240,7 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
 }
 
 // Computes how far the body may move before it can cover any remaining place. Most checks happen between two
-// places and then end early.
+// places and can therefore end early.
 void Progress::search_places(const world::Body& body) {
   constexpr double kSure = 1e-3;  // m, for rounding errors
   searched_at_ = body.pose().position;

@@ -85,7 +85,7 @@ class Progress {
   const std::vector<double>& laps_s() const { return laps_s_; }
   int junctions_visited() const { return junctions_visited_; }
   bool is_visited(const std::string& station) const;
-  /// Returns the contest, which is false unless the goal is a competition.
+  /// Returns the contest. It converts to false unless the goal is a competition.
   Contest& contest() { return contest_; }
   const Contest& contest() const { return contest_; }
   /// Adds the present score of a competition.
@@ -99,8 +99,8 @@ class Progress {
     int complete = 0;
   };
 
-  // Places are checked when the body has moved by kCheckEvery, m, has turned by acos of kCheckTurn (1.1
-  // degrees), or has stopped. The first lap begins at the distance kDeparture from the start, m.
+  // Places are checked when the body has moved by kCheckEvery, m, has turned by acos(kCheckTurn), 1.1
+  // degrees, or has stopped. The first lap begins at the distance kDeparture from the start, m.
   static constexpr double kCheckEvery = 4e-3, kCheckTurn = 0.9998, kDeparture = 0.01;
   // A body below both speeds counts as at rest, m/s and rad/s.
   static constexpr double kRestSpeed = 1e-3, kRestTurn = 0.01;

@@ -66,7 +66,7 @@ class Judge {
   SimTime last_driven() const { return last_driven_; }
   /// Returns whether motors are driven, apart from pauses of up to kDrivePause.
   bool drives(SimTime t) const { return t - last_driven_ < kDrivePause; }
-  /// Returns since when a robot that drives has been driving at its present place.
+  /// Returns the time since which the robot has been driving at its present place, if it is driving.
   SimTime drives_here_since() const { return std::max(place_since_, driven_since_); }
 
  private:

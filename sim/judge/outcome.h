@@ -50,7 +50,7 @@ struct Decisive {
   std::string text;            ///< "the robot left the line near column 20, row 4"; empty = none
   bool motors = false;         ///< requests an explanation of the motor commands
   bool place = false;          ///< requests an explanation of where the firmware is
-  SimTime off_since = kNever;  ///< time since which the motors are off; kNever = they were driven at the end
+  SimTime off_since = kNever;  ///< time since which the motors are off; kNever = driven at the end
 };
 
 struct Outcome {
@@ -58,7 +58,7 @@ struct Outcome {
   std::string why;  ///< one sentence that a first-year student understands
   NextStep next;
   Decisive decisive;
-  std::vector<wire::Cause> because;  ///< causes, back from the verdict, if requested
+  std::vector<wire::Cause> because;  ///< chain of causes that leads back from the verdict, if requested
   Goal goal;
   SimTime time = 0;  ///< simulated time at the end
   Metrics metrics;

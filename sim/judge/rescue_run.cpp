@@ -186,7 +186,7 @@ void RescueRun::count(const char* part, int points, int times, Events& events) {
                                 static_cast<double>(points * times), "points"});
 }
 
-// Handles the robot's arrival on a tile. Counts the elements of the tiles before it.
+// Handles the robot's arrival on a tile. Counts the elements of the tiles before this tile.
 void RescueRun::arrive(std::size_t step, Events& events) {
   for (std::size_t i = at_; i < step; ++i) {
     Step& passed = steps_[i];

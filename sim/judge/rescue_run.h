@@ -14,7 +14,7 @@
 //   intersection                 10             -
 //   obstacle                     20             10
 //   seesaw                       20             -
-//   end tile, at rest for 5 s (from memory)
+//   end tile, at rest for 5 s (duration unverified)
 //                                60 - 5 n >= 0  -
 //
 // If the path ends at the evacuation zone, there is no end tile and no rest. The elements of a tile count
@@ -22,8 +22,8 @@
 // obstacle is a wall on the path; an intersection is a place where the path crosses itself or another path.
 //
 // A [[hill]] on the path is a seesaw if it has a pivot. A hill is a speed bump if it is more than 3 mm and up
-// to 10 mm high: tiles may differ by 3 mm. A tile is a ramp if a higher hill rises or falls by more than 10
-// mm on the tile.
+// to 10 mm high: neighbouring tiles may differ by 3 mm. A tile is a ramp if a higher hill rises or falls by
+// more than 10 mm on the tile.
 //
 // A lack of progress occurs when the robot leaves its last tile and the tile's neighbours on the path. Around
 // an obstacle, the robot may be anywhere within 1.5 tiles. A lack also occurs when the robot would be lost or
@@ -67,7 +67,7 @@ class RescueRun {
     int intersections = 0, obstacles = 0, seesaws = 0;
     bool gap = false, bump = false, ramp = false;
     bool checkpoint = false;
-    bool done = false;  ///< the tile's elements have counted
+    bool done = false;  ///< the tile's elements have been counted
   };
   void make_steps();
   int column_of(Vec2 at) const;
@@ -90,7 +90,7 @@ class RescueRun {
   std::vector<Step> steps_;
   std::vector<Vec2> obstacles_;
   std::size_t at_ = 0;              ///< the robot's last step
-  std::size_t counted_to_ = 0;      ///< the tiles before this step have counted, or never will
+  std::size_t counted_to_ = 0;      ///< the tiles before this step have been counted, or never will be
   std::size_t checkpoint_ = 0;      ///< the last checkpoint; 0 = the start
   int lacks_here_ = 0, lacks_ = 0;  ///< lacks of progress since the last checkpoint, and in total
   std::vector<wire::ScorePart> parts_;

@@ -1,11 +1,12 @@
 // Finds a robot that reads its line only as often as Serial permits. At 9600 baud a byte takes 1 ms. A print
-// waits until its last byte fits into Serial's buffer of 64 bytes. A line of 40 bytes in each step makes
-// steps of 40 ms, whatever the sketch assumes.
+// waits until its last byte fits into Serial's buffer of 64 bytes. Printing 40 bytes in each control step
+// makes each step take 40 ms, whatever the sketch assumes.
 //
 //   Serial.print("error "); Serial.print(error); …          // in each pass of loop(), or in each step
 //
-// The robot may still follow its line, since its passes are regular. However, the derivative and all times
-// that are counted in passes change. Without Serial, or on a narrower line, the robot drives differently.
+// The robot may still follow its line, since its passes are regular. However, the derivative term and all
+// times that are counted in passes change. Without Serial, or on a narrower line, the robot drives
+// differently.
 //
 // A finding is a sketch that spends 30 % of its driving time in stretches without a read of a floor sensor.
 // A stretch counts if it lasts at least 15 ms and a call of Serial waits in it; ten or more must count.

@@ -3,18 +3,18 @@
 //   EEPROM.put(0, laps);   // an int: two bytes, 3.4 ms each. From 255 (FF 00) to 256 (00 01), it is 0 in
 //                          // between. setup() reads 0 if the power was cut just then
 //
-// A finding is a number of two to four bytes, written by one source line, of which
+// A finding is a number of two to four bytes, written by one source line, with these properties:
 //
-//   - at least two bytes changed at once, over an older record that was not completely erased. A cut between
-//     them leaves neither the old nor the new number;
-//   - only a single byte changed at other times. No other byte is a checksum, which would have changed,
-//     too;
+//   - at least two of its bytes changed at once, over an older record that was not completely erased. A cut
+//     between them leaves neither the old nor the new number;
+//   - at other times, only one byte changed. This rules out a checksum among the bytes, which would have
+//     changed, too;
 //   - nothing else was written just before or after, such as a mark that names the valid record.
 //
 // The finding contains the period in which a cut would tear the record. It also contains a script line that
-// cuts the power then (docs/reference/scripts.md). To fix a finding, store a checksum after the number and
-// check it when reading. Or write two records alternately, each with a number and a checksum, so that the
-// older one survives.
+// cuts the power in this period (docs/reference/scripts.md). To fix a finding, store a checksum after the
+// number and check it when reading. Or write two records alternately, each with a number and a checksum, so
+// that the older one survives.
 //
 // Not detected: larger records; numbers whose bytes all change each time, such as floats; sketches that check
 // the number by its range, or never read it.

@@ -46,8 +46,8 @@ std::vector<Unit> units_of(const std::vector<robot::WiredPin>& wiring) {
 // Returns whether the board's serial line may have used the pin.
 bool is_of_uart(const BoardSpec& board, Pin pin) { return pin < 2 && board.analog_pin_0 > 2; }
 
-// Returns whether the firmware has read the pin on purpose. A timer also awaits the edges of its capture
-// input when firmware merely reads the timer's flags, as the Servo library does.
+// Returns whether the firmware has read the pin on purpose. Edges awaited on a timer's capture input do not
+// count. A timer awaits edges as soon as firmware reads the timer's flags, as the Servo library does.
 bool is_read_on_purpose(const BoardSpec& board, Pin pin, const exec::PinUse& use) {
   const bool captures = board.pins[pin].chip_pin.captured_by >= 0;
   return use.looked_at || use.measured || (use.awaited && !captures) || (use.read && use.pulled_up);

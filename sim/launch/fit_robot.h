@@ -1,4 +1,4 @@
-// Finds a robot whose board has a chip of the target. The robot keeps its own board if possible, and
+// Selects a robot's board so that its chip suits the target. The robot keeps its own board if possible, and
 // otherwise gets another board.
 #pragma once
 

@@ -43,7 +43,7 @@ void check_member_name(const std::string& name, const Place& place = {});
 /// Returns the target whose runner can run firmware of all these targets.
 std::string runner_of(const std::vector<std::string>& targets);
 
-/// A whole fleet, chosen but not prepared.
+/// A fleet whose files are chosen. Its sketches have not been compiled yet.
 struct ChosenFleet {
   std::vector<Chosen> members;
   std::string runner;  ///< target of the runner for all robots
@@ -60,7 +60,8 @@ struct PreparedFleet {
 PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen,
                       const wire::RunRequest& common, const Describe& describe, const wire::Hello& runner);
 
-/// Returns one result for each robot, in the order of their numbers. Removes the other results from `first`.
+/// Returns one result for each robot, in the order of their numbers: `first` without its `others`, then the
+/// others.
 std::vector<wire::RunResult> results_of(wire::RunResult first);
 
 /// Combines the results of all robots of a run. The combined verdict is `reached` if all robots have reached

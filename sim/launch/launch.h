@@ -52,7 +52,7 @@ struct Prepared {
   Choice robot;  ///< with the board for this target
   std::string target;
   wire::RobotInfo robot_info;
-  build::Request wanted;  ///< the image's build settings; a finished image is not built with them
+  build::Request wanted;  ///< settings for building the image; unused if the image is finished
   build::Image image;
   wire::RunRequest request;
   std::string remark;  ///< data that the result will lack; empty = none
@@ -63,7 +63,7 @@ struct Listener {
   std::function<void(const std::string& sentence)> chosen;   ///< sentences on automatic choices
   std::function<void(const std::string& sentence)> lacking;  ///< sentences on missing confinement (trust.h)
   std::function<void(const std::string& sketch)> compiling;
-  /// Called during `compiling` if the core for a board and target is not there yet.
+  /// Called during `compiling` if the core for a board and target has not been compiled yet.
   std::function<void(const std::string& board, const std::string& target)> compiling_core;
   std::function<void(const build::Image&)> compiled;
 };

@@ -66,8 +66,8 @@ std::string beginning_of(const fs::path& path) try {
   return "";
 }
 
-/// Returns the end of the message for an unknown map or robot. It mentions the user's file of that name, if
-/// it exists.
+/// Returns the end of the message for an unknown map or robot. The text mentions the user's file of that
+/// name, if it exists.
 std::string file_hint(const std::string& name, const std::string& ending) {
   if (is_there(name + ending))
     return fmt::format("; to use the file in this folder, give {}{}", name, ending);

@@ -40,10 +40,10 @@ struct SketchChoice {
   std::string elf_target;    ///< target of a finished .elf or .hex; empty = the sketch must be built
   project::Project project;  ///< settings of platformio.ini or sketch.yaml
 };
-/// Returns the named sketch; without a name, the sketch in the current folder. If arduino-cli has built in a
-/// folder, returns the image in it. `environment` names an environment of platformio.ini, or a profile of
-/// sketch.yaml; empty = their default. `untrusted`: before any file is read, checks that no link in the
-/// folder leads out of it. Throws InputError.
+/// Returns the named sketch; without a name, the sketch in the current folder. If a folder has no sketch but
+/// exactly one image, for example from arduino-cli, returns the image. `environment` names an environment of
+/// platformio.ini, or a profile of sketch.yaml; empty = their default. `untrusted`: before any file is read,
+/// checks that no link leads out of the folder. Throws InputError.
 SketchChoice choose_sketch(const std::string& name, const std::string& environment = {},
                            bool untrusted = false);
 /// Returns the name to show to users, without slashes at its end. For `.` or `..`, this is the name of the

@@ -15,7 +15,7 @@ namespace {
 
 struct Lack {
   const char* what;
-  const char* else_;  ///< the consequence
+  const char* else_;  ///< the consequence of `what`
   std::string why;
 };
 

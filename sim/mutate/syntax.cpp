@@ -23,7 +23,7 @@ const json& member(const json& node, const char* name) {
   return found == node.end() ? kNothing : *found;
 }
 
-/// Returns whether a declaration is in a known file. All its places must have files.
+/// Returns whether a declaration is in a known file. Its places must have been completed by Places.
 bool is_own(const json& declaration) {
   const json& loc = member(declaration, "loc");
   const json& place = loc.contains("expansionLoc") ? loc["expansionLoc"] : loc;

@@ -15,8 +15,8 @@ struct TestRun {
   std::map<std::string, std::string> traces;  ///< by passed test: the behaviour in its runs, as one number
 };
 
-/// Thrown if a test had no run: the sketch does not compile, or the test requests something that does not
-/// exist.
+/// Thrown if a test could not start a run. Either the sketch does not compile, or the test requests something
+/// that does not exist.
 struct CouldNotRun : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

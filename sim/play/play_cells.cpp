@@ -85,7 +85,7 @@ class Cells final : public CellDriver {
   int here() const override { return survey_.here(); }
   grid::Start pose() const override { return start_of(robot_.pose()); }
 
-  // Drives to the station without showing it, then puts the robot back. drive() takes the same route.
+  // Drives to the station without showing the moves, then puts the robot back. drive() takes the same route.
   RouteReport route(int to) override {
     const int from = survey_.here();
     const cells::Route route = drive(to);

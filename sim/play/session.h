@@ -1,6 +1,6 @@
-// The original program's session: choose a map, place the robot, and let it walk or scan; then inspect the
-// graph, and send the robot from station to station. The SessionHost moves the robot and finds maps.
-// docs/howto/play.md describes the user's view.
+// Reproduces the session of Robosim v1. The user chooses a map, places the robot, and lets it walk or scan.
+// Then the user inspects the graph, and sends the robot from station to station. The SessionHost moves the
+// robot and finds maps. docs/howto/play.md describes the user's view.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct CellStep {
   const char* move = "";   ///< "step_forward"; "" after the last move
   double time_s = 0.0;     ///< simulated time before this move
 };
-/// May throw an exception to end the walk.
+/// Receives each step of a walk. May throw an exception to end the walk.
 using OnStep = std::function<void(const CellStep&)>;
 
 /// The result of a walk, a scan or a drive.
@@ -78,7 +78,7 @@ class SessionHost {
  public:
   virtual ~SessionHost() = default;
   virtual std::vector<MapEntry> maps() = 0;
-  /// Opens the user's choice: a name from the list, or a file. Throws InputError.
+  /// Opens the map that the user has chosen: a name from the list, or a file. Throws InputError.
   virtual grid::Map open_map(const std::string& name) = 0;
   virtual std::unique_ptr<CellDriver> cells(const grid::Map& map, const grid::Start& start,
                                             double seconds_per_move) = 0;

@@ -105,10 +105,10 @@ void Pdf::move_to(Vec2 p) { HPDF_Page_MoveTo(impl_->page, points(p.x), points(p.
 
 void Pdf::line_to(Vec2 p) { HPDF_Page_LineTo(impl_->page, points(p.x), points(p.y)); }
 
-// Draws a cubic curve, whose distance from the arc is at most 2e-8 of the radius.
+// Approximates the arc by a cubic curve. The distance between them is at most 2e-8 of the radius.
 void Pdf::arc_to(const Line& arc) {
   const Vec2 from = arc.from - arc.centre, to = arc.to - arc.centre;
-  // tan(t / 4) of the angle t between them.
+  // The control points lie on the tangents of the ends, at 4/3 tan(turn / 4) of the radius.
   const double turn = std::atan2(cross(from, to), dot(from, to));
   const double reach = 4.0 / 3.0 * std::tan(turn / 4.0);
   const Vec2 first = arc.from + left_of(from) * reach, second = arc.to - left_of(to) * reach;

@@ -26,7 +26,7 @@ class Pdf {
   void set_pen(double width, bool round_ends);
   void move_to(Vec2 p);
   void line_to(Vec2 p);
-  /// Draws an arc (see Line) from the pen's position; at most an eighth of a half turn.
+  /// Draws an arc (see Line) of at most 22.5 degrees from the pen's position.
   void arc_to(const Line& arc);
   void add_box(const Box& box);
   /// Loads a picture, in greys. It is drawn at the size of the box.

@@ -21,11 +21,11 @@ struct Printed {
   Sheets sheets;
 };
 
-/// Prints a map. The first page is an overview with the sheets' numbers. The other pages are sheets: each
-/// shows the paint on its piece of the floor, as the simulation measures it (round ends, gaps, arcs), and
-/// thin outlines of walls and obstacles. It also has marks to cut along, its number, and a bar of 100 mm to
-/// check the printer. Throws InputError if there are too many sheets, and ToolMissing in a build that cannot
-/// write PDF.
+/// Prints a map. The first page is an overview with the sheets' numbers. The other pages are sheets. Each
+/// sheet shows the paint on its piece of the floor, as the simulation measures it (round ends, gaps, arcs).
+/// It also shows thin outlines of walls and obstacles. Each sheet has marks to cut along, its number, and a
+/// bar of 100 mm to check the printer. Throws InputError if there are too many sheets, and ToolMissing in a
+/// build that cannot write PDF.
 Printed print_map(const grid::Map& map, const Options& options);
 
 }  // namespace robosim::print

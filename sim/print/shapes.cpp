@@ -32,7 +32,7 @@ std::pair<Line, Line> halves(const Line& line) {
 }
 
 bool is_short(const Line& line, double longest) {
-  constexpr double kBend = 0.3902;  // of the radius: the chord of an eighth of a half turn
+  constexpr double kBend = 0.3902;  // of the radius: the chord of 22.5 degrees
   const double chord = length(line.to - line.from);
   return chord <= longest && (line.radius == 0.0 || chord <= kBend * line.radius);
 }

@@ -1,8 +1,8 @@
 // Divides a floor into adjacent sheets of paper.
 //
-// Each sheet shows its own piece of the floor, of net_width x net_height, with a flap around it. The flap is
-// 10 mm more of the floor on each side, and the next sheet is laid on it. Sheets are counted from the floor's
-// upper left corner. Lengths in mm, x east and y north from the floor's lower left corner.
+// Each sheet shows its own piece of the floor (net_width x net_height) with a flap around it. The flap shows
+// another 10 mm of the floor on each side. The next sheet is laid on the flap. Sheets are counted from the
+// floor's upper left corner. Lengths in mm, x east and y north from the floor's lower left corner.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@
 namespace robosim::project {
 
 struct IniValue {
-  std::string text;  ///< its lines without surrounding blanks
+  std::string text;  ///< the value's lines without surrounding blanks
   int line = 0;
 };
 

@@ -24,7 +24,7 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, none);
 }
 
-/// Returns arduino-cli's file next to its results; null if it is missing.
+/// Returns the build options that arduino-cli has stored in a build folder; null if they are missing.
 nlohmann::json build_options(const fs::path& folder) {
   const fs::path file = folder / "build.options.json";
   if (!is_file(file)) return nullptr;

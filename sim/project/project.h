@@ -42,8 +42,8 @@ Project read_project(const std::filesystem::path& folder, const std::string& env
 /// Returns the project of a finished image: the board for which arduino-cli or PlatformIO has built it.
 Project project_of_image(const std::filesystem::path& image);
 
-/// Returns the sketch's folder from which arduino-cli or PlatformIO has built an image; empty if it no longer
-/// exists.
+/// Returns the folder of the sketch from which arduino-cli or PlatformIO has built an image. The path is
+/// empty if the folder no longer exists.
 std::filesystem::path sketch_of_image(const std::filesystem::path& image);
 
 /// Finds a board for an image whose board Robosim does not have. The board has the same chip ("atmega328p"),

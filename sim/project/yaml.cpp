@@ -39,7 +39,8 @@ int depth_of(yaml_event_type_t type) {
   return type == YAML_SEQUENCE_END_EVENT || type == YAML_MAPPING_END_EVENT ? -1 : 0;
 }
 
-// Limits the depth, because libyaml's time is quadratic in it. Leaves invalid YAML to the reader.
+// Limits the nesting depth, because libyaml's time is quadratic in it. Ignores invalid YAML, which the caller
+// reports.
 void check_depth(const std::string& content, const std::filesystem::path& path) {
   constexpr int kDeepestYaml = 64;
   Parser parser(content);

@@ -53,8 +53,8 @@ class CompressedBytes {
   std::string_view rest() const { return rest_; }
 
  private:
-  // Larger pieces compress slightly better. At the end of the run, however, half a piece of each column is
-  // left to pack.
+  // Larger pieces compress slightly better. At the end of the run, however, half a piece per column, on
+  // average, is left to pack.
   static constexpr std::size_t kPiece_bytes = 4096;
 
   void pack_rest() {

@@ -20,7 +20,8 @@ class CompressedStream {
 
   /// Adds rows. Throws wire::BadValue if the rows do not match the earlier ones.
   void add(const wire::Rows& rows);
-  /// Begins to thin before thin() is called, a little with each added row, so that thin() has less to do.
+  /// Begins the work of thin() in advance. Each added row continues this work a little, so that thin() is
+  /// fast.
   void prepare_to_thin(std::int64_t span_ns);
   /// Reduces all present and later rows to the last row in each span. The first column must be t_ns.
   void thin(std::int64_t span_ns);

@@ -160,8 +160,8 @@ void Gatherer::finish(std::size_t robot, const wire::RunResult& result,
   RobotRecord& record = record_of(robot);
   Streams& own = streams_[robot];
   record.result = result;
-  record.result.serial.clear();  // the stream contains it, with times
-  record.result.others.clear();  // each has its own record
+  record.result.serial.clear();  // the stream contains the text, with times
+  record.result.others.clear();  // each robot has its own record
   if (own.line) record.line = own.line->watch.events();
   record.thinned_ns = own.thinned ? kThinned_ns : 0;
   for (auto& [name, stream] : own.columns) record.streams.push_back(stream.finish(name, body));

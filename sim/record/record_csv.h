@@ -18,7 +18,7 @@ class CsvRecorder final : public Recorder {
   void finish(const wire::RunResult&) override;
 
  private:
-  /// Maps the table's columns to the robot's readings. The robot has no readings in later columns.
+  /// For each column of the table: index of the robot's reading, or kEmpty. Missing columns are empty, too.
   using Cells = std::vector<std::size_t>;
   static constexpr std::size_t kEmpty = static_cast<std::size_t>(-1);
 

@@ -1,5 +1,5 @@
-// Writes pictures of a run as .svg: the robot's path on its floor, its speed, and the end. They are suitable
-// for papers and READMEs, because equal runs give equal bytes.
+// Writes pictures of a run as .svg: the robot's path on its floor, its speed, and the end. The pictures are
+// suitable for papers and READMEs, because equal runs give equal bytes.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 constexpr std::size_t kLongestLine = kLongestNumber + 16, kLongestTime = 24;
-// Changes that arrive later than this are no longer sorted.
+// Maximum delay of changes that are sorted by time. Changes that arrive later may be written out of order.
 constexpr std::int64_t kLatest_ns = 1'000'000'000;
 constexpr std::size_t kFewWaiting = 4096;
 

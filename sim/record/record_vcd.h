@@ -15,8 +15,8 @@
 
 namespace robosim::record {
 
-/// Writes changes in the order of time. They arrive almost in this order, so each waits until no earlier
-/// change can arrive.
+/// Writes changes in the order of time. Changes arrive almost in this order. Each change waits until no
+/// earlier change can arrive.
 class VcdRecorder final : public Recorder {
  public:
   explicit VcdRecorder(const std::filesystem::path& path) : file_(path) {}
@@ -47,11 +47,11 @@ class VcdRecorder final : public Recorder {
   struct Board {
     std::string scope;
     std::map<std::string, PinSignals> pins;
-    /// The few pins with any events, with the bytes of their names as keys.
+    /// A cache of the few pins with events. The keys are the bytes of the pins' names.
     std::vector<std::pair<std::uint64_t, const PinSignals*>> met;
     std::uint32_t sent[2], received[2];  ///< the byte, and a wire that toggles with each byte
     bool flipped[2] = {false, false};
-    std::size_t end = 0;  ///< end of its signals, which begin at the previous board's end
+    std::size_t end = 0;  ///< end of the board's signals, which begin at the previous board's end
   };
 
   void begin_board(const std::string& scope, const BoardSpec& spec);
@@ -70,7 +70,7 @@ class VcdRecorder final : public Recorder {
   std::vector<Board> boards_;     ///< by robot number
   std::vector<double> values_;    ///< values of the signals in the file so far
   std::vector<Change> waiting_;   ///< sorted by time
-  std::size_t most_waiting_ = 0;  ///< largest number before the next flush
+  std::size_t most_waiting_ = 0;  ///< number of waiting changes that causes the next flush
   std::int64_t now_ns_ = 0;       ///< the file's current time
   std::int64_t last_ns_ = 0;
 };

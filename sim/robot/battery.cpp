@@ -14,7 +14,7 @@ constexpr BatteryKind kKinds[] = {
     {"nimh", 0.03, {1.40, 1.32, 1.29, 1.27, 1.26, 1.25, 1.24, 1.23, 1.21, 1.17, 1.00}},
     {"alkaline", 0.2, {1.60, 1.50, 1.42, 1.36, 1.31, 1.27, 1.24, 1.20, 1.16, 1.10, 0.90}}};
 constexpr double kCollapse = 0.02;  // the voltage falls to 0 V at a charge of -kCollapse
-constexpr double kPerMah = 3.6;     // A s
+constexpr double kPerMah = 3.6;     // A s per mAh
 constexpr int kMostPieces = 4;  // number of linear pieces of the current as a function of voltage, plus one
 
 }  // namespace
@@ -53,8 +53,8 @@ double Cells::rest_volts(double charge) const {
 
 Cells::Load Cells::under(const world::Body& motors, double charge) const {
   const double rest = rest_volts(charge);
-  // Uses Newton's method from above. The current's pieces get steeper as the voltage rises, so no step ends
-  // below the solution.
+  // Uses Newton's method, starting above the solution. The current is convex in the voltage: its pieces get
+  // steeper as the voltage rises. Therefore no step ends below the solution.
   double volts = rest;
   for (int piece = 0; piece < kMostPieces; ++piece) {
     const world::Body::Draw draw = motors.draw(volts);

@@ -5,6 +5,10 @@
 //   I = board + sum over the motors of |drive| max(0, V - drop - k_e w) / (motor ohms)
 //   d charge / dt = - I / capacity
 //
+// `cells` is the number of cells, OCV a cell's open-circuit voltage, and R the `resistance`. `board` is the
+// current of everything except the motors. `drive` is a motor's command, `drop` its driver's voltage drop,
+// and k_e w its back EMF.
+//
 // V is solved exactly in each tick, since I is piecewise linear in V (world::Body::draw). For example, let E
 // be the voltage at rest, and R_m the resistance of a motor with its driver. Two stalled motors lower the
 // voltage to

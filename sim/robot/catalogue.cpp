@@ -127,7 +127,7 @@ const std::vector<DriverChip>& driver_chips() {
        1.3,
        false,
        {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
-      // "EN" is PWM. PWM low brakes, unless both inputs are low, which opens the bridge.
+      // "EN" is PWM. The bridge is open while both inputs are low; otherwise, PWM low brakes.
       {"tb6612",
        0.0,
        0.5,

@@ -112,7 +112,7 @@ struct SensorPlace {
   double footprint = 0.0;  ///< m, side of the square of floor that affects the sensor
 };
 
-/// A displayed reading that is a number with a unit. Other readings are levels, or on and off.
+/// A displayed reading that is a number with a unit. Other readings are levels or switch states.
 struct Gauge {
   std::string name;
   const char* unit;  ///< "deg", "cm", "V", "A", "Hz"; "" = none

@@ -11,9 +11,9 @@
 // resistor:
 //   (supply - 1.2 V) / (nominal - 1.2 V)    1.2 V: forward voltage of infra-red LEDs, by their data sheets
 //
-// Other references (INTERNAL) and the bandgap do not drop. An AVR applies these references itself, since it
-// receives the supply's share of the nominal voltage (RobotPort::feed). Not modelled: a reset of the chip by
-// low supply; an STM32's VREFINT.
+// Other references (INTERNAL) and the bandgap do not drop. The emulated AVR applies these references itself.
+// For this purpose, it receives the ratio of supply to nominal voltage (RobotPort::feed). Not modelled: a
+// reset of the chip by low supply; an STM32's VREFINT.
 #pragma once
 
 #include <memory>

@@ -45,7 +45,7 @@ struct View {
   const world::Floor* floor = nullptr;
   const world::Body* body = nullptr;
   SimTime tick_start = 0;
-  double battery = 1.0;  ///< battery voltage, relative to the robot's healthy battery
+  double battery = 1.0;  ///< battery voltage, relative to Robot::battery()
   Supply supply;         ///< the supply of the board
   const world::World* world = nullptr;
   std::size_t body_number = 0;  ///< number of `body` in `world`

@@ -34,10 +34,11 @@ ShadowMemory::~ShadowMemory() { allow(memory_); }
 namespace {
 
 constexpr std::uintptr_t kShadowGrain = 8;
-// Bytes below a range that also get a shadow: a function marks its frame even if the stack then overflows.
+// Number of bytes below a range that also get a shadow. A function marks its frame even if the frame
+// overflows the stack.
 constexpr std::uintptr_t kMargin = 64 * 1024;
 
-/// Returns the number of holders of each shadow page. Neighbouring memory ranges may share a page.
+/// Returns the number of memory ranges that use each shadow page. Neighbouring ranges may share a page.
 std::map<std::uintptr_t, int>& holders() {
   static std::map<std::uintptr_t, int> pages;
   return pages;
@@ -75,7 +76,8 @@ ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memor
       hold(at);
       pages_.push_back(at);
     }
-    // Clears the marks of an earlier range here: a neighbouring range may have held the page meanwhile.
+    // Clears the marks of memory that was mapped here earlier. These marks survive if a neighbouring range
+    // uses the same shadow page.
     const auto first = reinterpret_cast<std::uintptr_t>(range.begin) / kShadowGrain + offset;
     std::memset(reinterpret_cast<void*>(first), 0,
                 static_cast<std::size_t>(range.end - range.begin) / kShadowGrain);

@@ -1,4 +1,4 @@
-// The shadow memory of address checks (hal/host/addresses.h), mapped only for memory that firmware may
+// Maps the shadow memory of address checks (hal/host/addresses.h), but only for memory that firmware may
 // access. gcc's own runtime would reserve 16 TB.
 #pragma once
 
@@ -13,8 +13,8 @@ struct MemoryRange {
   const std::byte* end;
 };
 
-/// Initially all zero: all memory may be accessed. If Robosim itself runs under AddressSanitizer, the shadow
-/// exists already, and is restored at the end.
+/// The shadow is initially all zero, which permits all accesses. If Robosim itself runs under
+/// AddressSanitizer, the shadow exists already, and is restored at the end.
 class ShadowMemory {
  public:
   /// `offset` is host::Image::shadow; 0 = no shadow. Throws std::runtime_error if the shadow's address range

@@ -43,8 +43,8 @@ std::optional<Object> global_near(std::uintptr_t address, const std::vector<host
   return nearest;
 }
 
-/// Parses gcc's text about a frame: the number of variables, then for each variable its offset, its size, the
-/// length of its name, and "name:line".
+/// Parses the text by which gcc describes a stack frame. It contains the number of variables; then, for each
+/// variable, its offset, its size, the length of its name, and "name:line".
 std::vector<Object> variables(std::uintptr_t frame, const char* text) {
   std::vector<Object> found;
   std::istringstream in(text);
@@ -64,7 +64,7 @@ std::vector<Object> variables(std::uintptr_t frame, const char* text) {
 }
 
 std::optional<Object> local_near(std::uintptr_t address, MemoryRange stack, std::uintptr_t shadow) {
-  constexpr std::uintptr_t kMagic = 0x41B58AB3;  // first word of a frame that has a text by gcc
+  constexpr std::uintptr_t kMagic = 0x41B58AB3;  // first word of a frame that gcc describes by a text
   constexpr std::uintptr_t kGrain = 8;
   const auto bottom = reinterpret_cast<std::uintptr_t>(stack.begin);
   std::uintptr_t at = address / kGrain * kGrain;

@@ -11,8 +11,8 @@
 
 namespace robosim::exec {
 
-/// Returns a clause, as in Crash. `stack` is the firmware's stack. Its frames contain gcc's texts about local
-/// variables. `shadow` is host::Image::shadow.
+/// Returns a clause for Crash::reason. `stack` is the firmware's stack, whose frames contain gcc's texts
+/// about local variables. `shadow` is host::Image::shadow.
 std::string explain(const host::BadAccess& access, const std::vector<host::GlobalRecord>& globals,
                     MemoryRange stack, std::uintptr_t shadow);
 

@@ -35,8 +35,8 @@ constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProc
 
 /// Size in bytes of the kernel's signal sets.
 constexpr std::size_t kSignalSet = 8;
-/// Limit of the address space. RLIMIT_DATA does not count page tables, nor pages that can only be read:
-/// they may have been written before, and a kernel may give memory to those that were never written.
+/// Limit of the address space. It also bounds the memory that RLIMIT_DATA does not count: page tables and
+/// read-only pages. A page may become read-only after a write. A kernel may allocate even unwritten pages.
 constexpr rlim_t kConfinedAddresses = kConfinedMemory + (64 << 20);
 /// Size of the process's first stack, which RLIMIT_DATA does not count.
 constexpr rlim_t kConfinedStack = 8 << 20;
@@ -60,7 +60,7 @@ class Filter {
  public:
   Filter() : filter_(::seccomp_init(SCMP_ACT_TRAP)) {
     if (!filter_) throw std::runtime_error("no filter of system calls");
-    // Uses a tree, since the kernel evaluates a new filter for each existing system call.
+    // Uses a tree for speed: when a filter is installed, the kernel evaluates it for each system call.
     ::seccomp_attr_set(filter_.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2);
   }
 
@@ -101,8 +101,9 @@ scmp_arg_cmp has(unsigned number, std::uint32_t bits, std::uint32_t of) {
   return {number, SCMP_CMP_MASKED_EQ, of, bits};
 }
 
-/// Allows memory calls. Mappings must be private and must not grow downwards, since RLIMIT_DATA counts no
-/// others. The image is mapped from its sealed file. Pages that were written cannot be executed.
+/// Allows memory calls. Mappings must be private and must not grow downwards, since RLIMIT_DATA does not
+/// count other mappings. The image is mapped from its sealed file. Pages that were written cannot be
+/// executed.
 void add_memory(Filter& filter) {
   constexpr std::uint32_t kUncounted =
       ~(MAP_NORESERVE | MAP_STACK | MAP_FIXED | MAP_FIXED_NOREPLACE | MAP_POPULATE | MAP_DENYWRITE);
@@ -112,9 +113,9 @@ void add_memory(Filter& filter) {
       filter.allow(name, {has(2, 0, one), has(3, MAP_PRIVATE, kUncounted), is(4, kImageFd)});
   }
   filter.allow("mprotect", {has(2, 0, PROT_EXEC)});
-  // Rejects names for memory. RE2's library (Debian 13) sets some, and tolerates kernels without them.
+  // Rejects names for memory ranges. RE2 in Debian 13 sets such names, but works on kernels without them.
   filter.add(SCMP_ACT_ERRNO(EINVAL), "prctl", {is(0, PR_SET_VMA)});
-  // Refuses other advice, which may affect other processes: root can take pages away from the whole machine.
+  // Allows only this advice. Other advice may affect other processes: root can take pages out of use.
   for (const std::uint32_t advice : {MADV_DONTNEED, MADV_FREE, MADV_HUGEPAGE})
     filter.allow("madvise", {is(2, advice)});
   for (const char* name : {"futex", "futex_time64"}) filter.allow(name, {has(1, FUTEX_WAKE, FUTEX_CMD_MASK)});
@@ -136,18 +137,18 @@ void add_descriptors(Filter& filter) {
   filter.allow("newfstatat", {is(0, kImageFd), is(4, kKeyHere), is(5, kOtherKeyHere)});
   filter.allow("statx", {is(0, kImageFd), is(5, kKeyHere)});
   filter.allow("dup3", {is(1, kImageFd), is(3, kKeyHere), is(4, kOtherKeyHere)});
-  // Images stay open.
+  // Keeps sealed images open.
   filter.allow("close", {{0, SCMP_CMP_LT, kFirstSealed, 0}});
   filter.add(SCMP_ACT_ERRNO(EBADF), "close", {{0, SCMP_CMP_GE, kFirstSealed, 0}});
 }
 
-/// Allows signals to the process itself, and the end of the process, but both only with the key. Attempts by
-/// a sketch are reported, and do not stop the process.
+/// Allows the process to end, or to send itself a signal, but both only with the key. A sketch's attempts are
+/// reported and do not end the process.
 void add_signals(Filter& filter) {
   filter.allow("kill", {is(0, kProcessHere), is(3, kKeyHere), is(4, kOtherKeyHere)});
   filter.allow("exit_group", {is(3, kKeyHere), is(4, kOtherKeyHere)});
   for (const char* name : {"rt_sigaction", "rt_sigprocmask"})
-    filter.allow(name, {{1, SCMP_CMP_EQ, 0, 0}});  // a query
+    filter.allow(name, {{1, SCMP_CMP_EQ, 0, 0}});  // only returns the setting
   // serve_call() handles SIG_BLOCK.
   filter.allow("rt_sigprocmask", {{0, SCMP_CMP_NE, SIG_BLOCK, 0}});
   for (const int fault : {SIGSEGV, SIGBUS, SIGILL, SIGFPE})
@@ -166,7 +167,7 @@ Descriptor open_statm() { return Descriptor(::open("/proc/self/statm", O_RDONLY 
 
 /// Reads the memory use of the process that has opened `statm`.
 MemoryInUse memory_in_use(const Descriptor& statm) {
-  // Does not use a stream: the first stream of a process takes longer than everything else here.
+  // Does not use a stream: the first stream of a process takes longer than the rest of this function.
   char text[256];
   const ssize_t bytes = statm.is_open() ? ::pread(statm.get(), text, sizeof text - 1, 0) : 0;
   if (bytes <= 0) return {};
@@ -188,7 +189,7 @@ void forget_environment() {
   ::clearenv();
 }
 
-/// Returns the common filter, which takes a millisecond to make. Each process then inserts its own numbers.
+/// Returns the common filter, which takes a millisecond to make. Each process then replaces the placeholders.
 const std::vector<sock_filter>& filter_for_all() {
   static const std::vector<sock_filter> steps = [] {
     Filter filter;
@@ -303,7 +304,8 @@ void confine(const CallKey& key, bool has_grown) {
   key_of_process = key;
   confined = true;
   const sock_fprog program{static_cast<unsigned short>(steps.size()), steps.data()};
-  // Turns off the slower branches that a filter enables by default: this process has no secrets.
+  // SPEC_ALLOW disables mitigations of speculative execution, which would slow down branches. This process
+  // has no secrets.
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
       ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program) != 0)
     throw std::runtime_error(fmt::format("the process cannot be confined: {}", std::strerror(errno)));

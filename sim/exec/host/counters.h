@@ -1,4 +1,4 @@
-// Collects the files for gcov from an image with line counts.
+// Collects the files for gcov from an image that was built with line counters.
 #pragma once
 
 #include <utility>

@@ -39,8 +39,8 @@ FirmwareSnapshot::Memory memory_of(const char* begin, const char* end) {
   return {reinterpret_cast<const std::byte*>(begin), reinterpret_cast<const std::byte*>(end)};
 }
 
-// Returns the part of the heap that malloc() has used, in whole pages: a sketch may write a little past its
-// end.
+// Returns the used part of the heap, rounded up to whole pages. A sketch may write a little past the end of
+// the used part.
 FirmwareSnapshot::Memory used_heap(const host::FirmwareState& state) {
   constexpr std::size_t kPage = 4096;
   const std::size_t whole = (state.heap_used + kPage - 1) / kPage * kPage;

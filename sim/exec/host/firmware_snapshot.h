@@ -20,9 +20,9 @@ class FirmwareSnapshot {
   /// Returns whether all state equals that of the snapshot.
   bool is_like(Memory heap, Memory stack) const;
 
-  // Variants for the part of the heap that malloc() has used. They compare settings (image.h) only if the
-  // settings may have changed since the last call that returned true. An image can therefore have only one
-  // such snapshot.
+  // These variants use only the part of the heap that malloc() has used. They compare settings (image.h) only
+  // if the settings may have changed since the last call that returned true. An image can therefore have only
+  // one such snapshot.
   void take(host::FirmwareState& state, Memory stack);
   bool is_like(host::FirmwareState& state, Memory stack) const;
 

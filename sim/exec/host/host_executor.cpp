@@ -74,16 +74,17 @@ class HostExecutor::Instance final : public host::Host {
       cycle_detector_.begin();
     }
     state_.watched = watched;
-    // If the image counts how often blocks run, its state never repeats: checks only the interrupts.
+    // If the image counts how often blocks run, its state never repeats. Then only the interrupts are
+    // checked.
     if (wanted && image_.entry().counters) goes_round_ = !image_.entry().may_interrupt(true);
   }
   void has_called() { goes_round_ = false; }
-  /// Returns when the firmware last made a call. While it waits for a time, this is `reached`.
+  /// Returns the time of the firmware's last call, or `reached` while the firmware waits.
   [[gnu::always_inline]] SimTime last_call(SimTime reached) const {
     const bool waits = state_.waiting || (state_.polls && state_.polls_by_calls);
     return waits && !owner_.crash_ ? reached : owner_.clocked_.to_world(state_.last_call);
   }
-  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and not found to loop
+  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and was not found to loop
   bool hangs() const {
     return state_.stopped_by || goes_round_ || (state_.endless && !image_.entry().may_interrupt(false));
   }
@@ -98,7 +99,7 @@ class HostExecutor::Instance final : public host::Host {
     return !owner_.crash_;
   }
 
-  /// If firmware only waits, runs it up to the limit, since it may have been left asleep for some time.
+  /// If firmware only polls, runs it up to the limit. Its fiber may have been left suspended for some time.
   void come_up() {
     if (!state_.polls || owner_.crash_) return;
     state_.called_up = true;
@@ -106,7 +107,7 @@ class HostExecutor::Instance final : public host::Host {
     state_.called_up = false;
   }
 
-  /// Returns whether the watchdog has reset the chip. If so, this instance no longer runs.
+  /// Returns whether the watchdog has reset the chip. If so, a new instance must replace this one.
   bool bitten() const { return bitten_; }
 
   SourceLine place() const {
@@ -129,8 +130,8 @@ class HostExecutor::Instance final : public host::Host {
   // Functions of host::Host, called on the fiber.
   void yield() override { suspend(); }
   void block_begins(const std::uint8_t* stack) override {
-    // Checks interrupts again: at watch(), a handler may have been running. Or the sketch may have cleared
-    // the I flag to read a shared variable.
+    // Checks interrupts again, since the result may differ from that in watch(). At that time, a handler may
+    // have been running. Or the sketch may have cleared the I flag to read a shared variable.
     const bool alive = image_.entry().may_interrupt(false);
     goes_round_ = !alive && cycle_detector_.sees(state_.place, from(stack));
     if (goes_round_ || alive) state_.watched = false;
@@ -308,7 +309,8 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
     if (const int sent = own_signal(*info, *static_cast<ucontext_t*>(context))) end_by_signal(sent);
     keyed_exit(kRefusedStatus);
   }
-  // Firmware did not cause the fault: restores the previous handler. The instruction then runs again.
+  // Firmware did not cause the fault: restores the previous handler. The faulting instruction then runs
+  // again.
   for (std::size_t i = 0; i < kFaults.size(); ++i)
     if (kFaults[i] == signal) sigaction(signal, &previous_handlers[i], nullptr);
 }

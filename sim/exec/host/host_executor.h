@@ -49,8 +49,8 @@ class HostExecutor final : public Executor {
   const std::vector<Lack>& lacks() const override { return unsupported_features_.all(); }
   std::vector<ArchivedFile> counters() override;
   bool has_boards_eeprom() const override { return true; }
-  /// Sets whether firmware that only waits is left asleep, starting at the next power_on(). This changes only
-  /// the duration of the simulation (hal/host/polling.h).
+  /// Sets whether firmware that only polls may be left suspended, starting at the next power_on(). This
+  /// changes only the duration of the simulation (hal/host/polling.h).
   void skip_waiting(bool may) { skips_waiting_ = may; }
   void set_lateness(const std::vector<Lateness>& lateness) override { injected_delays_.set(lateness); }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }

@@ -1,4 +1,4 @@
-// Describes a signal that a processor raises when it cannot continue, as received by the signal handler.
+// Describes a fatal signal, such as a processor fault, as received by the signal handler.
 #pragma once
 
 #include <signal.h>

@@ -41,7 +41,7 @@ struct Segments {
   std::uintptr_t begin = UINTPTR_MAX;  ///< bounds of the code
   std::uintptr_t end = 0;
   std::vector<MemoryRange> variables = {};
-  std::pair<std::uintptr_t, std::uintptr_t> constants = {};  ///< protected from writes by the loader
+  std::pair<std::uintptr_t, std::uintptr_t> constants = {};  ///< write-protected by the loader after loading
 };
 
 int find_segments(dl_phdr_info* info, std::size_t, void* argument) {
@@ -86,7 +86,7 @@ struct Part {
   char bytes[kBytes];
   ~Part() { explicit_bzero(bytes, kBytes); }
 
-  /// Reads from the offset `at` on. Returns the number of bytes; 0 at the end.
+  /// Reads from the offset `at`. Returns the number of bytes read; 0 at the end.
   std::size_t read(const Descriptor& file, std::size_t at) {
     for (;;) {
       const ssize_t n = pread(file.get(), bytes, kBytes, static_cast<off_t>(at));
@@ -110,9 +110,9 @@ std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
   return {std::move(copy), bytes};
 }
 
-// Loads an image in a confined process. The loader cannot open a file: it gets kImageFd, and closes it.
-// serve_call() makes the loader believe that each image is a different file. A process can therefore load one
-// copy of an image several times, and share the memory of its code.
+// Loads an image in a confined process. The loader cannot open a file. Instead, it gets kImageFd, and closes
+// it. serve_call() makes the loader believe that each image is a different file. A process can therefore load
+// one copy of an image several times, and share the memory of its code.
 void* load_confined(const ImageFile& file) {
   static int loaded = 0;
   if (!keyed_dup(file.content->sealed().get(), kImageFd)) throw std::logic_error("an image is not sealed");
@@ -164,7 +164,7 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
   if (is_confined()) {
     handle_ = load_confined(file);
   } else {
-    // Loads a nameless copy, because the loader would not load a file a second time. The loader identifies
+    // Loads a copy in memory, because the loader would not load the same file twice. The loader identifies
     // files by inode and by the path below. The descriptor stays open while the image is loaded, so that no
     // other image gets the same path.
     copy_ = (file.content ? copy_in_memory(file.content->sealed()) : copy_in_memory(open_to_read(file.name)))
@@ -237,7 +237,7 @@ SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const 
     if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};
-  // Skips instructions without a line: they have no folder either, which would show whose code they are.
+  // Skips instructions without a line. Their folder, which shows whose code they are, is also unknown.
   for (const SourceLine& frame : frames_of(offsets))
     if (frame.line > 0 && !is_own_file(frame.file)) return frame;
   return {};

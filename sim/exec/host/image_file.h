@@ -19,7 +19,7 @@ namespace robosim::exec {
 
 struct CodeAddress {
   const void* pc = nullptr;
-  bool is_return = false;  ///< return address: the call ends just before it
+  bool is_return = false;  ///< a return address, just after a call instruction
 };
 
 /// Returns the output of `addr2line -f -C -i` for these offsets in the image.
@@ -73,7 +73,7 @@ class LoadedImage {
   std::vector<SourceLine> frames_of(const std::vector<std::uintptr_t>& offsets) const;
 
   const ImageFile& file_;
-  Descriptor copy_;  ///< nameless copy in memory; none in a confined process
+  Descriptor copy_;  ///< unnamed copy in memory; none in a confined process
   void* handle_ = nullptr;
   const host::Image* entry_ = nullptr;
   std::uintptr_t base_ = 0;

@@ -16,8 +16,8 @@ class InjectedDelays {
     for (const wire::Lateness& one : late) times_.push_back({one.from_ns, one.by_ns});
     times_.emplace_back();
   }
-  /// Passes the times from `t` on to the sketch that begins then. The times must not change while the sketch
-  /// runs.
+  /// Passes the times from `t` on to the sketch that starts at `t`. The times must not change while the
+  /// sketch runs.
   void begin(host::FirmwareState& state, SimTime t) const {
     state.lateness = times_.data();
     while (state.lateness->from < t) ++state.lateness;
@@ -25,7 +25,7 @@ class InjectedDelays {
   }
 
  private:
-  std::vector<host::Lateness> times_{{}};  // the last one is never reached
+  std::vector<host::Lateness> times_{{}};  // the last element marks the end and is never reached
 };
 
 }  // namespace robosim::exec

@@ -21,8 +21,8 @@ class StateCycleDetector {
  private:
   FirmwareSnapshot state_;
   Memory heap_;
-  // Stores one state, and replaces it by a later one after 1, 2, 4 … blocks. Source: Brent, 1980: An improved
-  // Monte Carlo factorization algorithm, section 2.
+  // Stores only one state, and replaces it by the present one after 1, 2, 4 … blocks. Source: Brent, 1980:
+  // An improved Monte Carlo factorization algorithm, section 2.
   const void* place_ = nullptr;
   int power_ = 1, since_ = 0;
 };

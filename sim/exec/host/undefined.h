@@ -10,7 +10,7 @@
 
 namespace robosim::exec {
 
-/// The common part of the data of all gcc handlers.
+/// The data that gcc passes to all handlers.
 namespace ubsan {
 
 struct Location {
@@ -40,8 +40,8 @@ struct TwoTypes {
 }  // namespace ubsan
 
 struct Undefined {
-  std::string check;   ///< name of the check
-  std::string reason;  ///< a clause, as in Crash
+  std::string check;   ///< name of the check: "mul_overflow"
+  std::string reason;  ///< a clause for Crash::reason
   std::string file;    ///< as named by debug information; empty if gcc does not pass it
   int line = 0;
 };

@@ -44,7 +44,7 @@ Adc::Adc(Link& link, const Clocks& clocks, SharedLine& line, int index)
 
 // --- conversions
 
-// Returns 1 unless the channels are scanned, or converted in discontinuous mode.
+// Returns the length of the regular sequence in scan or discontinuous mode; otherwise 1.
 int Adc::regular_length() const {
   return state_.control1 & (kScan | kDiscEn) ? static_cast<int>(state_.sequence[0] >> 20 & 15) + 1 : 1;
 }
@@ -87,7 +87,7 @@ void Adc::start_regular(Cycle at) {
     begin(Group::regular, at);
 }
 
-// Interrupts a regular conversion, which restarts after the injected group (11.3.9).
+// Interrupts a running regular conversion, which restarts after the injected group (11.3.9).
 void Adc::start_injected(Cycle at) {
   if (state_.converts == Group::injected) return;
   state_.status |= kJstrt;
@@ -250,7 +250,7 @@ bool Adc::write(Address address, std::uint32_t value) {
 bool Adc::write_control2(std::uint32_t value) {
   const bool was_on = state_.control2 & kAdOn;
   const bool other_bits_same = ((state_.control2 ^ value) & ~(kSwStart | kJswStart)) == 0;
-  // Calibration ends at once.
+  // Calibration takes no time.
   state_.control2 = value & ~(kCal | kRstCal | kSwStart | kJswStart);
   if (!(value & kAdOn)) {
     state_.converts = Group::none;

@@ -24,7 +24,7 @@ class Adc final : public Peripheral {
   Cycle next_event() const override {
     return state_.converts == Group::none ? kNoCycle : std::min(state_.sample_at, state_.done_at);
   }
-  // Returns 0 for ADC_DR, since reading it clears EOC.
+  // Returns 0 (unknown) for ADC_DR, since reading it clears EOC.
   Cycle same_until(Address address) const override {
     return address == base_ + robosim::stm32::kAdcDr - robosim::stm32::kAdc1 ? 0 : next_event();
   }

@@ -3,7 +3,7 @@
 //
 //   Power    PWR_CR, whose DBP bit unlocks Backup and Rtc; the supply is always above the PVD's threshold
 //   Backup   ten registers of 16 bits
-//   Rtc      counts up by 1 each PRL + 1 periods of its clock: LSE 32768 Hz, LSI 40 kHz, or HSE / 128
+//   Rtc      counts up by 1 every PRL + 1 periods of its clock: LSE 32768 Hz, LSI 40 kHz, or HSE / 128
 //
 // All content is lost at power-off, since a Blue Pill has no battery at VBAT. Writes to the RTC take effect
 // at once, so RTOFF and RSF are always 1.

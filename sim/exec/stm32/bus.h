@@ -1,5 +1,5 @@
-// Routes the processor's loads and stores to peripheral registers, except accesses to flash and RAM. Each
-// address is one register of one peripheral. Unmodelled accesses are recorded with the register's name.
+// Routes the processor's loads and stores outside flash and RAM to peripheral registers. Each address is one
+// register of one peripheral. Unmodelled accesses are recorded with the register's name.
 //
 // The bus needs no processor: tests run the functions of hal/stm32 against it.
 #pragma once
@@ -46,7 +46,7 @@ class Bus : DmaBus {
   /// Loads from an address; `size` is 1, 2 or 4 bytes.
   std::uint32_t load(Address address, unsigned size);
   void store(Address address, std::uint32_t value, unsigned size);
-  /// Returns whether a store is in progress. If so, that store causes any pin change reported now.
+  /// Returns whether a store is in progress. A pin change reported during a store is caused by this store.
   bool is_storing() const { return state_.storing; }
   /// Sets a function that is called before each store.
   void before_stores(std::function<void(Address)> watcher) { before_store_ = std::move(watcher); }
@@ -75,7 +75,7 @@ class Bus : DmaBus {
 
   Link& link() { return link_; }
   const Link& link() const { return link_; }
-  /// Returns whether the independent watchdog runs, which resets the chip without an early interrupt.
+  /// Returns whether the independent watchdog runs. It can reset the chip without an earlier interrupt.
   bool may_reset() const { return iwdg_.next_event() != kNoCycle; }
   const Ports& ports() const { return ports_; }
   const std::optional<Unmodelled>& unmodelled() const { return state_.unmodelled; }
@@ -87,14 +87,14 @@ class Bus : DmaBus {
 
  private:
   static constexpr Address kBlockBytes = 0x400, kEnd = 0x40024000;
-  /// An address range of a peripheral, which may have several.
+  /// An address range of a peripheral. A peripheral may have several ranges.
   struct Block {
     Peripheral* peripheral = nullptr;
     Gate gate;
   };
 
   struct State {
-    std::vector<Cycle> events;    ///< next_event() of each peripheral, as last noted
+    std::vector<Cycle> events;    ///< next_event() of each peripheral, as last recorded
     Cycle next_event = kNoCycle;  ///< the earliest of `events`
     std::optional<Unmodelled> unmodelled;
     Address last_address = 0;

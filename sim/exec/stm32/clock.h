@@ -20,8 +20,8 @@ class Clock {
   SimTime limit = kNever;  ///< end of the tick; an instruction may begin before and end after this time
 
   std::uint32_t hz() const { return static_cast<std::uint32_t>(hz_); }
-  /// Sets the cycle duration to 1/hz from now on. Times are rounded down to a nanosecond, without drift until
-  /// the next switch.
+  /// Sets the cycle duration to 1/hz from now on. Times are rounded down to a nanosecond. The rounding error
+  /// does not accumulate until the next call.
   void set_hz(std::uint32_t hz) {
     if (static_cast<SimTime>(hz) == hz_) return;
     base_time_ = time_of(now);

@@ -143,7 +143,7 @@ std::uint32_t Cpu::leads_back_to(std::uint32_t pc) {
 void Cpu::records(bool recording) { writable_ = recording ? 0 : kRamBytes - 3; }
 
 void Cpu::forget(Address page) {
-  // Instructions within this distance of the page may have cached constants from it.
+  // Decoded instructions within this distance of the page may contain constants from it.
   constexpr std::uint32_t kReach = 0x1004;
   const std::uint32_t begin = page - kFlash, end = begin + kPageBytes;
   for (std::uint32_t at = begin > kReach ? begin - kReach : 0; at < std::min(end + kReach, kFlashBytes);
@@ -261,7 +261,7 @@ std::vector<std::uint32_t> Cpu::last_jumps() const {
 }
 
 void Cpu::forget_jumps(std::uint32_t count) {
-  // Clears the slots of the later jumps, since the older jumps that they replaced are lost.
+  // Clears the slots of the forgotten jumps. They had replaced older jumps, which cannot be restored.
   const std::uint32_t more =
       std::min<std::uint32_t>(state_.jump_count - count, static_cast<std::uint32_t>(state_.jumps.size()));
   for (std::uint32_t i = 0; i < more; ++i) state_.jumps[(count + i) % state_.jumps.size()] = 0;

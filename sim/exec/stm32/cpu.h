@@ -131,7 +131,7 @@ class Cpu {
   std::uint32_t last_io_pc() const { return state_.last_io_pc; }
   Cycle handler_cycles() const;
   Cycle sleep_cycles() const { return state_.sleep_cycles; }
-  /// Returns the start of the current handler, or else of the most recent handler.
+  /// Returns the cycle at which the current handler, or else the most recent handler, began.
   Cycle handler_began() const { return state_.handler_began; }
   /// Returns whether neither PRIMASK nor FAULTMASK masks interrupts.
   bool interruptible() const { return !(state_.primask | state_.faultmask); }
@@ -216,7 +216,8 @@ class Cpu {
 
   std::optional<std::uint32_t> load_elsewhere(Address address, unsigned bytes);
   bool store_elsewhere(Address address, unsigned bytes, std::uint32_t value);
-  /// Returns the target of a load into the program counter; false if libunicorn must determine it.
+  /// Sets `target` to the target of a load into the program counter. Returns false if libunicorn must
+  /// determine the target.
   bool load_target(Address address, std::uint32_t& target) const;
   bool load_two(const Step& step);
   bool store_two(const Step& step);

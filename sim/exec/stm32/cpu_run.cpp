@@ -13,7 +13,8 @@ void Cpu::run() {
       ROBOSIM_STM32_STEPS(LABEL)
 #undef LABEL
   };
-  // Local variables hold the values that every instruction needs, since a store to `r` may alias any member.
+  // Uses local variables for the values that every instruction needs. A store to `r` may alias any member, so
+  // the compiler would have to reload members.
   std::uint32_t* const r = state_.r.data();
   std::uint8_t *const ram = ram_, *const flash = flash_;
   Step* const code = code_.data();

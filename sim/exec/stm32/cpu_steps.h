@@ -6,7 +6,7 @@
 //   left, end      cycles left until `end`, where run_to() should stop; end - left is the present cycle
 //   r, flags       the registers
 //   held           0; or, in an IT block and just after it, the number of cycles subtracted from `left` and
-//                  `end`. `left` is then negative, so that the loop passes `leave` before each instruction
+//                  `end`. `left` is then negative, so that the loop reaches `leave` before each instruction
 #pragma once
 
 #include <cstring>
@@ -63,7 +63,7 @@
 #define SETS_CARRY \
   if (i->shift != Thumb::kCarryStays) flags.carry = i->shift
 
-// Defines two variants, without and with flags.
+// Defines two variants of an instruction: one without flags, and one that sets flags.
 #define LOGIC(name, expression)   \
   STEP(name, 1) D = (expression); \
   NEXT;                           \
@@ -82,7 +82,7 @@
     NEXT;                                \
   }
 
-// Defines variants with a shifted second operand, which set no flags.
+// Defines variants of an instruction with a shifted second operand. They set no flags.
 #define OF_SHIFTED(name, expression)  \
   STEP(name##_lsl, 1)                 \
   OF_VALUE(expression, M << i->value) \

@@ -1,4 +1,4 @@
-// Derives facts about firmware from its chip's state and its debug information.
+// Derives facts about firmware from the chip's state and from debug information.
 #pragma once
 
 #include "sim/exec/elf/debug_info.h"

@@ -1,8 +1,8 @@
-// Finds the sketch line that has driven a pin, while the chip reports the change.
+// Finds the sketch line that drives a pin. Call it while the chip reports the pin's change.
 //
 //   cause                                  line
-//   an instruction writes to a register    line of the instruction; in the core, line of the last jump from
-//                                          user code, or else of the innermost user call
+//   an instruction writes to a register    line of the instruction; if it is in the core, line of the last
+//                                          jump from user code, or else of the innermost user call
 //   a timer applies a new duty cycle       the line that last wrote TIMx_CCRy before the timer's update
 //   a timer or handler of the core         none
 #pragma once
@@ -16,7 +16,7 @@ namespace robosim::exec::stm32 {
 
 class DrivenLines {
  public:
-  /// `machine` and `debug` must outlive this object, which must exist as long as the chip runs.
+  /// This object must exist as long as the chip runs. `machine` and `debug` must outlive this object.
   DrivenLines(Machine& machine, const DebugInfo& debug);
   DrivenLines(const DrivenLines&) = delete;
   DrivenLines& operator=(const DrivenLines&) = delete;

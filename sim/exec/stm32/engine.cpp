@@ -102,7 +102,8 @@ struct Cpu::Hooks {
 };
 
 Engine::Engine(const FlashMemory& flash) {
-  // UC_MODE_MCLASS must not be set: it ignores the CPU model and executes instructions that the M3 lacks.
+  // Does not set UC_MODE_MCLASS. In this mode, libunicorn ignores the CPU model and executes instructions
+  // that the M3 lacks.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &uc_));
   try {
     check(uc_ctl_set_cpu_model(uc_, UC_CPU_ARM_CORTEX_M3));

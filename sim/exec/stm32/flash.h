@@ -1,6 +1,6 @@
-// Models the flash interface (RM0008 3.3.3; PM0075), with which a program can change any halfword or page of
-// flash, even its own code. As on the chip, the processor stops while flash is busy, since it fetches from
-// flash. Flash is busy 52.5 us for a halfword and 30 ms for a page (DS5319, table 28: 20 to 40 ms).
+// Models the flash interface (RM0008 3.3.3; PM0075). With it, a program can change any halfword or page of
+// flash, even its own code. As on the chip, the processor stops while flash is busy, since its instructions
+// come from flash. Flash is busy 52.5 us for a halfword and 30 ms for a page (DS5319, table 28: 20 to 40 ms).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Detects silent firmware that will stay silent.
+// Predicts whether firmware that no longer accesses registers will stay inactive.
 #pragma once
 
 #include "sim/exec/stm32/firmware.h"

@@ -13,9 +13,10 @@ namespace {
 constexpr Cycle kFirstExplored = 20'000, kLastExplored = 2'000'000;
 constexpr std::size_t kMostStored = 200;
 constexpr int kMostTries = 5, kMostRounds = 1;
-// Maximum number of other loop heads in a pass. If a pass has more, one of them belongs to the waiting loop.
+// Number of arrivals at other loop heads that ends a recording. One of these heads then belongs to the
+// waiting loop.
 constexpr int kMostOthers = 4;
-// Costs of the search, in cycles that could have been executed meanwhile.
+// Costs of the search, as the number of cycles that could be simulated in the same time.
 constexpr std::int64_t kCostOfHead = 5, kCostOfRecord = 40, kCostOfLook = 10;
 constexpr Cycle kWorthwhile = 60;
 
@@ -176,8 +177,8 @@ void Idle::moved_in_time() {
 void Idle::skip(Cycle passes, Cycle cycles) {
   Clock& clock = cpu_.clock_;
   if (rounds_ > 0) {
-    // Durations of rounds differ by the clock's rounding to a nanosecond. The pattern repeats after at most
-    // this number of rounds.
+    // Rounding to nanoseconds makes rounds of loop() differ in duration. The pattern of these durations
+    // repeats after at most this number of rounds.
     constexpr Cycle kDifferent = 40;
     const Cycle first = round_at_ + cycles;
     const Cycle one_by_one = std::min(passes, kDifferent);

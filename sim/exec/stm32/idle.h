@@ -1,15 +1,16 @@
 // Skips waiting loops, which repeatedly call millis() or poll flags and buttons. Afterwards, firmware, pins
-// and time are as if every pass had run. Skipping saves only work of the simulating processor.
+// and time are as if every pass had run. Skipping affects only the duration of the simulation.
 //
-//   explores   checks from time to time which of the last jumps lead back; their targets are loop heads
+//   explores   checks from time to time which of the last jumps lead backwards, to a loop head
 //   records    notes what one pass from a head stores, and how long the values that it reads from
 //              peripherals stay valid
 //   skips      skips the passes that end before the next event, and before a value read by the pass may
 //              change; requires that registers and RAM are as at the beginning of the pass. The last of these
-//              passes runs, which reproduces all effects of a pass
+//              passes is executed, to reproduce all effects of a pass
 //
-// Skipping is exact: passes that begin with equal registers, RAM and peripherals have equal effects. Heads
-// are marked (Cpu), so other loops cost nothing. A head loses its mark if skipping does not pay off.
+// Skipping is exact: passes that begin with equal registers, RAM and peripherals have equal effects. Only
+// loop heads are marked (Cpu::Mark), so other code costs nothing. Heads lose their marks if skipping does not
+// pay off.
 #pragma once
 
 #include <array>
@@ -42,7 +43,7 @@ class Idle {
   /// Notes that `bytes` of RAM at `address` are about to change.
   void stores(std::uint32_t address, std::uint32_t bytes);
   /// Notes a read from a peripheral whose value is valid before the cycle `until`. If `until` is the present
-  /// cycle, the end is unknown.
+  /// cycle, the duration of its validity is unknown.
   void looks(Cycle until);
   /// Notes that a round of loop() begins.
   void round_began();

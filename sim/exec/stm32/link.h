@@ -47,7 +47,7 @@ struct Link {
   SnapshotRegistry snapshots{};
 };
 
-/// An interrupt line shared by two peripherals, which is high while either sets it high.
+/// An interrupt line shared by two peripherals. The line is high while at least one of them sets it high.
 class SharedLine {
  public:
   SharedLine(Link& link, robosim::stm32::Irq irq) : nvic_(link.nvic), irq_(irq) {

@@ -38,7 +38,7 @@ class Code final : public ChipCode {
     }
     return calls;
   }
-  // Returns nothing, so rounds of an inlined loop() are not counted. Robosim's core prevents inlining.
+  // Returns no steps, so rounds of an inlined loop() are not counted. Robosim's core prevents inlining.
   Steps steps_of(const Symbol&) const override { return {}; }
 
  private:

@@ -91,7 +91,8 @@ void Machine::run_until(SimTime t) {
     if (bus_.link().reset_cause != Reset::none) restart();
     cpu_.take_exception();
     const Cycle next = std::min(bus_.next_event(), clock.cycle_at(std::min(board_.next_input(), t)));
-    // During sleep no instructions run, and only due events may have changed RAM.
+    // Single steps find changes of watched RAM. During sleep no instructions run, so only due events can
+    // change RAM.
     const bool singly = debug_port_ && (!cpu_.is_asleep() || is_due) && debug_port_->steps_singly();
     const Cycle stop = singly ? clock.now + 1 : std::max(std::min(next, clock.cycle_at(t)), clock.now + 1);
     if (cpu_.is_asleep())

@@ -37,7 +37,7 @@ class FlashMemory : public AlignedBytes {
   void erase(Address offset);
 
   using Page = std::array<std::uint8_t, robosim::stm32::kPageBytes>;
-  /// The pages that firmware has changed, by their offsets. Copies share pages.
+  /// The pages that firmware has changed, by their offsets. Copies of a State share their pages.
   using State = std::map<Address, std::shared_ptr<const Page>>;
   State save() const;
   /// Restores `saved` and returns the offsets of the pages that changed.

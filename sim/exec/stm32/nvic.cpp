@@ -128,7 +128,7 @@ bool Nvic::read(Address address, std::uint32_t& value) const {
     case kScbHfsr:
     case kScbMmfar:
     case kScbBfar:
-      value = 0;  // a fault ends the run
+      value = 0;  // no fault, since a fault ends the run
       return true;
     default:
       return false;

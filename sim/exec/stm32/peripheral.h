@@ -12,7 +12,7 @@ struct Pulse {
   Cycle until = 0;
 };
 
-/// `number` is 1 to 7.
+/// Returns the bit of DMA channel `number`, 1 to 7.
 constexpr unsigned dma_channel(int number) { return 1u << (number - 1); }
 
 class Peripheral {
@@ -26,14 +26,14 @@ class Peripheral {
   virtual std::uint32_t read(Address address) = 0;
   /// Returns false if the write is not modelled.
   virtual bool write(Address address, std::uint32_t value) = 0;
-  /// Resets the part that begins at `block`, as after power-on.
+  /// Resets the registers of the block that begins at `block`, as after power-on.
   virtual void reset(Address block) = 0;
 
   /// Returns when update() next has work; kNoCycle if never.
   virtual Cycle next_event() const { return kNoCycle; }
   /// Returns the first cycle at which read() may return another value or have side effects; earlier reads can
-  /// be skipped. Valid while nothing is written, no input arrives, and update() has no work. The present or
-  /// an earlier cycle means unknown.
+  /// be skipped. The result is valid until a write, an input, or work for update(). A result that is not
+  /// after the present cycle means that nothing is known.
   virtual Cycle same_until(Address) const { return 0; }
   /// Advances the peripheral to the present time.
   virtual void update() {}
@@ -61,7 +61,7 @@ class Peripheral {
   virtual void edge(ChipPin, bool, Cycle) {}
 
   std::size_t bus_index = 0;  ///< index in the bus
-  Signals noted_signals = 0;  ///< listens(), as last noted by the bus
+  Signals noted_signals = 0;  ///< last result of listens() that the bus has recorded
 };
 
 }  // namespace robosim::exec::stm32

@@ -36,7 +36,7 @@ class Ports final : public Peripheral {
 
   /// Samples the robot and returns the present level.
   bool level(ChipPin pin) const;
-  /// Handles the RTC alarm, which is line 17.
+  /// Handles the RTC alarm, which is EXTI line 17.
   void alarmed();
   /// Handles a change in the set of pins with listeners for edges.
   void watch();
@@ -83,9 +83,9 @@ class Ports final : public Peripheral {
   bool write_exti(Address address, std::uint32_t value);
   void interrupts_changed();
   void change_map(std::uint32_t map);
-  /// Handles events on these lines.
+  /// Handles events on a set of EXTI lines.
   void came(std::uint32_t lines);
-  /// Returns the port that line `line` is connected to.
+  /// Returns the port that EXTI line `line` is connected to.
   int source(int line) const;
 
   Link& link_;

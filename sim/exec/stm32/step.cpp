@@ -230,7 +230,7 @@ Step step_of(const Thumb& t, const Instruction& instruction) {
   const auto number = static_cast<unsigned>(t.op);
   if (t.op >= Op::mov && t.op <= Op::cmn) {
     step.shift = t.carry;
-    // TEQ and ORN are too rare for their own kinds. Their operation is stored next to the carry.
+    // TEQ and ORN are too rare for their own kinds. Their operation is stored in `shift`, next to the carry.
     if (t.op == Op::orn || t.op == Op::teq) step.shift = static_cast<std::uint8_t>(t.carry | number << 2);
   } else if (step.kind == Kind::shifted || step.kind == Kind::shifteds || step.within == Kind::shifteds) {
     const unsigned plain = number - static_cast<unsigned>(Op::mov_shifted) + static_cast<unsigned>(Op::mov);
@@ -244,7 +244,7 @@ Step step_of(const Thumb& t, const Instruction& instruction) {
     step.n = instruction.predicates;
     if (step.n == 1) step.kind = step.within = Kind::it_one;
   }
-  // Marks a Step that reads the program counter, and stores its kind in `shift`.
+  // Marks a Step that reads the program counter, and stores its original kind in `shift`.
   if (step.n == Thumb::kPc || step.m == Thumb::kPc) {
     if (step.kind == Kind::tbb || step.kind == Kind::tbh) return step;
     step.shift = static_cast<std::uint8_t>(step.kind);

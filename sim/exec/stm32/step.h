@@ -9,8 +9,8 @@
 
 namespace robosim::exec::stm32 {
 
-// Kinds that end with s set flags. With _i or _r, the second operand is `value` or r[m] alone; otherwise it
-// is r[m] + value.
+// An s after the name of a data operation, as in movs_i and bics, means that the kind sets flags. With _i or
+// _r, the second operand is `value` or r[m] alone; otherwise it is r[m] + value.
 // clang-format off
 #define ROBOSIM_STM32_STEPS(X)                                                                           \
   X(fetch) X(mark) X(emulate) X(reads_pc) X(nop) X(mov_i) X(mov_r) X(movs_i) X(movs_r) X(add_i) X(add_r) \
@@ -50,8 +50,8 @@ struct alignas(16) Step {
 
 static_assert(sizeof(Step) == 16);
 
-/// Converts an instruction to a Step, except its `pc`. A branch gets the kind `branch`, its target as `value`
-/// and its Op as `shift`.
+/// Converts an instruction to a Step, but does not set the Step's `pc`. A branch gets the kind `branch`, its
+/// target as `value` and its Op as `shift`.
 Step step_of(const Thumb& thumb, const Instruction& instruction);
 /// Returns the kind for a `branch` that jumps to a Step in flash other than the next Step.
 Step::Kind direct_kind(const Step& branch);

@@ -13,7 +13,7 @@ std::uint32_t SysTick::value() const {
 
 void SysTick::set_value(std::uint32_t value) {
   state_.held = value;
-  // From 0, the counter reloads LOAD at the next step.
+  // One step after 0, the counter is reloaded from LOAD.
   const Cycle steps = value == 0 ? Cycle{state_.load} + 1 : value;
   state_.zero_at = link_.clock.now + steps * (by_eight() ? 8 : 1);
 }
@@ -51,7 +51,7 @@ bool SysTick::write(Address address, std::uint32_t value_written) {
       return true;
     case kStkLoad:
       if (value_written != 0 && state_.load != 0 && runs()) {
-        state_.load = value_written & 0xFFFFFF;  // takes effect in the next round
+        state_.load = value_written & 0xFFFFFF;  // takes effect at the next reload
         return true;
       }
       state_.load = value_written & 0xFFFFFF;

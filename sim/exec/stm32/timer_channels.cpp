@@ -12,7 +12,8 @@ using namespace robosim::stm32;
 
 namespace {
 
-// For each internal trigger, the timer with its TRGO (table 86); 0 = a timer that the chip does not have.
+// For each timer and internal trigger: the timer whose TRGO is the trigger (table 86). 0 = a timer that the
+// chip does not have.
 constexpr int kInternalTriggers[4][4] = {{0, 2, 3, 4}, {1, 0, 3, 4}, {1, 2, 0, 4}, {1, 2, 3, 0}};
 // DMA channel of each timer channel (table 78); 0 = none.
 constexpr int kChannelDma[4][4] = {{2, 0, 6, 4}, {5, 7, 1, 7}, {6, 0, 2, 3}, {1, 4, 5, 0}};
@@ -76,7 +77,7 @@ std::uint32_t Timer::period_us() const {
   return static_cast<std::uint32_t>(cycles * 1'000'000 / link_.clock.hz());
 }
 
-// The complementary output is inverse if the main output is enabled. Otherwise both are equal (table 83).
+// The complementary output is inverted if the main output is enabled. Otherwise both are equal (table 83).
 bool Timer::inverts(int channel, bool complement) const {
   const std::uint32_t own = state_.outputs >> (4 * channel) & 15;
   const bool opposite = complement && own & 1;
@@ -115,8 +116,8 @@ bool Timer::drives(ChipPin pin, PinDrive& drive) const {
   return false;
 }
 
-// Returns OCxREF of PWM mode 1, and the next count that changes it (14.3.10). Whole periods may have passed
-// since the last update.
+// Returns OCxREF of PWM mode 1, and the cycle at which it next changes (14.3.10). Whole periods may have
+// passed since the last update.
 Pulse Timer::pulse_of(int channel) const {
   const std::int64_t value = state_.compare[static_cast<std::size_t>(channel)], top = state_.top,
                      whole = period();

@@ -34,7 +34,7 @@ void Timer::start_from(std::uint32_t count, Cycle at) {
   std::int64_t here = counts_down() && !centered() ? top - value : value;
   if (centered() && state_.steps_down && value > 0 && value < top) here = 2 * top - value;
   state_.step = (Cycle{state_.prescaler} + 1) * clocks_.timer_divider(base_);
-  // The origin may lie before power-on, since only differences matter.
+  // The origin may lie before power-on and wrap around: only differences from it are used.
   state_.origin = at - static_cast<Cycle>(here) * state_.step;
   state_.done = here;
 }
@@ -43,7 +43,7 @@ std::array<std::int64_t, 2> Timer::places_of(int channel) const {
   const std::int64_t top = state_.top, value = state_.compare[static_cast<std::size_t>(channel)];
   if (captures(channel) || value > top) return {-1, -1};
   if (!centered()) return {counts_down() ? top - value : value, -1};
-  // CMS selects flags while counting down, up, or both.
+  // CMS selects whether the counter sets flags while it counts down, up, or in both directions.
   const std::uint32_t aligned = state_.control >> 5 & 3;
   return {aligned & 2 ? value : -1, aligned & 1 && value > 0 ? 2 * top - value : -1};
 }
@@ -81,7 +81,7 @@ Cycle Timer::next_event() const {
   return next == std::int64_t{1} << 40 ? kNoCycle : state_.origin + static_cast<Cycle>(next) * state_.step;
 }
 
-// Skips whole periods in which nothing listens, and sets their flags.
+// Skips whole periods without a listener for their events, and sets the flags of these events.
 void Timer::fall_behind(std::int64_t place) {
   const std::int64_t periods = place / period() - 1;
   if (periods <= 0 || needs_update_event()) return;

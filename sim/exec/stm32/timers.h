@@ -46,7 +46,7 @@ class Timer final : public Peripheral {
     std::uint32_t waiting_outputs = 0;
     std::uint32_t waiting_prescaler = 0, waiting_top = 0xFFFF, repetition = 0;
     std::array<std::uint32_t, 4> waiting_compare{};
-    // Active values
+    // Values in effect. The `waiting_` values above take effect later.
     std::uint32_t prescaler = 0, top = 0xFFFF, repetitions_left = 0;
     std::array<std::uint32_t, 4> compare{};
     std::array<bool, 4> active{};             ///< OCxREF of the modes that are not PWM

@@ -1,6 +1,6 @@
 // Models the debug components that programs themselves use (RM0008 31; ARM DDI 0337E 11, 17, since PM0056
-// lacks them). They are the cycle counter DWT_CYCCNT, and ITM, which accepts and drops all output. Other
-// registers of DWT, ITM, TPIU and DBGMCU store the written values.
+// lacks them): the cycle counter DWT_CYCCNT, and ITM, which accepts and drops all output. Other registers of
+// DWT, ITM, TPIU and DBGMCU store the written values.
 #pragma once
 
 #include <map>

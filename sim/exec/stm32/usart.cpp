@@ -63,7 +63,7 @@ void Usart::send(std::uint8_t byte) {
   if (!sends()) return;
   state_.status &= ~kTc;
   if (state_.shifting) {
-    state_.waiting = byte;  // replaces a byte that waits already
+    state_.waiting = byte;  // replaces a byte that is already waiting
     state_.status &= ~kTxe;
     return;
   }

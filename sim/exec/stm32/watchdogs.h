@@ -1,7 +1,7 @@
 // Models the two watchdogs: the independent watchdog (RM0008 19) and the window watchdog (20).
 //
 //   IWDG   resets the chip 4 * 2^PR * (RLR + 1) / 40 kHz after the last reload; also runs in sleep
-//   WWDG   counts down by 1 each 4096 * 2^WDGTB cycles of APB1; resets the chip at 0x3F, or on a write while
+//   WWDG   counts down by 1 every 4096 * 2^WDGTB cycles of APB1; resets the chip at 0x3F, or on a write while
 //          the counter is above the window
 //
 // New values of IWDG_PR and IWDG_RLR take effect at once, so IWDG_SR reads 0. LSI runs at exactly 40 kHz
@@ -26,7 +26,7 @@ class IndependentWatchdog final : public Peripheral {
   struct State {
     bool runs = false, unlocked = false;
     std::uint32_t prescaler = 0, reload = 0xFFF;
-    SimTime ends = 0;  ///< time at which it resets the chip
+    SimTime ends = 0;  ///< time at which the watchdog resets the chip
   };
 
   /// Returns the duration of one count.
