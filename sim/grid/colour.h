@@ -1,10 +1,10 @@
 // Defines the colours of the floor and their reflectance for sensors.
 //
 // `infrared` is the reflectance for a sensor such as TCRT5000 or QTR (950 nm), relative to white paper;
-// `light` is the reflectance for red, green and blue light. All are estimates. Pigments that look dark to the
-// eye hardly absorb infra-red. Makers of reflective sensors state that coloured PVC reflects 40 to 80 % as
-// much as a white card. For bright metal they state 110 to 160 %, since metal reflects like a mirror if
-// emitter and receiver look straight down.
+// `light` is the reflectance for red, green and blue light. All values are estimates. Pigments that look dark
+// to the eye hardly absorb infra-red. Makers of reflective sensors state that coloured PVC reflects 40 to
+// 80 % as much as a white card. For bright metal they state 110 to 160 %, since metal reflects like a mirror
+// if emitter and receiver look straight down.
 //
 // Green is therefore much nearer to white than to black. Infra-red alone cannot distinguish a single green
 // square from a dirty floor.

@@ -15,8 +15,8 @@ namespace robosim::grid {
 /// The lower left corners of picture and floor coincide. Beyond the picture the floor is white.
 ///
 /// A pixel's darkness is 1 - value, in steps of 1/255, with a value between 0 (black) and 1 (white). The
-/// value of a grey pixel is the file's. The value of a coloured pixel is 0.2126 red + 0.7152 green + 0.0722
-/// blue (ITU-R BT.709). Transparent pixels are blended over white.
+/// value of a grey pixel is taken from the file. The value of a coloured pixel is 0.2126 red + 0.7152 green +
+/// 0.0722 blue (ITU-R BT.709). Transparent pixels are blended over white.
 class FloorImage {
  public:
   /// Upper limits for the size of a picture. Each pixel uses 4 bytes of memory.

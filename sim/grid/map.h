@@ -106,8 +106,8 @@ struct Map {
   std::shared_ptr<const FloorImage> image;
   Course course;               ///< everything except the cells, such as paths and marks
   std::optional<Start> start;  ///< from [start] or S
-  /// The front matter's goal; "" = none. Without it, a map with a goal cell gets "station:NAME". NAME is the
-  /// station on the goal cell: "goal", unless [stations] names it.
+  /// The front matter's goal; "" = none. Without such a goal, a map with a goal cell gets "station:NAME".
+  /// NAME is the station on the goal cell: "goal", unless [stations] names it.
   std::string goal;
   Place goal_place;                 ///< where `goal` was written
   std::optional<CellAt> goal_cell;  ///< from G or [goal]; also one of `stations`

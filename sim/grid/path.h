@@ -1,6 +1,6 @@
 // A line that does not follow cells: a sequence of straights, arcs and corners. Each piece begins where the
-// previous one ends, and in its direction. Courses of most competitions consist of such lines: [[path]] of a
-// map (docs/reference/maps.md).
+// previous piece ends, and in the direction in which it ends. Courses of most competitions consist of such
+// lines: [[path]] of a map (docs/reference/maps.md).
 #pragma once
 
 #include <vector>

@@ -8,8 +8,8 @@
 namespace robosim::grid {
 
 /// Appends the path's stripes. Splits arcs into parts of at most a quarter of a circle. Splits all pieces at
-/// both ends of each gap. A gap shortens each neighbouring stripe by half the stripe's width, as between
-/// cells. `paints` is the map's paints_of().
+/// both ends of each gap. A gap shortens each neighbouring stripe by half the stripe's width, like a gap cell
+/// (stripes.h). `paints` is the map's paints_of().
 void add_stripes(const Path& path, const std::vector<Paint>& paints, std::vector<Stripe>& stripes);
 
 }  // namespace robosim::grid

@@ -26,9 +26,9 @@ struct Leg {
   }
   Vec2 point(double t) const { return map.centre(first) + heading(d) * t; }
 
-  /// Returns the gaps among the first `count` cells, sorted and without overlap. Paint reaches line/2 beyond
-  /// a stripe's end, so a gap shortens the neighbouring stripes by that length. A single painted cell between
-  /// gaps always remains in part.
+  /// Returns the gaps among the first `count` cells, sorted and without overlap. Paint reaches half a line's
+  /// width beyond a stripe's end, so a gap shortens the neighbouring stripes by this length. A single painted
+  /// cell between gaps always remains in part.
   std::vector<Gap> gaps(int count) const {
     const double beside = std::min(map.line_m / 2, map.cell_m * 0.45);
     std::vector<Gap> found;

@@ -24,7 +24,8 @@ struct Stripe {
   Vec2 centre;          ///< of the arc's circle
   double radius = 0.0;  ///< of the arc; 0 = a straight segment
   /// False across gap cells, where the line is invisible but still counts as line. A gap is as long as its
-  /// cells: neighbouring stripes end line/2 earlier, since paint reaches line/2 beyond a stripe's end.
+  /// cells. Neighbouring stripes end half a line's width earlier, since paint reaches this far beyond a
+  /// stripe's end.
   bool painted = true;
   std::uint8_t paint = 0;  ///< index in paints_of()
 };

@@ -43,7 +43,7 @@ struct Evidence {
   double left_command = 0.0, right_command = 0.0;       ///< motor commands at the end, -1..1
   SimTime sensors_read = kNever;  ///< last read of a floor sensor by the sketch; kNever = none
   double line_side = 0.0;  ///< m, the line's last position off the robot's middle, positive to the left
-  double steered = 0.0;    ///< mean difference of commands with the line off-centre; positive = towards it
+  double steered = 0.0;    ///< mean command difference while the line is off-centre; positive = towards it
   bool moved = false;      ///< a wheel turned
   world::Toppled toppled = world::Toppled::no;
   Vec2 at;                          ///< the robot's position

@@ -41,7 +41,7 @@ class Judge {
   /// `senses`: the robot has reflectance sensors. A robot without reflectance sensors cannot be lost.
   explicit Judge(bool senses) : senses_(senses) {}
 
-  /// Returns toppled, lost, stuck, hung or ended; nullopt in a normal state. A silent sketch that may
+  /// Returns toppled, lost, stuck, hung or ended; nullopt in a normal state. A sketch that is silent but may
   /// continue is in a normal state. Called in each tick, and therefore inline.
   [[gnu::always_inline]] std::optional<Verdict> look(const Situation& now) {
     const bool is_lost = lost(now), is_stuck = stuck(now);

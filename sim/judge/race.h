@@ -22,8 +22,8 @@ class Race {
   Race(const grid::Map& map, Finish finish);
 
   void look(const RulesInput& now, Events& events);
-  /// Returns whether the robot has passed the goal line and, if required, rested in the area for 2 s. If rest
-  /// is not required, the run ends 2 s after the goal line.
+  /// Returns whether the robot has passed the goal line and, if required, rested between goal and start line
+  /// for 2 s. If rest is not required, the run ends 2 s after the goal line.
   bool reached() const { return rested_; }
   std::string summary() const;
   void score(wire::Metrics& metrics) const;

@@ -13,7 +13,7 @@ namespace robosim::judge {
 namespace {
 
 constexpr double kAlong = 0.005;        // m between two points of the path
-constexpr double kLeastStep = 0.01;     // m, least length of path on a tile for a visit
+constexpr double kLeastStep = 0.01;     // m of path on a tile: a shorter part is not a visit
 constexpr double kCrossing = 0.1;       // m, least distance along the path between two points of a crossing
 constexpr double kRoundObstacle = 1.5;  // tiles
 constexpr double kOffTheStart = 0.01;   // m
@@ -25,7 +25,7 @@ constexpr int kThingPoints = 10, kLineObstaclePoints = 20, kSeesawPoints = 20;
 constexpr double kUneven = 0.003, kBump = 0.010;  // m, upper limits
 constexpr double kRounding = 1e-6;                // m
 
-// Stores points of all paths, sorted by squares with sides of kAlong.
+// Stores points of all paths, sorted into squares with sides of kAlong.
 class PathPoints {
  public:
   explicit PathPoints(const grid::Map& map) {

@@ -1,4 +1,4 @@
-// A fault that a script has caused. A verdict names the fault if it was the cause.
+// A fault that a script has caused. A verdict names the fault that was its cause.
 #pragma once
 
 #include <optional>

@@ -4,14 +4,14 @@
 //
 //   Serial.print("error "); Serial.print(error); …          // in each pass of loop(), or in each step
 //
-// The robot may still follow its line, since its passes are regular. However, the derivative term and all
-// times that are counted in passes change. Without Serial, or on a narrower line, the robot drives
+// The robot may still follow its line, since the passes of loop() are regular. However, the derivative term
+// and all times that are counted in passes change. Without Serial, or on a narrower line, the robot drives
 // differently.
 //
-// A finding is a sketch that spends 30 % of its driving time in stretches without a read of a floor sensor.
-// A stretch counts if it lasts at least 15 ms and a call of Serial waits in it; ten or more must count.
-// Sketches that occasionally print much, or drive without a line, are not reported. To fix a finding, print
-// fewer bytes, print less often (if (millis() - told_at > 500)), or use a faster Serial.begin().
+// A finding is a sketch that spends 30 % of its driving time in stretches without a read of a floor sensor. A
+// stretch counts if it lasts at least 15 ms and a call of Serial waits in it. At least ten stretches must
+// count. Sketches that occasionally print much, or drive without a line, are not reported. To fix a finding,
+// print fewer bytes, print less often (if (millis() - told_at > 500)), or use a faster Serial.begin().
 #pragma once
 
 #include <vector>

@@ -45,7 +45,7 @@ class SlowSource {
   Found& of(const Reading& reading, exec::Executor& executor);
 
   const BoardSpec* board_;
-  Reading last_;              ///< the last reading; kNoPin = it was correct
+  Reading last_;              ///< the last reading; its pin is kNoPin if it was correct
   std::vector<Found> found_;  ///< by pin
 };
 

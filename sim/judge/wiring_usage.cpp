@@ -7,7 +7,7 @@
 namespace robosim::judge {
 namespace {
 
-// Noise changes a reading by less than this share; a line changes it by more.
+// Noise changes a reading by less than this share; a line under the sensor changes it by more.
 constexpr double kSteady = 0.1;  // share of the supply
 
 /// A part, or an element of an array.

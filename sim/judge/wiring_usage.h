@@ -1,5 +1,5 @@
-// Finds the wiring that a sketch used, and the wiring that it never used. Most sketches that do nothing drive
-// a pin other than the wired one.
+// Finds the wiring that a sketch used, and the wiring that it never used. A sketch that seems to do nothing
+// usually drives a pin other than the wired one.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,9 @@ namespace robosim::judge {
 /// Returns the usage. `was_output`: per pin of the board, whether the firmware ever drove it.
 ///
 /// A read of a port reads eight pins, and usually it is unknown which pin was meant. An unwired pin therefore
-/// counts as read only if it was read singly or measured, or had its pull-up on. A part counts as used if any
-/// of its pins may have been read. Parts on a shift register, or on the pins of the UART, count as used.
+/// counts as read only if it was read singly, was measured, or was read with its pull-up on. A part counts as
+/// used if any of its pins may have been read. Parts on a shift register, or on the pins of the UART, count
+/// as used.
 wire::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring,
                      const std::vector<bool>& was_output, const exec::BoardProbe& probe);
 

@@ -1,4 +1,4 @@
-// Prepares several robots on one map: converts the user's names for each robot to one request.
+// Prepares several robots on one map: converts the user's names for all robots to one request.
 //
 //   [[agent]]
 //   name = "A"
@@ -66,8 +66,8 @@ std::vector<wire::RunResult> results_of(wire::RunResult first);
 
 /// Combines the results of all robots of a run. The combined verdict is `reached` if all robots have reached
 /// their goals. Otherwise it is the verdict of the first robot that has not reached its goal. `why` begins
-/// with that robot's name. Time is the last robot's time. Distance, energy and collisions are sums, and
-/// outputs are concatenated.
+/// with that robot's name. The time is the longest time of a robot. Distance, energy and collisions are sums,
+/// and outputs are concatenated.
 ///
 /// All other values come from the robot in `why`, or from the first robot. The result of a single robot stays
 /// unchanged.

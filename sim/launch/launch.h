@@ -20,8 +20,8 @@
 
 namespace robosim::launch {
 
-/// The user's names. Empty names are chosen automatically: see choose_sketch, choose_map, choose_robot and
-/// choose_target in names.h.
+/// The user's names. If a name is empty, the choice is automatic: see choose_sketch, choose_map, choose_robot
+/// and choose_target in names.h.
 struct Launch {
   std::string sketch;
   std::string map;

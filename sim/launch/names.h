@@ -23,7 +23,8 @@ std::vector<std::string> names_in(const std::filesystem::path& folder, const std
 std::filesystem::path stock_robot_folder();
 std::filesystem::path stock_map_folder();
 
-/// An automatic choice, with the sentence that reports it (empty if the user chose).
+/// A choice by the user, or an automatic choice. `announcement` reports an automatic choice, and is else
+/// empty.
 struct Choice {
   std::string name;  ///< for messages and `inputs`; a path of this machine only if the user typed it
   std::filesystem::path path;  ///< the file to open; for a robot, the name for a runner, also with @BOARD

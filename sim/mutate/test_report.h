@@ -12,7 +12,7 @@ struct TestRun {
   int passed = 0, skipped = 0;
   std::string failed;   ///< the first test that failed, "PidFollower.StartsAtOnce"; empty = none
   std::string message;  ///< the first lines of its message
-  std::map<std::string, std::string> traces;  ///< by passed test: the behaviour in its runs, as one number
+  std::map<std::string, std::string> traces;  ///< per passed test: the behaviour in its runs, as a number
 };
 
 /// Thrown if a test could not start a run. Either the sketch does not compile, or the test requests something

@@ -34,9 +34,9 @@ struct Project {
 };
 
 /// Reads the project of a sketch's folder. `environment` belongs to platformio.ini, or is a profile of
-/// sketch.yaml. If it is empty, the file's default is used, otherwise the first environment with a
-/// known board, otherwise the first environment. Throws InputError for files that cannot be read, and for an
-/// unknown environment.
+/// sketch.yaml. If `environment` is empty, uses the file's default. Without a default, uses the first
+/// environment with a known board, or else the first environment. Throws InputError for files that cannot be
+/// read, and for an unknown environment.
 Project read_project(const std::filesystem::path& folder, const std::string& environment = {});
 
 /// Returns the project of a finished image: the board for which arduino-cli or PlatformIO has built it.
@@ -46,8 +46,9 @@ Project project_of_image(const std::filesystem::path& image);
 /// empty if the folder no longer exists.
 std::filesystem::path sketch_of_image(const std::filesystem::path& image);
 
-/// Finds a board for an image whose board Robosim does not have. The board has the same chip ("atmega328p"),
-/// and the clock of the FQBN if it gives one. Adds a remark. Does nothing if there is no such board.
+/// Finds a board for an image whose board Robosim does not have. The found board has the same chip
+/// ("atmega328p"), and the clock of the FQBN, if specified. Adds a remark. Does nothing if there is no such
+/// board.
 void find_stand_in(Project& project, const std::string& chip);
 
 /// Throws InputError for a board that Robosim does not have and cannot substitute.

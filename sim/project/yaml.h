@@ -12,7 +12,8 @@ namespace robosim::project {
 
 class YamlFile;
 
-/// A value of a file, valid as long as the file. A missing value has no text, no members and no items.
+/// A value of a file, valid as long as the YamlFile exists. A missing value has no text, no members and no
+/// items.
 class YamlValue {
  public:
   bool is_there() const { return node_ != nullptr; }

@@ -43,7 +43,7 @@ class CompressedBytes {
   const Packer::Packed& packed() const { return packed_; }
   /// Returns the number of packed pieces.
   std::size_t pieces() const { return ends_.size(); }
-  /// Returns a packed piece, unpacked.
+  /// Unpacks a packed piece.
   std::string piece(std::size_t number) const {
     const End begin = number > 0 ? ends_[number - 1] : End{}, end = ends_[number];
     return packer_->unpacked(std::string_view(packed_.bytes).substr(begin.packed, end.packed - begin.packed),

@@ -1,5 +1,5 @@
-// Formats numbers as fmt does: as the shortest text that is read back exactly. Writing tables and waves
-// spends most of its time here.
+// Formats numbers as fmt does: as the shortest text that is read back exactly. Most of the time for writing
+// tables and waveforms is spent here.
 #pragma once
 
 #include <fmt/compile.h>

@@ -79,7 +79,7 @@ class Drawing {
       if (!s.painted) continue;
       const auto& [x, y, to_x, to_y] = s.line;
       fmt::format_to(to, "M{} ", point(x, y));
-      // A line of length 0 is drawn as a dot, since it has round ends.
+      // A line of length 0 still has round ends.
       if (s.arc[2] > 0.0)
         fmt::format_to(to, "A{:.1f} {:.1f} 0 0 0 {}", s.arc[2], s.arc[2], point(to_x, to_y));
       else
@@ -101,7 +101,7 @@ class Drawing {
                       : std::any_of(area.corners.begin(), area.corners.end(),
                                     [&](const auto& corner) { return off(corner[0], corner[1]); }));
     };
-    // A nested <svg> clips areas that extend beyond the floor.
+    // A nested picture clips areas that extend beyond the floor.
     const bool cut = std::any_of(floor_.areas.begin(), floor_.areas.end(), sticks_out);
     if (cut) put(R"(<svg width="{:.1f}" height="{:.1f}">)", floor_.width_mm, floor_.height_mm);
     for (const FloorShapes::Area& area : floor_.areas) {

@@ -196,7 +196,7 @@ void VcdRecorder::finish(const wire::RunResult& result) {
   file_.finish();
 }
 
-// Moves the file's end to the last whole hundredth of a second.
+// Extends the file to the run's last whole hundredth of a second.
 void VcdRecorder::ended(const wire::RunResult& result) {
   const std::int64_t end_ns = std::llround(result.time_s * 1e9);
   last_ns_ = std::max(last_ns_, end_ns - end_ns % kRecordEvery_ns);

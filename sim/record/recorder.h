@@ -1,5 +1,5 @@
-// Listens to a run and writes a file: a table, a wave, a page, a picture. The file name extension selects the
-// format.
+// Listens to a run and writes a file: a table, a waveform, a page or a picture. The file name extension
+// selects the format.
 //
 //   Recorders recorders({"run.csv", "run.html"});
 //   recorders.ask(request);            // subscribes to the events that the recorders need

@@ -1,5 +1,5 @@
-// Collects a run while it lasts, and reads recordings. A run.rec contains only the recording, a run.html
-// contains it inside a page.
+// Collects the data of a run while it lasts, and reads recordings. A run.rec contains only the recording. A
+// run.html contains the recording inside a page.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@
 
 namespace robosim::record {
 
-/// Collects a run. encode() writes the recording; content() returns its uncompressed form.
+/// Collects the data of a run. encode() writes the recording; content() returns its uncompressed form.
 class Gatherer {
  public:
   /// Limits for all robots together. Beyond them, changes are thinned, and further serial text is dropped.
@@ -35,7 +35,7 @@ class Gatherer {
   }
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
-  /// Returns what is known so far: result and streams are missing until content() or encode().
+  /// Returns the header so far. Result and streams are missing until content() or encode().
   const RecordingHeader& header() const { return header_; }
   std::string content(const wire::RunResult& result);
   void encode(const wire::RunResult& result, const Put& put);

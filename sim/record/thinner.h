@@ -1,4 +1,4 @@
-// Thins rows of changes to the last one in each span of time, for runs with too many changes.
+// Thins rows of changes to the last row in each span of time, for runs with too many changes.
 #pragma once
 
 #include <cstddef>

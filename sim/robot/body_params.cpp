@@ -8,7 +8,8 @@
 namespace robosim::robot {
 namespace {
 
-// Returns the moment of inertia per kilogram (m2) of a uniform plate of the chassis's shape about the origin.
+// Returns the moment of inertia about the origin, per kilogram (m2), of a uniform plate with the chassis's
+// shape.
 double plate_inertia(const Chassis& chassis) {
   if (chassis.polygon.empty())
     return 0.5 * chassis.circle_radius * chassis.circle_radius +

@@ -50,7 +50,7 @@ class Receiver {
   virtual const std::string& name() const = 0;
   /// Throws InputError if this part cannot receive the message.
   virtual void check(const Message&) const = 0;
-  /// Starts sending the message at `t`, in the current tick or later.
+  /// Delivers the message from `t` on; `t` is in the current tick or later.
   virtual void send(const Message&, SimTime t) = 0;
 
  protected:

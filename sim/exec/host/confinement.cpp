@@ -148,7 +148,7 @@ void add_signals(Filter& filter) {
   filter.allow("kill", {is(0, kProcessHere), is(3, kKeyHere), is(4, kOtherKeyHere)});
   filter.allow("exit_group", {is(3, kKeyHere), is(4, kOtherKeyHere)});
   for (const char* name : {"rt_sigaction", "rt_sigprocmask"})
-    filter.allow(name, {{1, SCMP_CMP_EQ, 0, 0}});  // only returns the setting
+    filter.allow(name, {{1, SCMP_CMP_EQ, 0, 0}});  // only returns the present setting
   // serve_call() handles SIG_BLOCK.
   filter.allow("rt_sigprocmask", {{0, SCMP_CMP_NE, SIG_BLOCK, 0}});
   for (const int fault : {SIGSEGV, SIGBUS, SIGILL, SIGFPE})

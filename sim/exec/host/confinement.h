@@ -25,14 +25,14 @@ enum ConfinedDescriptor : int {
 using CallKey = std::array<std::uint32_t, 2>;
 
 /// Returns why this kernel cannot confine processes, as a clause: "the kernel has no filter of system calls
-/// (seccomp)". Empty if it can.
+/// (seccomp)". Returns an empty text if the kernel can.
 std::string what_kernel_lacks();
 /// Returns why runs are not confined, as a clause: a feature that the kernel lacks, or the user's choice.
 /// Empty if they are confined.
 std::string why_not_confined();
 
-/// Confines this process for ever. It can no longer obtain files, sockets, processes, signals or programs. It
-/// can execute only the code of images. Its memory is limited to kConfinedMemory, and its environment is
+/// Confines this process permanently. It can no longer obtain files, sockets, processes, signals or programs.
+/// It can execute only the code of images. Its memory is limited to kConfinedMemory, and its environment is
 /// empty. System calls that are not allowed raise SIGSYS. Throws std::runtime_error if confinement is
 /// impossible.
 ///

@@ -11,7 +11,7 @@ namespace robosim::exec {
 
 class OpenCalls {
  public:
-  /// Both arguments outlive this object.
+  /// Both arguments must outlive this object.
   OpenCalls(const LoadedImage& image, const GuardedMemory& stack) : image_(image), stack_(stack) {}
 
   /// Adds the callers of the running function. Call it on the fiber. Uses the unwind tables and, where these

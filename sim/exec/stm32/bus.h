@@ -29,7 +29,7 @@
 namespace robosim::exec::stm32 {
 
 constexpr Address kPeripherals = 0x40000000;
-constexpr Address kBitBand = 0x42000000;  ///< one word for each bit of the peripherals
+constexpr Address kBitBand = 0x42000000;  ///< one word for each bit of the peripherals' registers
 
 /// An access that is not modelled.
 struct Unmodelled {

@@ -24,7 +24,8 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const LoopMarks& lo
   for (std::uint32_t i = 0; i < code_.size(); ++i) code_[i].pc = kFlash + 2 * i;
   for (const std::uint32_t pc : loop.first) mark(pc, &Mark::starts);
   for (const std::uint32_t pc : loop.each) mark(pc, &Mark::loop);
-  // Marks functions that only poll values stored by interrupt handlers.
+  // Marks functions that only poll values stored by interrupt handlers. Their calls count as accesses to
+  // registers.
   for (const char* name : {"millis", "HAL_GetTick", "_ZN14HardwareSerial9availableEv",
                            "_ZN14HardwareSerial4peekEv", "_ZN14HardwareSerial4readEv"})
     if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Mark::call);

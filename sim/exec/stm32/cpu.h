@@ -1,9 +1,9 @@
 // Models the Cortex-M3: instructions, time, exceptions, sleep and faults.
 //
 // Most instructions are decoded once (thumb.h, step.h) and executed by one loop (cpu_run.cpp). libunicorn
-// runs the few others, and any that fault, one at a time. Cycles are counted before each instruction
-// (cycles.h). Interrupts and tick ends are therefore at most one instruction (or IT block) late. Exceptions
-// are entered and left as in PM0056 2.3.7.
+// runs the few others, and instructions that fault, one at a time. Cycles are counted before each instruction
+// (cycles.h). The loop stops only between instructions. Interrupts and tick ends are therefore at most one
+// instruction (or IT block) late. Exceptions are entered and left as in PM0056 2.3.7.
 #pragma once
 
 #include <array>
@@ -202,7 +202,7 @@ class Cpu {
     LoopTimer<SimTime> rounds;
   };
 
-  /// Runs the interpreter's loop until stop_.
+  /// Runs the interpreter's loop until the cycle stop_.
   void run();
   /// Runs the instruction at state_.pc with libunicorn.
   void emulate();

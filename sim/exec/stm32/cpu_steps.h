@@ -97,7 +97,7 @@
     NEXT;                             \
   }
 
-// Passes a copy of the flags, because `flags` would leave its registers if its address were taken.
+// Passes a copy of the flags, because `flags` could not stay in registers if its address were taken.
 #define COMPUTE(op, b, carry, sets)                                       \
   {                                                                       \
     state_.flags = flags;                                                 \

@@ -4,7 +4,7 @@
 //   registers   0-12 r0 to r12, 13 sp, 14 lr, 15 pc, 16 xpsr, 4 bytes each
 //   addresses   those of the chip, except peripherals, since reading some of them has side effects
 //
-// Breakpoints take almost no time. An IT instruction and its block are one step.
+// Breakpoints hardly slow down the simulation. An IT instruction and its block are one step.
 #pragma once
 
 #include "sim/exec/gdb/debug_port.h"

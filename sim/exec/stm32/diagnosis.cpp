@@ -36,7 +36,7 @@ SourceLine Diagnosis::where_now() const {
 }
 
 std::string Diagnosis::access_text(const char* kind, std::uint32_t address) const {
-  constexpr std::uint32_t kTwice = 2 * kStm32f103c8.flash_bytes;  // many of these chips really have that size
+  constexpr std::uint32_t kTwice = 2 * kStm32f103c8.flash_bytes;  // many of these chips really have this size
   if (address >= kFlash && address < kFlash + kTwice)
     return fmt::format("{} address 0x{:08X}, after the {} KB of flash that the chip's data sheet guarantees",
                        kind, address, kStm32f103c8.flash_bytes / 1024);

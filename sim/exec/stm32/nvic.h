@@ -43,7 +43,7 @@ class Nvic {
 
   bool is_enabled(robosim::stm32::Irq irq) const { return enabled_ & bit(kFirstIrq + irq); }
   bool any_pending() const { return (pending_ | lines_) & enabled_; }
-  /// Returns the exception that preempts running code, regardless of PRIMASK and BASEPRI; 0 = none.
+  /// Returns the exception that would preempt running code if PRIMASK and BASEPRI were clear; 0 = none.
   Exception wakes() const { return candidate(0); }
   /// Returns the exception to take now; 0 = none.
   Exception next(bool primask, std::uint32_t basepri) const { return primask ? 0 : candidate(basepri); }
