@@ -29,13 +29,14 @@ struct Description;
 /// Reads a robot file or a stock robot by name. Throws InputError.
 Description load_description(const std::string& robot_name);
 
-/// A level for display. The level has no noise, and does not consume a sample of noise.
+/// A level for display, without noise. Reading it does not consume a noise sample.
 struct Reading {
   std::string_view part;  ///< "S1" … for elements of an array, else the part's name; owned by the robot
   double value;           ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
 };
 
-/// A pin of the board and the part wired to it, so that a verdict can name it ("pin 2, the button start").
+/// A pin of the board and the part wired to it, so that a verdict can name the part ("pin 2, the button
+/// start").
 struct WiredPin {
   std::string part;  ///< "start"
   std::string type;  ///< "button", "motor", "reflectance-array" …
@@ -43,7 +44,8 @@ struct WiredPin {
   Pin pin = kNoPin;
 };
 
-/// A message of a script to a part: bits or a key's number to a remote control's receiver, text by Bluetooth.
+/// A message of a script to a part: bits or a key's number for a remote control's receiver, text for
+/// Bluetooth.
 struct Message {
   std::string text;
   SimTime held = 0;  ///< the duration for which a remote control's key is held
@@ -66,13 +68,14 @@ class Robot {
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
-  /// Performs step (1) of a tick: parts schedule their edges from the state at `t`.
+  /// Performs step 1 of a tick (sim/run/simulation.h): parts schedule their edges from the state at `t`.
   void begin_tick(SimTime t);
-  /// Performs step (3) of a tick: averages the motor commands over the tick that ends at `t`. Returns whether
-  /// a command has changed.
+  /// Performs step 3 of a tick: averages the motor commands over the tick that ends at `t`. Returns whether a
+  /// command has changed.
   bool end_tick(SimTime t);
-  /// Returns whether both steps would do nothing in further ticks, so that only begin_idle_tick() is needed.
-  /// The idle state ends when anything touches the body, firmware accesses the board, or a script acts.
+  /// Returns whether begin_tick() and end_tick() would do nothing in further ticks. Then only
+  /// begin_idle_tick() is needed. The idle state ends when anything touches the body, firmware accesses the
+  /// board, or a script acts.
   bool idles() const;
   void begin_idle_tick(SimTime t);
 
@@ -148,8 +151,7 @@ class Robot {
   void check_tells(const std::string& part) const;
   void check_cover(const std::string& part) const;
 
-  /// Returns the levels of all sensors, then of everything else that is visible, in the order of the robot
-  /// file.
+  /// Returns the levels of all sensors, then of all other visible parts, in the order of the robot file.
   std::vector<Reading> readings() const {
     std::vector<Reading> all;
     read(all);

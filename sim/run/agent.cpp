@@ -282,7 +282,7 @@ inline std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
   return progress_.contest() ? verdict_of_rules(verdict, end) : verdict;
 }
 
-// Kept separate, since ticks that do not call it need no stack frame.
+// A separate function, so that ticks that do not call it need no stack frame.
 bool Agent::pass_places(SimTime end) { return undisturbed_tick(end, true); }
 
 bool Agent::evaluate_in_full(SimTime end) {
@@ -310,7 +310,7 @@ bool Agent::evaluate_in_full(SimTime end) {
   return verdict.has_value();
 }
 
-// Returns when the next full evaluation is due at the latest.
+// Returns the time by which the next full evaluation is due.
 inline SimTime Agent::next_report(SimTime end) const {
   if (robot_.has_text_outputs() || progress_.contest()) return 0;
   const auto after = [end](SimTime every) { return end - end % every + every; };
@@ -318,7 +318,7 @@ inline SimTime Agent::next_report(SimTime end) const {
   return every > 0 ? std::min(next, after(every)) : next;
 }
 
-// Applies the competition's rules to a verdict; the competition may continue.
+// Applies the competition's rules to a verdict. Returns nullopt if the competition continues.
 std::optional<judge::Verdict> Agent::verdict_of_rules(std::optional<judge::Verdict> verdict, SimTime end) {
   const bool needs_hand = verdict == judge::Verdict::lost || verdict == judge::Verdict::stuck ||
                           verdict == judge::Verdict::toppled;
@@ -329,7 +329,7 @@ std::optional<judge::Verdict> Agent::verdict_of_rules(std::optional<judge::Verdi
   return verdict;
 }
 
-// Puts the robot down by a manual move according to the goal's rules.
+// Moves the robot manually to `where`, as the goal's rules require.
 void Agent::put(const Pose& where) {
   body_.place(where);
   state_.sees_line = true;

@@ -26,7 +26,7 @@
 
 namespace robosim::run {
 
-constexpr SimTime kSettling = 500 * kMillisecond;  ///< excluded from the cross-track error
+constexpr SimTime kSettling = 500 * kMillisecond;  ///< start of a run, excluded from the cross-track error
 
 class Agent final : PinWatcher, SerialWatcher, InputWatcher {
  public:
@@ -55,8 +55,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     else
       robot_.begin_tick(t);
   }
-  /// Steps 2 and 3: runs the firmware to `end`, and sets the motors' commands. Returns whether anything has
-  /// happened since world or judge could last observe the robot.
+  /// Steps 2 and 3: runs the firmware to `end`, and sets the motors' commands. Returns whether a pin or a
+  /// motor's command has changed since the tick began.
   bool run_firmware(SimTime end);
   /// Steps 1 to 3 for the tick at `t`. Returns the time until which these steps have no work. `wakes` is the
   /// result of the previous call; 0 = unknown.
@@ -74,18 +74,19 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     Listener* listener;
     std::variant<wire::RunEvent, Sample> what;
   };
-  /// Returns whether the agent may ever take turns.
+  /// Returns whether the agent may ever run several ticks in one turn.
   bool may_take_turns() const;
   double sight() const { return robot_.sight(); }
   /// Returns when the agent's script acts next; kNever if the agent has its verdict.
   SimTime acts_at(SimTime t) const { return finished() ? kNever : player_.next_act(t); }
-  /// Collects events and samples in `untold` from now on, instead of reporting them. Null: reports them.
+  /// Collects events and samples in `untold` from now on, instead of reporting them. Null: reports them
+  /// immediately.
   void tell_later(std::vector<Untold>* untold) { untold_ = untold; }
 
   // --- ticks of a robot at rest (rest_optimization.cpp) ---
   /// Returns the time until which the agent rests; `end` if it does not rest. In ticks that begin before that
-  /// time, act() (without the parts) and evaluate() would only repeat their results. This is true as long as
-  /// the world is still and nothing happens. Call it directly after evaluate() at `end`.
+  /// time, act() (without the parts) and evaluate() would only repeat their results. This holds as long as
+  /// nothing in the world moves and no event occurs. Call it directly after evaluate() at `end`.
   SimTime rests_until(SimTime end) const;
   /// Performs step 1 in a tick of rest.
   void begin_rest(SimTime t) {
@@ -112,13 +113,14 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // --- driven step by step (step_controller.h) ---
   void begin_leg(const Leg& leg, SimTime t);
-  /// Returns whether the leg ends at `t`, the end of a tick. met() then returns the stop that ended it, or
-  /// -1.
+  /// Returns whether the leg ends at `t`, the end of a tick. met() then returns the number of the stop that
+  /// ended the leg, or -1.
   bool leg_ends(SimTime t) { return stops_.look(t); }
   int met() const { return stops_.met(); }
   void check(const Leg& leg) const { stops_.check(leg); }
   void add(std::vector<scenario::Step> steps) { player_.add(std::move(steps), progress_); }
-  /// Prepares state() and sample() for a pause at `t`. `stop_met` is the stop that was met, for all agents.
+  /// Prepares state() and sample() for a pause at `t`. `stop_met`: number of the stop that ended the leg, of
+  /// any agent.
   void publish_pause_state(SimTime t, int stop_met);
   const run::State& state() const { return state_.shown; }
   const Sample& sample() const { return state_.sample; }

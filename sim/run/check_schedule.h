@@ -19,8 +19,8 @@ struct DueChecks {
   int next;  ///< number of ticks until the next check
 };
 
-/// The checks by the tick's number in kRestSpan. A table is used, since it is read in every third tick, and
-/// calculating several remainders would take longer than the checks.
+/// The checks, by the tick's number in kRestSpan. Reading a table in every third tick is faster than
+/// computing several remainders.
 constexpr auto kCheckSchedule = [] {
   std::array<DueChecks, kRestSpan / kTick> looks{};
   static_assert(looks.size() % kSensorCheckEvery == 0 && looks.size() % kSideCheckEvery == 0);

@@ -20,9 +20,9 @@ SimTime Simulation::Impl::turns_end(SimTime t, SimTime end) const {
   return until;
 }
 
-// Runs the ticks from `t` to `end`, or fewer. Robots that are apart from all others run one after the other.
-// Then the others run in lockstep. This way a robot's state and copy of the firmware are reused while they
-// are in caches. If no robot is apart, returns false and changes nothing.
+// Runs the ticks from `t` to `end`, or fewer. First runs each robot that is apart from all others, one after
+// the other; then runs the remaining robots in lockstep. In a turn of several ticks, a robot's state and its
+// copy of the firmware stay in the caches. If no robot is apart, returns false and changes nothing.
 bool Simulation::Impl::take_turns(SimTime t, SimTime end) {
   if (end < t + 2 * kTick) return false;
   const std::vector<bool>* apart = &world.apart(sights, 1e-9 * static_cast<double>(end - t));

@@ -33,7 +33,7 @@ struct ResolvedMission {
 
 class PreparedMap {
  public:
-  /// Prepares a map, which must outlive this object. Throws InputError if it has too much line
+  /// Prepares a map, which must outlive this object. Throws InputError if its lines are too long in total
   /// (grid::Stripes).
   explicit PreparedMap(const grid::Map& map);
 

@@ -1,8 +1,8 @@
-// Makes simulating a robot at rest almost free, on a floor on which nothing moves. In ticks of rest only
-// firmware and parts run, detectors observe, poses are hashed and ticks are counted. act() and evaluate()
-// would repeat their results and are skipped. They run in full once per kRestSpan, and whenever firmware does
-// something. Repeated equal checks have the same effect as the last of them, which catch_up() performs before
-// anything changes.
+// Makes the simulation of resting robots almost free, as long as nothing moves on the floor. In a tick of
+// rest, only firmware and parts run, detectors observe, poses are hashed and ticks are counted. act() and
+// evaluate() would repeat their results, and are skipped. They run in full once per kRestSpan, and whenever
+// firmware does something. A series of equal checks has the same effect as its last check, which catch_up()
+// performs before anything changes.
 #include <algorithm>
 
 #include "sim/run/agent.h"

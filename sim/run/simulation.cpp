@@ -66,7 +66,7 @@ void Simulation::Impl::check(const Leg& leg) const {
   for (const auto& agent : agents) agent->check(leg);
 }
 
-// Calls the controller. Returns false if the run must end here.
+// Calls the controller. Returns false if the controller ends the run.
 bool Simulation::Impl::stand_still(SimTime t) {
   int met = -1;
   for (const auto& agent : agents)

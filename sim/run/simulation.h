@@ -69,7 +69,7 @@ class Listener {
   /// Returns whether the listener needs the three functions below. Called once.
   virtual bool wants_inputs() const { return false; }
   /// Reports a level that the firmware read on a pin, or an edge that reached an interrupt. InputWatcher
-  /// describes the order.
+  /// describes the order of these reports.
   virtual void level_seen(Pin, bool, SimTime) {}
   virtual void volts_seen(Pin, double, SimTime) {}
   virtual void byte_received(std::uint8_t, SimTime) {}
@@ -110,8 +110,8 @@ struct Setup {
   bool takes_turns = true;      ///< allows turns of several ticks, with equal results; tests turn it off
   StepController* controller = nullptr;            ///< drives the run step by step; may be null
   const std::atomic<bool>* interrupted = nullptr;  ///< set by a signal handler; may be null
-  /// Receives the time that the run has reached, for watchdogs; kLoading before any firmware is loaded. May
-  /// be null.
+  /// Receives the time that the run has reached, for watchdogs. Set to kLoading before any firmware is
+  /// loaded. May be null.
   std::atomic<SimTime>* reached = nullptr;
   std::atomic<int>* acting = nullptr;  ///< receives the number of the running firmware; may be null
 };
@@ -127,7 +127,8 @@ class BadAgent : public InputError {
 /// A run that can pause between two ticks, be saved there, and continue from there any number of times.
 class Simulation {
  public:
-  /// The saved state of a simulation at a time. It is a value, valid as long as the simulation that saved it.
+  /// The saved state of a simulation at a time. It can be copied, and is valid as long as the simulation that
+  /// saved it exists.
   class Snapshot;
 
   /// Switches the firmware on. The set-up must outlive this object. Throws InputError if the set-up is
@@ -155,8 +156,8 @@ class Simulation {
   /// hashes. Throws InputError if an executor cannot be saved, as on the target host. A debugger and its
   /// settings are not included.
   Snapshot save() const;
-  /// Restores a snapshot, even after end() or an exception from run_until(). Reports that listeners have
-  /// received since the snapshot are repeated.
+  /// Restores a snapshot, even after end() or an exception from run_until(). Listeners then receive all
+  /// reports since the snapshot again.
   void restore(const Snapshot& snapshot);
 
  private:

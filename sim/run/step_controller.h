@@ -1,6 +1,6 @@
 // Drives a run step by step, for tests and other clients that react to the run's state. The run pauses at the
-// beginning of a tick. Its controller then examines the run, acts, and continues it until something happens.
-// A script with the same lines at the same times produces the same trace.
+// beginning of a tick. Its controller then examines the run, acts on it, and continues it until a chosen
+// event or time. A script with the same lines at the same times produces the same trace.
 #pragma once
 
 #include <cstdint>

@@ -13,7 +13,7 @@ inline double seconds(SimTime t) { return static_cast<double>(t) * 1e-9; }
 
 wire::Started to_wire(const run::Beginning& beginning);
 wire::Sample to_wire(const run::Sample& sample);
-/// Converts `sample` into `to`, and reuses its memory. Does not change the robot's number.
+/// Converts `sample` to `to`, whose memory is reused. Does not change the robot's number.
 void to_wire(const run::Sample& sample, wire::Sample& to);
 /// Returns the numbers for wire::BatchWriter::add_sample().
 std::array<double, 10> numbers_of(const run::Sample& sample);

@@ -87,8 +87,8 @@ void DebuggedRun::seek(std::size_t moment, const Place& place) {
   search.target = place;
 }
 
-/// Finds the last place that matches the search, going back from snapshot to snapshot. Returns the snapshot's
-/// number.
+/// Searches backward, from snapshot to snapshot, for the last place that matches the search. Returns the
+/// number of the snapshot before this place.
 std::optional<std::size_t> DebuggedRun::find() {
   const std::size_t last = moments_.before(search.present);
   if (search.steps && look(last, search.present - kClose)) return last;

@@ -46,7 +46,7 @@ class EventBatcher {
   }
   /// Returns whether an event of this pin at `t` can be appended to the waiting events unchanged.
   bool follows(int agent, SimTime t, Pin pin) const { return waiting_.follows(agent, t, pin); }
-  /// Announces that the robot's pins will have sources, and adds one source.
+  /// Announces that the robot's pin events will have source lines.
   void sources(int agent) { waiting_.add_sources(agent); }
   void source(int agent, const wire::SourceLine& line) { waiting_.add_source(agent, line); }
   /// Passes on all waiting events.

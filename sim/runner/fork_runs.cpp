@@ -56,7 +56,7 @@ void check(const wire::RunRequest& request, bool may_copy) {
     throw InputError("a run that is split cannot stream events");
 }
 
-/// Returns the steps of a script, with their times from `parted` on.
+/// Returns the steps of a way's script. The run splits at `parted`, and no step is due earlier.
 std::vector<scenario::Step> steps_of(const std::string& script, const wire::Ways& ways,
                                      const std::string& file, SimTime parted) {
   std::vector<scenario::Step> steps = scenario::parse_scenario(script, file);

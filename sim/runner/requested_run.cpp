@@ -174,7 +174,8 @@ judge::Outcome RequestedRun::inquire() const {
 
 std::vector<judge::Outcome> RequestedRun::simulate() const {
   if (request_.why) return {inquire()};
-  // If the run went back, counters and observers would count some ticks twice. A client cannot go back.
+  // A run with counters or observers may not go back, since they would count some ticks twice. Neither may a
+  // run that a client drives, since the client cannot go back.
   const bool may_go_back =
       !request_.interactive && !request_.detect && request_.counters.empty() && !request_.source_ns;
   if (debugger_ && may_go_back) return {DebuggedRun(setup_, *debugger_).go()};

@@ -17,7 +17,7 @@ std::int64_t processor_ns(pid_t process) {
 }
 
 /// Returns whether a run may be silent: a debugger has halted it, or it is waiting for a processor. A run
-/// that has stopped for other reasons, such as the sketch itself, is not excused.
+/// that has stopped for another reason, such as a call of its sketch, is not excused.
 bool is_excused(pid_t process) {
   const char state = process_state(process);
   return state == 't' || state == 'R';
@@ -26,7 +26,7 @@ bool is_excused(pid_t process) {
 constexpr std::int64_t kLongest_us = std::int64_t{kLongestSleep_s} * 1'000'000;
 /// A working run gets at least this fraction of a processor on a busy machine (1 / kBusyMachine).
 constexpr std::int64_t kBusyMachine = 20;
-/// If more time passes between two checks, the runner was stopped, too: the excess does not count.
+/// If more time passes between two checks, the runner itself was stopped, and the excess does not count.
 constexpr std::int64_t kLongestLook_us = 1'000'000;
 
 }  // namespace
@@ -36,7 +36,7 @@ RunWatch::State& RunWatch::state() {
   return *shared.get();
 }
 
-// Returns a flag on a page of its own, which the run's process gives up before it loads firmware.
+// Returns a flag on its own page. The run's process unmaps this page before it loads firmware.
 const Shared<std::atomic<bool>>& RunWatch::closed() {
   static const Shared<std::atomic<bool>> shared;
   return shared;
@@ -64,7 +64,7 @@ SimTime RunWatch::time() const {
 }
 
 RunWatch::Reading RunWatch::read() const {
-  // Detecting a debugger requires reading a file, so it is done in long silences only.
+  // Detecting a debugger requires reading a file, so it is done only during a long silence.
   return {processor_ns(run_), wall_us(), silent_us_ >= kLongest_us / 2 && is_excused(run_)};
 }
 

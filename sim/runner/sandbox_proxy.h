@@ -1,7 +1,7 @@
 // Connects a confined run to its runner. The run's process executes native firmware, which may write anything
-// to any descriptor. Therefore it has no descriptor of the client. It reports to its runner, which has never
-// run firmware, and the runner reports to the client. Each message contains a token. The last message counts
-// only if the process then ends by itself.
+// to any descriptor. Therefore the process has no descriptor of the client. It reports to its runner, which
+// has never run firmware, and the runner reports to the client. Each message contains a token. The last
+// message counts only if the process then ends by itself.
 #pragma once
 
 #include <atomic>
@@ -100,7 +100,8 @@ class SandboxProxy {
   /// events.
   static constexpr std::size_t kWaking = 4;
   struct Batches {
-    /// Used in turn. Zeroed memory is an empty batch. A run touches only the pages that it needs, as each
+    /// The memory of the batches, which are used in turn. Zeroed memory is an empty batch. A run touches only
+    /// the pages that it needs, as each
     /// costs a page fault.
     alignas(wire::BatchMemory) std::byte memories[kBatches][sizeof(wire::BatchMemory)];
     std::atomic<std::size_t> handed_on{0};  ///< number handed on by the run

@@ -153,7 +153,8 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
   run.setup().interrupted = &interrupted;
   run.setup().reached = proxy ? &proxy->reached() : &reached;
   if (!request.agents.empty()) run.setup().acting = proxy ? &proxy->acting() : &acting_robot;
-  // A proxy watches its run. A debugger requires an emulated chip, which never hangs within a tick.
+  // A run with a proxy is watched by the proxy. A run with a debugger is on an emulated chip, which never
+  // hangs within a tick.
   if (!debugger && !proxy) start_watchdog();
 
   RemoteController controller(id, request.script_file, interrupted, [&](SimTime t) { run.flush(t); });
@@ -168,7 +169,8 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
                 return proxy->ask(kAskLines, text_of(agent, offsets));
               },
               ahead.images.at(agents[agent].image).content);
-    // Memory may have grown since the fork by a fleet's chips, or by a map that was not read ahead.
+    // A fleet's chips, or a map that was not read ahead, may have enlarged the process's memory since the
+    // fork.
     const bool has_grown = !request.agents.empty() || !ahead.map;
     if (exec::why_not_confined().empty()) proxy->confine(has_grown);
   }
@@ -191,7 +193,7 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   } catch (const std::exception& error) {
     const std::string fault = system_error_of(error);
     if (!fault.empty() && exec::is_confined())
-      exec::keyed_exit(exec::kNoMemoryStatus);  // this late, only memory can run out
+      exec::keyed_exit(exec::kNoMemoryStatus);  // once confined, a run can only run out of memory
     if (!fault.empty()) return wire::ErrorAnswer{"tool", fault};
     return wire::ErrorAnswer{"internal", error.what()};
   }

@@ -126,7 +126,7 @@ void Inquiry::run_again(std::size_t from, SimTime until) {
   causes_.end();
 }
 
-/// Saves more snapshots after number `moment`. Those of a long run are too far apart to record all
+/// Saves more snapshots after number `moment`. The snapshots of a long run are too far apart to record all
 /// instructions in between.
 void Inquiry::save_between(std::size_t moment) {
   const SimTime end = moments_[moment + 1].t;
@@ -146,8 +146,8 @@ std::vector<std::uint8_t> Inquiry::bytes_at(std::size_t moment, const std::vecto
   return values;
 }
 
-/// Stops following values that have changed in the second before the snapshot `from`. A value that is written
-/// repeatedly, such as a sum, would be followed step by step.
+/// Stops following values that have changed in the last 1 s before snapshot number `from`. A value that is
+/// written repeatedly, such as a sum, would be followed step by step.
 void Inquiry::give_up_what_changes(std::size_t from) {
   const std::vector<std::uint16_t> open = causes_.open_bytes();
   const std::vector<std::uint8_t> now = bytes_at(from, open);

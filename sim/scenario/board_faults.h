@@ -3,8 +3,8 @@
 //
 // - Power. The board's regulator gives the chip min(supply, battery - regulator_drop_volts). Below
 //   brown_out_volts (both in the BoardSpec) the chip is held in reset, and restarts when the voltage rises
-//   again. If even the healthy battery supplies less than that, or less than kLogicKeeps, the board must have
-//   another supply. Then no sag resets it.
+//   again. If even the healthy battery supplies less than brown_out_volts or kLogicKeeps, the board must
+//   have another supply. In that case no sag resets the chip.
 // - Serial. Loses, doubles or corrupts bytes on their way to the firmware. A hash of (seed, number of the
 //   byte) selects them.
 // - EEPROM. Writing a byte takes kEepromWriteTime. After a power failure in that time, the byte may have any
@@ -29,9 +29,9 @@
 namespace robosim::scenario {
 
 constexpr double kLogicKeeps = 2.0;  ///< V: with a lower supply, a 74HC's registers lose their state
-/// V: below this supply, an AVR is off. V POT, falling, typical; 0.6 to 1.6 V (data sheet 8025I of the
-/// ATmega48P to 328P, table 26-3). RAM is assumed to keep its content down to this voltage. No retention
-/// voltage was found for an ATmega328P; for an ATmega164P it is 50 mV (7674F, 26.4).
+/// V: below this supply, an AVR is off. The typical V POT for a falling supply; the range is 0.6 to 1.6 V
+/// (data sheet 8025I of the ATmega48P to 328P, table 26-3). RAM is assumed to keep its content down to this
+/// voltage. No retention voltage was found for an ATmega328P; for an ATmega164P it is 50 mV (7674F, 26.4).
 constexpr double kPowerOnReset = 1.3;
 
 /// The faults that a script can request, parsed and checked. A default value is not a fault: it means the
@@ -92,7 +92,8 @@ class BoardFaults final : EepromWatcher {
   bool powered() const { return state_.powered; }
   /// Returns the present and past state of the supply.
   judge::SupplySummary power() const;
-  /// Determines the byte that is being written at `t`; returns nullopt if there is no write.
+  /// Leaves the byte that is being written at `t` with the value that `what` selects. Returns the byte's
+  /// address and value, or nullopt if there is no write.
   std::optional<wire::PowerLost::HalfWritten> leave_half_written(const HalfWritten& what, SimTime t);
 
   /// Sends bytes to the firmware.

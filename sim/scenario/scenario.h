@@ -80,7 +80,7 @@ struct Action {
   double angle = 0.0;               ///< rad, of tilt: by this angle …
   Vec2 side;                        ///< … in this direction, in the robot's frame
   HalfWritten half_written;         ///< power off
-  std::optional<SimTime> duration;  ///< undone after it: press, lift, cover, obstacle, fault, power
+  std::optional<SimTime> duration;  ///< undone after this time: press, lift, cover, obstacle, fault, power
 };
 
 /// Returns the subject of an action; empty if it has no subject. A later action on the same subject cancels

@@ -201,7 +201,7 @@ void ScenarioPlayer::carry_out(Pending pending, SimTime t, judge::Events& events
     state_.undo.erase(before->second);
     state_.lasting.erase(before);
   }
-  if (subject == "body" && state_.sweep) {  // a sweep ends at its start
+  if (subject == "body" && state_.sweep) {  // a sweep ends where it began
     stage_.body.place(state_.sweep->base);
     state_.sweep.reset();
   }

@@ -135,13 +135,13 @@ class ScenarioPlayer {
   wire::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
   wire::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);
   wire::RunEvent::What switch_power(const Action& action, SimTime t);
-  /// Undoes an action of limited duration. The end of a remote control's key is not an event, since the part
-  /// itself times it.
+  /// Undoes an action of limited duration. The release of a remote control's key is not an event, since the
+  /// part itself times the release.
   std::optional<wire::RunEvent::What> end(const Undo& undo, SimTime t);
   void bring_about(const ReadFault& fault, SimTime t);
   void repair(const ReadFault& fault, SimTime t);
   void note_repair(const std::string& part, SimTime t);
-  /// Draws values with a spread; throws InputError if a part of the range is invalid.
+  /// Draws values with a spread; throws InputError if any part of the range is invalid.
   void draw(Step& step, const judge::Progress& progress) const;
   /// Checks a step. Returns its fault if the step is a fault. Throws InputError with the step's place.
   std::optional<ReadFault> check(const Step& step, const judge::Progress& progress) const;

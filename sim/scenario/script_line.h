@@ -42,7 +42,7 @@ class ScriptLine {
   /// Consumes "for TIME", or TIME alone; returns nullopt at the line's end.
   std::optional<SimTime> optional_duration();
   double quantity(const char* what, Dimension dimension, double least, double most);
-  /// Consumes an integer, decimal or as 0x3FF.
+  /// Consumes an integer, decimal or hexadecimal (0x3FF).
   std::uint64_t whole(const char* what, std::uint64_t least, std::uint64_t most);
   /// Rejects the last consumed word.
   [[noreturn]] void refuse(const std::string& message) const;

@@ -15,8 +15,8 @@ namespace {
 using enum Action::Verb;
 
 constexpr double kErased_m = 0.005;   // beyond the line, on each side
-constexpr double kDoorRadius = 0.01;  // of the discs that form a door
-constexpr double kDoorStep = 0.015;   // distance between two discs
+constexpr double kDoorRadius = 0.01;  // m, of the discs that form a door
+constexpr double kDoorStep = 0.015;   // m, between two discs
 constexpr double kLongestDoor = 5.0;  // m
 
 struct Box {

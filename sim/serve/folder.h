@@ -14,8 +14,8 @@ struct Choices {
   std::vector<std::string> sketches, robots, maps;
 };
 
-/// Reads the folder again, three levels deep. Skips hidden files, and files outside
-/// of the folder to which a symbolic link leads. Returns at most 500 names of each kind.
+/// Reads the folder again, three levels deep. Skips hidden files, and does not follow symbolic links out of
+/// the folder. Returns at most 500 names of each kind.
 Choices choices_in(const HeldFolder& folder);
 /// Returns whether a name is firmware for a chip, built by another tool.
 bool is_image(const std::string& name);

@@ -1,5 +1,5 @@
-// Runs the requests of a page. Each is a separate `robosim run`, whose page is stored for the browser. A run
-// that is watched live is a `robosim run --live`.
+// Runs the requests of a page. Each request starts its own `robosim run`, whose result page is stored for the
+// browser. A run that is watched live is a `robosim run --live`.
 #pragma once
 
 #include <atomic>
@@ -26,7 +26,7 @@ struct RunForm {
   std::uint64_t seed = 1;
   double for_s = 60.0;                         ///< simulated time, 0.001 to 3600
   std::string goal;                            ///< "" = the map's
-  std::string script;                          ///< with several robots: of those that `scripts` does not name
+  std::string script;                          ///< with several robots: for those not in `scripts`
   std::map<std::string, std::string> scripts;  ///< with several robots: their scripts by name
 };
 

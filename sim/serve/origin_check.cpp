@@ -51,8 +51,8 @@ bool OriginCheck::is_ours(std::string_view host) const {
   host.remove_suffix(port.size());
   if (host == address_ || host == "[" + address_ + "]") return true;
   if (is_loopback(address_)) return host == "localhost" || host == "127.0.0.1" || host == "[::1]";
-  // A server on all addresses accepts any IP address, since the token decides. A host name may be a
-  // stranger's.
+  // A server on all addresses accepts any IP address, since the token decides. A host name may belong to an
+  // attacker.
   return address_ == "0.0.0.0" && host.find_first_not_of("0123456789.") == host.npos;
 }
 

@@ -6,7 +6,7 @@
 //   Sec-Fetch-Site   if present: "same-origin", or "none" (typed by the user)
 //   X-Robosim        required for actions: a form of another site cannot send it
 //
-// Other headers limit the size of a request, so that the HTTP library does not read a larger one:
+// Checks of other headers limit the size of requests and answers:
 //   Range            at most one, since the answer contains the page once for each range
 //   Content-Encoding none: a few bytes may unpack to any number
 //   Transfer-Encoding, Content-Length   the length must be known before the body arrives

@@ -6,8 +6,8 @@ namespace robosim::robot {
 namespace {
 
 constexpr std::size_t kLongestLine = 200;
-constexpr std::size_t kMostLines = 100;            // waiting to be reported, one in each tick
-constexpr SimTime kLineEnds = 200 * kMillisecond;  // after the last byte, if no line feed follows
+constexpr std::size_t kMostLines = 100;            // lines waiting to be reported; each tick reports one
+constexpr SimTime kLineEnds = 200 * kMillisecond;  // from the last byte, if no line feed follows
 
 constexpr FaultKind kBluetoothFaults[] = {
     {Failure::ok, "works again"},

@@ -1,6 +1,6 @@
 // type = "bumper": a collision sensor at the robot's front, a switch that closes while something presses
-// against the body from ahead (world::Body::pressed_ahead). Electrically, the bumper is a button. It is
-// closed while something touches the bumper, or while a script presses it.
+// against the body from ahead (world::Body::pressed_ahead). Electrically, the bumper is a button, which a
+// script can also press.
 #pragma once
 
 #include "sim/robot/parts/button.h"

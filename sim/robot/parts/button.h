@@ -5,8 +5,8 @@
 // random level every millisecond in `typical`.
 //
 // In `typical`, the contact bounces: after each press and release, it opens and closes up to 4 more times
-// within `bounce`. The number and times of the bounces are random. 1.6 ms is the mean of 18 switches in J.
-// Ganssle, "A Guide to Debouncing".
+// within `bounce`. The number and times of the bounces are random. The default of 1.6 ms is the mean of 18
+// switches in J. Ganssle, "A Guide to Debouncing".
 #pragma once
 
 #include "sim/base/noise.h"
@@ -28,7 +28,8 @@ class ButtonSpec : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// Reads a button's keys into its own spec, or into the spec of a part that contains a button.
+/// Reads a button's keys from the robot file into `spec`, the spec of a button or of a part that contains
+/// one.
 std::shared_ptr<const PartSpec> read_button_keys(PartReader&, std::shared_ptr<ButtonSpec>);
 
 class ButtonPart : public Part, public PinSource, public Pressable, public Breakable {

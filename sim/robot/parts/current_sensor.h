@@ -18,7 +18,7 @@ std::shared_ptr<const PartSpec> read_current_sensor(PartReader&);
 class CurrentSensorSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
-  Parameter per_amp;  ///< V
+  Parameter per_amp;  ///< V per ampere
   Parameter noise;    ///< V, standard deviation
   Parameter source_ohms;
 

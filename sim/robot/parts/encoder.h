@@ -1,10 +1,10 @@
 // type = "encoder": counts a wheel's rotation, on one channel or on two in quadrature.
 //
-// In quarter periods, with the wheel's angle a (rad) and `periods` per turn of the wheel:
+// The position q counts quarter periods. a is the wheel's angle in rad; `periods` is per turn of the wheel:
 //   q = 4 periods a / (2 pi) + 1.5
 //   channel A is high where floor(q) mod 4 is 0 or 1, channel B where it is 1 or 2
-// In forward motion, A therefore leads B. Both are high if the wheel has never turned. A wheel's rate is
-// constant within a tick. Each edge is exact to the nanosecond.
+// In forward motion, A therefore leads B. Before the wheel has turned, both channels are high. The wheel's
+// rate is constant within a tick, so the time of each edge is exact to the nanosecond.
 #pragma once
 
 #include "sim/robot/part.h"

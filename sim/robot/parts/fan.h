@@ -4,8 +4,8 @@
 //   du/dt = (s - u) / spin_up       s: duty cycle of the pin; u: speed relative to full speed
 //   F     = downforce g u^2         half on each wheel, added to [chassis] downforce
 //
-// u is integrated tick by tick, implicitly: u += (s - u) dt / (spin_up + dt). sim/world/body.h has the effect
-// on grip and rolling resistance. The thrust and suction of a fan grow with the square of its speed.
+// u is integrated tick by tick, implicitly: u += (s - u) dt / (spin_up + dt). sim/world/body.h describes the
+// effect on grip and rolling resistance. The thrust and suction of a fan grow with the square of its speed.
 //
 // Not modelled: the fan's current from the battery, and the resulting slowdown; a controller (ESC) that needs
 // servo pulses; leaks on an uneven floor.
@@ -50,7 +50,7 @@ class FanPart final : public Part {
   const FanSpec& spec_;
   PartContext& context_;
   const double most_;   // N
-  const double share_;  // share of the difference to the target speed, per tick
+  const double share_;  // fraction of the difference from the target speed that one tick removes
   world::Body* body_ = nullptr;
   State state_;
 };

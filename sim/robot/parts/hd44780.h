@@ -1,5 +1,5 @@
-// The controller of character displays, HD44780U (Hitachi data sheet ADE-207-272). The part that contains the
-// controller, on pins or on a port expander, calls write() on E's falling edge.
+// The HD44780U, the controller of character displays (Hitachi data sheet ADE-207-272). A display part
+// contains it, and calls write() on each falling edge of E, a wire from a pin or from a port expander.
 //
 //   instruction or data   4 or 8 bits, by "function set"; with 4 bits, the high half first
 //   busy                  1.52 ms after clear and home, 37 us after any other (270 kHz); writes meanwhile are
@@ -26,8 +26,8 @@ class Hd44780 {
   /// four.
   void write(bool is_data, std::uint8_t lines, SimTime t);
 
-  /// Returns the visible text of a display of this size, without trailing spaces. Joins lines by "|". Returns
-  /// "" while the display is off.
+  /// Returns the visible text of a display of this size, without trailing spaces. Joins the lines with "|".
+  /// Returns "" while the display is off.
   std::string text(int columns, int rows) const;
   /// Returns the time at which text() may last have changed.
   SimTime changed_at() const { return changed_at_; }

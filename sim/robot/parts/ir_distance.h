@@ -1,5 +1,5 @@
-// type = "ir-distance": Sharp's GP2Y0A21YK0F. It converts the place where reflected infrared light falls on a
-// detector to a voltage.
+// type = "ir-distance": Sharp's GP2Y0A21YK0F. Its voltage depends on where reflected infrared light falls on
+// its detector, and thereby on the distance d.
 //
 //   d     0    30   40   50   60   80   100  150  200  300  400  500  600  700  800 mm
 //   V     1.2  2.2  2.65 2.95 3.1  2.75 2.3  1.65 1.3  0.94 0.74 0.6  0.51 0.45 0.4

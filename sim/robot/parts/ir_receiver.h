@@ -1,13 +1,14 @@
-// type = "ir-receiver": a demodulator for remote controls (TSOP38238, VS1838B), and the remote. `send ir
-// 0x45` in a script presses the remote's key 0x45, and `send ir 0x45 for 500ms` holds the key.
+// type = "ir-receiver": a demodulator for remote controls (TSOP38238, VS1838B), and the remote control
+// itself. `send ir 0x45` in a script presses the remote's key 0x45, and `send ir 0x45 for 500ms` holds the
+// key.
 //
 // The receiver outputs the NEC protocol: high at rest, low while there is light.
 //
 //   low 9 ms, high 4.5 ms, 32 bits, low 562.5 us; a bit: low 562.5 us, high 562.5 us (0) or 1687.5 us (1)
-//   held: after each 108 ms low 9 ms, high 2.25 ms, low 562.5 us
+//   held: every 108 ms, low 9 ms, high 2.25 ms, low 562.5 us
 //
-// The bits are address, its inverse, command, its inverse, each with its lowest bit first. Source:
-// SB-Projects and Vishay application note 80071, "Data Formats for IR Remote Control".
+// The 32 bits are address, inverted address, command and inverted command, each byte with its lowest bit
+// first. Source: SB-Projects and Vishay application note 80071, "Data Formats for IR Remote Control".
 //
 // Not modelled: carrier, distance, sunlight, and the stretching of pulses by the receiver (some 10 us).
 #pragma once

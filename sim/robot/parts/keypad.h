@@ -1,10 +1,10 @@
 // type = "keypad": a matrix of keys. Each key connects the wires of its row and its column. Scripts press
 // keys: `press keypad.5 100ms`.
 //
-// The matrix contains only keys. A pin has the level of any driven wire to which the pressed keys connect it.
-// If no such wire is driven, the pin is high if a connected wire has a pull-up. Otherwise it floats, and
-// reads low. Three pressed keys on corners of a rectangle simulate the fourth, as in a matrix without diodes.
-// Not modelled: bounce.
+// The matrix contains only keys, no diodes. The pressed keys connect wires. A pin has the level of any driven
+// wire to which it is connected. If no such wire is driven, a pull-up on any of them makes the pin high.
+// Without a pull-up, the pin floats and reads low. Three pressed keys on corners of a rectangle also connect
+// the wires of the fourth key. Not modelled: bounce.
 #pragma once
 
 #include <array>
@@ -46,7 +46,7 @@ class KeypadPart final : public Part {
     const std::string name_;
     const std::size_t number_;
   };
-  /// One wire; the rows come first.
+  /// One wire. Rows are numbered before columns.
   class Lead final : public PinSource {
    public:
     Lead(KeypadPart& keypad, std::size_t number) : keypad_(keypad), number_(number) {}

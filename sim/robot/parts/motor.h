@@ -13,7 +13,7 @@ std::shared_ptr<const PartSpec> read_motor(PartReader&);
 class MotorSpec final : public PartSpec {
  public:
   Side wheel = world::left;
-  bool both = false;      ///< the motor drives both wheels through a differential; `wheel` is then left
+  bool both = false;      ///< drives both wheels through a differential; `wheel` is then world::left
   bool reversed = false;  ///< the motor's two leads are swapped
   bool phase = false;     ///< PHASE/ENABLE: `in1` is PHASE
   Pin en = kNoPin;        ///< kNoPin = tied high

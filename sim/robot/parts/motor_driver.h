@@ -19,7 +19,7 @@ inline double high_share(const PinDrive& drive) {
 /// Returns the period of a pin's PWM, s; 0 = no PWM, or an unknown period.
 double period_of(const PinDrive& drive);
 
-/// One half of a driver: shares of time for which its inputs are high.
+/// The inputs of one half of a driver, as shares of time at high level.
 struct BridgeInputs {
   double en = 1.0;
   double in1 = 0.0;
@@ -29,13 +29,13 @@ struct BridgeInputs {
 };
 
 /// Returns the motor command for these inputs. Assumes that the inputs' PWM is in phase, as for pins of one
-/// timer: each input is high from the start of the period. Let f, r and s be the shares of forward, reverse
-/// and shorted by the chip's table:
+/// timer: each input is high from the start of the period. By the chip's table, let f, r and s be the shares
+/// of time for which the chip drives the motor forward, drives it in reverse, and shorts it:
 ///   drive = f - r,  brake = s + 2 min(f, r),  against = min(f, r)
 /// Equal forward and reverse shares hold the motor at 0 V, which brakes it.
 inline world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs);
 
-/// The durations of the chip's actions, as shares of time.
+/// Sums the share of time of each action of the chip.
 class BridgeShares {
  public:
   BridgeShares(const DriverChip& chip, bool phase) : chip_(chip), phase_(phase) {}

@@ -16,7 +16,7 @@ struct MountSpec {
   Vec2 at;              ///< m
   double facing = 0.0;  ///< rad: 0 ahead, counter-clockwise
   std::string servo;    ///< name of the servo; "" = fixed to the body
-  Place servo_place;    ///< in the file
+  Place servo_place;    ///< place of the key `on` in the robot file
 };
 
 MountSpec read_mount(PartReader&);

@@ -85,7 +85,7 @@ void Mpu6050Part::put(std::uint8_t number, double value) {
   at(static_cast<std::uint8_t>(number + 1)) = static_cast<std::uint8_t>(code);
 }
 
-// Stores the newest sample, if there is one since the last transfer.
+// Stores the newest sample, unless an earlier transfer has stored it already.
 void Mpu6050Part::hold(SimTime t) {
   if (asleep()) return;
   const bool filters = (at(kConfig) & 7) != 0 && (at(kConfig) & 7) != 7;

@@ -1,12 +1,12 @@
 // type = "pca9685": a driver of 16 PWM channels (NXP data sheet, revision 4), for servos and LEDs.
 //
-//   one period   4096 counts of 25 MHz / (PRE_SCALE + 1); PRE_SCALE 3 to 255, written while it sleeps
+//   one period   4096 counts of 25 MHz / (PRE_SCALE + 1); PRE_SCALE 3 to 255, writable only during sleep
 //   channel n    on at LEDn_ON, off at LEDn_OFF (counts); bit 12 of either: always on, always off
 //
-// Other parts refer to the channels as pins: "pwm.12". Channels change at the STOP of a transfer, immediately
-// rather than with the next period. Outputs that have changed and then stayed for 50 ms are reported. The
-// report contains the on-times of all channels that are not off: "0:1500us 3:on". After power-on the driver
-// sleeps (MODE1 = 0x11), without output. The register number advances only if the bit AI of MODE1 is set.
+// Other parts refer to the channels as pins: "pwm.12". Channels change at the STOP of a transfer, without
+// waiting for the next period. Outputs that have changed and then stayed for 50 ms are reported. The report
+// contains the on-times of all channels that are not off: "0:1500us 3:on". After power-on the driver sleeps
+// (MODE1 = 0x11), without output. The register number advances only if the bit AI of MODE1 is set.
 //
 // Not modelled: addresses for several chips, outputs that change at the acknowledge (OCH), inverted or
 // open-drain outputs (MODE2), an external clock.
@@ -22,7 +22,7 @@ std::shared_ptr<const PartSpec> read_pca9685(PartReader&);
 class Pca9685Spec final : public PartSpec {
  public:
   std::uint8_t address = 0;
-  int index = 0;  ///< number of the first register: the outputs are output_pin(index, 0 .. 15)
+  int index = 0;  ///< number of its first Register (netlist.h): the outputs are output_pin(index, 0 .. 15)
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };

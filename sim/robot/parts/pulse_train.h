@@ -14,7 +14,7 @@ class PulseTrain {
  public:
   explicit PulseTrain(bool idle) : before_(idle) {}
 
-  /// Adds a change of the level at `at`, not before the last change.
+  /// Adds a change of the level at `at`, which must not be before the last change.
   void flip(SimTime at) { flips_.push_back(at); }
   /// Returns the time of the last change, or 0.
   SimTime end() const { return empty() ? 0 : flips_.back(); }

@@ -4,7 +4,7 @@
 // One message of n bits, each `bit` long:
 //
 //   enable  ___/‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾‾\___   high during the message, and half a bit before and after
-//   data    ----< b1  >< b2  >< b3  >----   set for the whole bit; low between messages
+//   data    ----< b1  >< b2  >< b3  >----   stable for the whole bit; low between messages
 //   clock   _______/‾‾\__/‾‾\__/‾‾\______   rises in the middle of each bit
 //
 // A message sent during another message follows that message after one bit time. The default of 1 ms per

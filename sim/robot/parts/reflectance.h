@@ -16,18 +16,18 @@
 //   s = the curve of a TCRT5000 (Vishay 83760 rev. 1.7, fig. 9), 1 at 2.5 mm    n = 0.4 + 0.6 (1 - c)
 // In earlier profiles, and in `ideal`:
 //   s = min(1, (3 mm / height)^2)                                               n = 1
-// On hills, the height is the local height of the chassis above the floor. This height determines s and x,
-// and also f unless the file has a footprint.
+// On hills, the height is the sensor's height above the ground below it. It determines s and x, and also f
+// unless the robot file sets a footprint.
 //
 // A phototransistor is slow. With `rise`, its time from 10 to 90 %, the lag is
 //   tau = rise / ln 9
-// The reading follows the floor with this lag, which is exact while the light changes linearly. It follows a
-// switched emitter exponentially.
+// The reading follows the floor with this lag, which is exact for light that changes linearly. After the
+// emitter is switched, the reading approaches its new value exponentially.
 //
 // The output depends on `read`:
 //   analog   volts = white_volts + (black_volts - white_volts) b, within 0 .. supply
-//   digital  a comparator with `threshold` on b, and `hysteresis` (full width) around it; it keeps its state
-//            between reads. black = "high" or "low" is its output over black
+//   digital  a comparator of b with `threshold`, with `hysteresis` (full width) around it. Its state
+//            persists between reads. black = "high" or "low" is its output over black
 //   rc       a capacitor: see reflectance_rc.h
 // Nothing is computed unless firmware reads the sensor.
 #pragma once
@@ -44,8 +44,8 @@ namespace robosim::robot {
 std::shared_ptr<const PartSpec> read_reflectance(PartReader&);
 std::shared_ptr<const PartSpec> read_reflectance_array(PartReader&);
 
-/// Returns the light that white returns at a height (m), relative to the maximum. From typical@2 on, the
-/// curve is that of a TCRT5000.
+/// Returns the light that a white floor returns to a sensor at `height` (m), as a fraction of the maximum.
+/// From typical@2 on, the curve is that of a TCRT5000.
 double light_from(double height, Profile profile);
 
 class ReflectanceSpec final : public PartSpec {
@@ -157,7 +157,7 @@ class Sensor : public Breakable {
   bool stuck() const { return state_.stuck >= 0.0; }
   /// Returns the argument of `fault NAME stuck`.
   double stuck_at() const { return state_.stuck; }
-  /// Returns the blackness for which stuck_at() is the output, for display.
+  /// Returns the blackness at which the sensor would output stuck_at(), for display.
   virtual double stuck_blackness() const = 0;
 
   const PartContext& context_;
@@ -177,7 +177,7 @@ class Sensor : public Breakable {
     return state_.darkness =
                hilly_ ? floor.darkness(p, footprint) : floor.darkness(p, footprint, state_.near);
   }
-  /// A place on the floor, and the number of changes of the floor when the place was examined.
+  /// The key of a cached value: its place on the floor, and the number of floor changes when it was computed.
   struct FloorCacheKey {
     Vec2 at = {std::numeric_limits<double>::quiet_NaN(), 0.0};
     int changes = 0;
@@ -200,7 +200,7 @@ class Sensor : public Breakable {
   double shown_of(double light, double white) const {
     return 1.0 - light * context_.view.supply.led * emitter_.brightness() * white + state_.now.shift;
   }
-  /// Computes shown() in the general case; shown() itself is faster in the usual case.
+  /// Computes the result of shown() in the general case. shown() itself has a faster path for the usual case.
   double shown_elsewhere() const;
   /// The effects of the sensor's height: the mounting height or, on hills, the local height.
   struct Optics {
@@ -210,7 +210,7 @@ class Sensor : public Breakable {
     return hilly_ ? optics_on_hills(pose) : Optics{state_.now.light, footprint_, exposure_};
   }
   Optics optics_on_hills(const Pose&) const;
-  /// Returns the share by which room light makes the floor look whiter.
+  /// Returns the amount that room light subtracts from the blackness.
   double room_light(const Pose&, SimTime) const;
   void swap_with(Sensor*);
 

@@ -3,8 +3,8 @@
 //   pin an output, high   charges: full after 10 us (QTR-8RC: 10 nF through 220 ohm, time constant 2.2 us)
 //   pin an output, low    discharges in the same way
 //   pin an input          the phototransistor discharges it with a constant current; the pin reads high
-//                         until the voltage is at the input's threshold, half the supply. From full this
-//                         takes T = 1 / (b / black_time + (1 - b) / white_time)
+//                         until the voltage falls to the input's threshold, half the supply. From a full
+//                         charge, this takes T = 1 / (b / black_time + (1 - b) / white_time)
 //
 // b, the blackness, is sampled once, when the pin becomes an input. The current of the pin's own pull-up is
 // negligible compared with the phototransistor's. Times are exact to the nanosecond.

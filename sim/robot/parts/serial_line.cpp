@@ -55,7 +55,7 @@ void SerialLine::send(std::uint8_t byte, SimTime t) {
     context_.board.receive_byte(byte, t);
     return;
   }
-  // Waits for the end of the last stop bit, which has no edge in the train.
+  // Waits for the end of the last stop bit, which has no edge in the pulse train.
   const SimTime begin = std::max(t, state_.free_at);
   const std::uint32_t frame = byte << 1 | 1u << 9;
   bool level = true;

@@ -1,9 +1,9 @@
-// A serial module's line to the board: 8 bits, no parity, one stop bit. The line may use any two pins, which
-// the sketch drives bit by bit (SoftwareSerial, AltSoftSerial). On the pins of the board's Serial, bytes go
-// through the chip's UART, and `baud` has no effect.
+// A serial module's line to the board: 8 bits, no parity, one stop bit. The line may use any two pins, on
+// which the sketch itself sends and samples each bit (SoftwareSerial, AltSoftSerial). On the pins of the
+// board's Serial, bytes go through the chip's UART, and `baud` has no effect.
 //
 //   txd  ‾‾\_s_/b0 b1 … b7\‾‾   to the sketch, each bit 1/baud long
-//   rxd  the same frame from the sketch; each bit is sampled in its middle
+//   rxd  a frame of the same form, from the sketch; each bit is sampled in its middle
 #pragma once
 
 #include <functional>

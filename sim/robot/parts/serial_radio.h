@@ -1,10 +1,10 @@
 // type = "serial-radio": a wireless serial line (HC-12, APC220 and similar). Each byte that the sketch sends
-// reaches all other serial-radios on its channel after `delay`. On the way to each of them, the byte is lost
-// with the probability `loss`. A script's `send` acts as another sender. serial_line.h describes the line to
-// the board.
+// reaches all other serial-radios on its channel after `delay`. Each of them loses the byte with the
+// probability `loss`. A script's `send` acts as another sender. serial_line.h describes the line to the
+// board.
 //
-// The HC-12's manual states delays of 4 to 80 ms, depending on mode and baud rate; 20 ms is between them. Not
-// modelled: range, collisions of bytes, packets and AT commands.
+// The HC-12's manual states delays of 4 to 80 ms, depending on mode and baud rate; the default of 20 ms is
+// between them. Not modelled: range, byte collisions, packets, AT commands.
 #pragma once
 
 #include "sim/base/noise.h"

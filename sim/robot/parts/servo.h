@@ -43,8 +43,8 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   /// Returns the distance from the axle's centre to the servo's axis, m.
   double arm() const { return length(spec_.at); }
 
-  /// Connects the servo to the body's steered wheels. They turn by `ratio` times the servo's angle, and at
-  /// most by `most`, rad. Called once.
+  /// Connects the servo to the body's steered wheels. They turn by `ratio` times the servo's angle, but at
+  /// most by `most` (rad). Called once.
   void turn_wheels(world::Body& body, double ratio, double most);
 
   void register_with(PartRegistry&) override;

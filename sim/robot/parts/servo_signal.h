@@ -3,7 +3,8 @@
 // A hobby servo responds to the width of a pulse, some 0.5 to 2.5 ms, every 20 ms or so. The repetition rate
 // is irrelevant. Pulses shorter than 0.3 ms or longer than 3 ms are ignored. Pulses are derived from changes
 // of the pin's level. If a timer or a PWM driver makes the pulses, they are derived from duty cycle and
-// period. A change then applies at once, not at the end of the period. PWM of unknown period makes no pulses.
+// period. A change of the PWM then applies at once, not at the end of the period. PWM of unknown period makes
+// no pulses.
 #pragma once
 
 #include <optional>

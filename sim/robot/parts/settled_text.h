@@ -1,4 +1,4 @@
-// A visible text, such as that of a display.
+// The visible text of a part, such as a display, and the time at which it is reported.
 #pragma once
 
 #include <string>

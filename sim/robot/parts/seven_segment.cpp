@@ -12,7 +12,7 @@ struct Shape {
   double figure;
 };
 
-// 6, 7 and 9 exist with and without tails.
+// Accepts 6, 7 and 9 with and without tails.
 constexpr Shape kShapes[] = {{0x3F, 0}, {0x06, 1}, {0x5B, 2}, {0x4F, 3}, {0x66, 4}, {0x6D, 5}, {0x7D, 6},
                              {0x7C, 6}, {0x07, 7}, {0x27, 7}, {0x7F, 8}, {0x6F, 9}, {0x67, 9}, {0x00, -1}};
 constexpr double kNoFigure = -2;

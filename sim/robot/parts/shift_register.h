@@ -1,4 +1,5 @@
-// type = "shift-register": a 74HC595 (TI SN74HC595, SCLS041): eight outputs for three of the board's pins.
+// type = "shift-register": a 74HC595 (TI SN74HC595, SCLS041), which turns three of the board's pins into
+// eight outputs.
 //
 //   rising edge of clock   every bit moves by one, from Q0 towards Q7; the level of data enters at Q0
 //   rising edge of latch   the outputs Q0 .. Q7 are set to the shifted bits

@@ -10,7 +10,8 @@
 // and any text (pixel_text.h). Mirroring (segment remap, COM direction) is ignored: the picture is reported
 // as if both were set, since libraries set both.
 //
-// Inverse display only inverts the pixels. Not modelled: scrolling, contrast, the start line.
+// The command for inverse display inverts the reported pixels. Not modelled: scrolling, contrast, the start
+// line.
 #pragma once
 
 #include <vector>

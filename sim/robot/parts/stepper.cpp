@@ -10,7 +10,7 @@ namespace robosim::robot {
 namespace {
 
 constexpr double kPeriod = 8.0;                           // half steps
-constexpr double kStepsOfATurn = 64.0 * 25792.0 / 405.0;  // 8 periods of 8, times the gear ratio
+constexpr double kStepsOfATurn = 64.0 * 25792.0 / 405.0;  // 8 periods of 8 half steps, times the gear ratio
 constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;    // rad/s
 
 constexpr FaultKind kStepperFaults[] = {
@@ -48,7 +48,8 @@ void StepperPart::register_with(PartRegistry& registry) {
   registry.breakable.push_back(this);
 }
 
-// Returns the direction of the field for the 3 x 3 differences of opposite coils: IN1 - IN3, IN2 - IN4.
+// Returns the direction of the field. Looks it up by the differences of opposite coils, IN1 - IN3 and IN2 -
+// IN4, each of which has 3 values.
 int StepperPart::field() const {
   const auto on = [this](std::size_t coil) {
     return high_share(context_.netlist.drive(spec_.coils[coil])) >= 0.5 ? 1 : 0;

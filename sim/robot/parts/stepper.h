@@ -1,9 +1,9 @@
 // type = "stepper": a geared stepper motor with four coils, a 28BYJ-48 on a ULN2003 board. It turns a
 // pointer, a turret or a gate, and does not drive a wheel.
 //
-//   coils     a high pin switches its coil on; the field points to the coils' sum, in eighths of a period:
-//             IN1 0, IN1+IN2 1, IN2 2, IN2+IN3 3, IN3 4, IN3+IN4 5, IN4 6, IN4+IN1 7. Opposite coils cancel;
-//             without a field the rotor is held by its gear
+//   coils     a high pin switches its coil on; the coils together set the field's direction, in eighths of
+//             a period: IN1 0, IN1+IN2 1, IN2 2, IN2+IN3 3, IN3 4, IN3+IN4 5, IN4 6, IN4+IN1 7. Opposite
+//             coils cancel; without a field, the gear holds the rotor
 //   rotor     follows the field by the shorter way, at `speed` at most; a field that leads by half a period
 //             or more pulls it back, and steps are lost
 //   angle     360 degrees / `steps` per eighth, a half step; 0 at power-on

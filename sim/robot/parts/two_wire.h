@@ -1,5 +1,5 @@
 // Common code of parts on the two-wire bus (I2C). These parts use the board's SDA and SCL, which the robot
-// file need not name. `address` is their seven-bit address.
+// file need not name. `address` is a part's seven-bit address.
 //
 // The bus is simulated byte by byte, without pull-ups, clock stretching, or devices that hold a line low. A
 // sketch that implements the bus on pins by itself finds no device. Firmware for the target stm32 has no

@@ -45,7 +45,7 @@ class UltrasonicPart final : public Part, public PinSource, public PinWatcher, p
   void register_with(PartRegistry&) override;
   void resolve_mounts(const PartRegistry& registry) override { mount_.resolve_mounts(registry); }
   void begin_tick(SimTime) override;
-  /// Appends the last result in cm; 0 before the first result, and if nothing was near.
+  /// Appends the last result in cm; 0 before the first result, or if nothing was within reach.
   void read(std::vector<Reading>&) const override;
 
   double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }

@@ -1,6 +1,7 @@
 // type = "voltage": a constant voltage on a pin: a battery divider, a potentiometer, a jumper.
 //
-//   volts = `volts`, or `share` of the battery ([motors] supply); at most the board's supply. Plus noise g.
+// The voltage is `volts`, or `share` times the battery's voltage ([motors] supply), plus normal noise with
+// the standard deviation `noise`. It is limited to the range from 0 to the board's supply.
 #pragma once
 
 #include "sim/base/noise.h"

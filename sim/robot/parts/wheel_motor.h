@@ -51,7 +51,7 @@ class WheelMotor : public Part, public Breakable {
 
   struct State {
     world::WheelCommand now;  // from `since` on
-    world::WheelCommand sum;  // earlier commands of the tick, times nanoseconds
+    world::WheelCommand sum;  // the tick's earlier commands, each times its duration in ns
     SimTime since = 0;
     bool steady = false;   // no change since the last take()
     bool changed = false;  // set() was called since the tick began

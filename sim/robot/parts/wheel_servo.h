@@ -1,13 +1,13 @@
 // type = "wheel-servo": a servo for continuous rotation that drives a wheel. The pulse width sets the speed.
 //
-//   over  = pulse - stop, less the dead band
-//   drive = over / (full - dead band), at most 1
+//   over  = |pulse - stop| - dead band, at least 0
+//   drive = over / (full - dead band), at most 1, with the sign of pulse - stop
 //   brake = 1 - |drive|
 //
 // The motor has the parameters of [motors] (sim/world/body.h); `reversed` mounts the servo the other way
 // round. Pulses longer than `stop` turn the servo counter-clockwise, seen from its shaft. They therefore
 // drive the left wheel forward. The right servo is mounted mirrored, so they drive the right wheel backward.
-// The servo coasts from 50 ms after the last pulse.
+// The servo coasts when the last pulse is more than 50 ms ago.
 //
 // Sources: FS90R (Feetech; Pololu product 2820): stop at 1.5 ms, dead band of 45 us to each side since 2014,
 // longer pulses turn counter-clockwise, full speed at some 0.5 ms from stop. Parallax 900-00008: full speed

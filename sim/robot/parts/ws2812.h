@@ -4,12 +4,12 @@
 //   reset   low for 50 us: shows the bits since the last reset
 //
 // A bit is a 1 if it is high for 0.55 us or longer. Each LED uses 24 bits: green, red and blue, each with the
-// highest bit first. The LED passes the rest to the next LED (WorldSemi data sheet WS2812). Newer strips need
-// 280 us for a reset; their libraries wait for that time. Colours are reported as an event, RRGGBB per LED,
-// when they have changed and then stayed for 50 ms.
+// highest bit first. The LED passes all further bits to the next LED (WorldSemi data sheet WS2812). Newer
+// strips need 280 us for a reset; their libraries wait for that time. Colours are reported as an event,
+// RRGGBB per LED, when they have changed and then stayed for 50 ms.
 //
-// Only an emulated chip can make such short pulses in loops. On the target host, the stand-in for the library
-// makes them.
+// Only firmware on an emulated chip can make such short pulses in loops. On the target host, the stand-in for
+// the library makes them.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -47,7 +47,7 @@ class Ws2812Part final : public Part, public PinWatcher, public TextOutput {
     bool high = false;
     SimTime since = 0;                  // beginning of `high`
     std::vector<std::uint32_t> coming;  // GRB
-    int bits = 0;                       // number of bits in the last of `coming`
+    int bits = 0;                       // number of bits in the last element of `coming`
     std::vector<std::uint32_t> shown;
     SimTime changed_at = kNever;  // kNever = the change has been reported
   };
