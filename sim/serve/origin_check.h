@@ -65,7 +65,8 @@ class OriginCheck {
 /// Returns whether only this machine can connect to a listening address.
 bool is_loopback(std::string_view address);
 
-/// Returns 128 random bits as 32 hexadecimal digits. Throws InputError if the machine has no source of them.
+/// Returns 128 random bits as 32 hexadecimal digits. Throws InputError if the machine has no source of random
+/// bits.
 std::string random_token();
 
 }  // namespace robosim::serve

@@ -134,7 +134,7 @@ void RequestDeadline::watch() {
       one.awaited = one.head_awaited = false;
       if (inode_of(one.socket) != one.inode) continue;  // the library has just closed it
       const std::string_view answer = too_long ? kHeadTooLong : std::string_view(answer_);
-      const linger at_once{1, 0};  // otherwise a client that keeps sending would keep its buffers
+      const linger at_once{1, 0};  // a reset; otherwise a client that keeps sending would occupy buffers
       if (too_long) ::setsockopt(one.socket, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
       (void)::send(one.socket, answer.data(), answer.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
       ::shutdown(one.socket, SHUT_RDWR);

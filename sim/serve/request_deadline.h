@@ -23,8 +23,8 @@ class RequestDeadline {
   RequestDeadline(int port, std::chrono::milliseconds most, std::string answer);
   ~RequestDeadline();
 
-  /// Returns the connection that was just accepted, which the library does not pass on; null if it is already
-  /// closed.
+  /// Returns the connection that was just accepted, and which the HTTP library does not pass on. Returns null
+  /// if the connection is already closed.
   Connection* accepted();
   /// Answers a connection's request by `work`, in this thread. The time limit starts now.
   void answer(Connection* connection, const std::function<void()>& work);
@@ -32,7 +32,7 @@ class RequestDeadline {
   // Report the progress of the connection that this thread answers.
   void head_is_here();
   void is_here();    ///< the whole request has arrived
-  void read_away();  ///< reads input after the answer; otherwise its sender would not get the answer
+  void read_away();  ///< reads input after the answer; otherwise the client would not get the answer
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -29,10 +29,10 @@ using httplib::Response;
 
 constexpr std::size_t kLongestBody = 256 * 1024;
 constexpr std::size_t kLongestImage = 3 * 1024 * 1024;  // about 2 MB, in base64
-constexpr const char* kFiles = "/api/file";             // accepts files of that size
+constexpr const char* kFiles = "/api/file";             // path that accepts files of this size
 constexpr std::size_t kLongestRequest = 4000;           // bytes, to a watched run
 constexpr std::size_t kThreads = 64;                    // each waits for one client
-constexpr std::uintmax_t kBlock = 4096;                 // of a disk, bytes
+constexpr std::uintmax_t kBlock = 4096;                 // bytes in a block of a disk
 constexpr int kUsualPort = 8080;
 constexpr int kPatience_s = 3;  // maximum time between two bytes
 constexpr const char* kCookie = "robosim=";
@@ -115,7 +115,7 @@ int number_of(std::string_view name) {
 
 /// A pool of threads, each of which answers a connection within its time limit. In some releases of the
 /// library, enqueue() returns whether there was room; in others, it returns nothing. The library's own pool
-/// may be final.
+/// may be a final class.
 class Threads : public httplib::TaskQueue {
  public:
   explicit Threads(RequestDeadline& deadline) : deadline_(deadline), pool_(kThreads) {}
@@ -161,8 +161,9 @@ struct Server::Impl {
         origin_check(settings.address, port, is_loopback(settings.address) ? "" : random_token()),
         deadline(port, settings.deadline, too_slow(settings.deadline)) {
     http.new_task_queue = [this] { return new Threads(deadline); };
-    // The library does not read the body of a refused request, and would treat it as the next request. So a
-    // page of another site could put a request into a body, with headers that the page may not send.
+    // The library does not read the body of a refused request, and would treat this body as the next request.
+    // A page of another site could therefore put a request into a body, with headers that the page may not
+    // send itself.
     http.set_keep_alive_max_count(1);
     http.set_logger([this](const Request& request, const Response&) {
       if (request.body.empty() && has_body(request)) deadline.read_away();
@@ -235,7 +236,7 @@ struct Server::Impl {
     });
   }
 
-  /// Saves a file within the limit. Concurrent requests count, rejected ones do not.
+  /// Saves a file within the limit. Concurrent requests count towards the limit; rejected requests do not.
   std::string save(const Offered& offered) {
     const std::uintmax_t size = std::max<std::uintmax_t>(offered.text.size(), kBlock);
     const bool is_too_much = (saved += size) > most_saved;
@@ -327,7 +328,7 @@ struct Server::Impl {
       response.set_content(json_text({{"live", jobs.prepare(*form)}}), "application/json");
   }
 
-  // The run begins when its page listens, and ends when it stops listening.
+  // Starts the run when its page begins to listen, and ends the run when the page stops listening.
   void watch(const Request& request, Response& response) {
     response.set_chunked_content_provider(
         "text/event-stream",
@@ -343,7 +344,7 @@ struct Server::Impl {
                         : event(said == JobManager::Said::lines ? text : json_text({{"say", text}}) + "\n");
             return heard;
           });
-          if (!heard || jobs.ending()) return false;  // the closed stream is the page's signal
+          if (!heard || jobs.ending()) return false;  // the page detects the closed stream
           event(json_text(json_of(done.value_or(JobManager::Done{5, 0, "no such run to watch"}))) + "\n");
           sink.done();
           return true;

@@ -30,7 +30,8 @@ struct Settings {
   std::string address = "127.0.0.1";           ///< of this machine; all but loopback require a token
   int port = 0;                                ///< 0 = 8080, or any free port
   std::chrono::milliseconds deadline{10'000};  ///< for receiving a request, head and body
-  /// Limit of what a server writes into its folder until it ends, in bytes; a file counts for 4096 or more.
+  /// Limit of the bytes that a server writes into its folder until it ends; each file counts as at least
+  /// 4096.
   std::uintmax_t most_saved = 200'000'000;
 };
 

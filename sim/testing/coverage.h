@@ -13,7 +13,7 @@ std::string coverage_folder(const std::string& target);
 /// Creates the folder, and returns a new file in it for a run's counters.
 std::string new_counter_file(const std::string& folder);
 
-/// Adds a run to the folder, and removes its counters. Equal descriptions count as one run.
+/// Adds the counters of a run to the folder, and removes their file. Runs with equal descriptions count once.
 void keep_coverage(const std::string& folder, const std::string& counters, const build::Request& request,
                    const build::Image& image, const std::string& description);
 

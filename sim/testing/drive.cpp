@@ -66,7 +66,8 @@ Moment Drive::worst() const {
     if (!worst || leg.worst_mm > worst->worst_mm) worst = &leg;
   }
   if (!worst) return moments().empty() ? Moment{} : moments().front();
-  // The leg stores only these values: takes the others from the last sample before that moment.
+  // The leg stores only the time, place and error of its worst moment. The other values are those of the last
+  // sample before.
   wire::Sample sample;
   for (const wire::Sample& s : log_->samples)
     if (s.t_us * 1000 <= worst->worst_ns) sample = s;

@@ -210,7 +210,8 @@ Requirement SerialSays(std::string text) {
   });
 }
 
-// Limits the stack that std::regex uses for each character. Waiting for a line has the same limit.
+// Limits the length of a line, since std::regex uses stack for each character. Waiting for a line has the
+// same limit.
 constexpr std::size_t kLongestLine = 1000;
 
 Requirement SerialMatches(std::string regex) {

@@ -64,7 +64,7 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
 
   void OnTestPartResult(const ::testing::TestPartResult& part) override {
     if (!part.failed()) return;
-    // Google Test holds a lock here. Its functions for the current test would deadlock.
+    // Google Test holds a lock here: calling its functions for the current test would deadlock.
     const std::string then = state_at_failure(part);
     fmt::print("::error file={},line={},title={}::{}\n", part.file_name() ? part.file_name() : "",
                part.line_number() > 0 ? part.line_number() : 1, test_,
@@ -75,7 +75,7 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
 
   void OnTestProgramEnd(const ::testing::UnitTest& tests) override {
     if (summary_.empty()) return;
-    const bool alone = tests.test_to_run_count() == 1;  // ctest runs single tests: all failures share a table
+    const bool alone = tests.test_to_run_count() == 1;  // as ctest runs tests: they share one table
     if (alone && rows_.empty()) return;
     const bool continued = alone && ends_in_table();
     std::ofstream out(summary_, std::ios::app | std::ios::binary);

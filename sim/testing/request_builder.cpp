@@ -30,8 +30,8 @@ std::map<std::string, std::vector<std::unique_ptr<client::Runner>>>& idle_runner
 
 bool is_text(const std::string& value) { return value.find('\n') != std::string::npos; }
 
-/// Returns a name or path unchanged. Writes a text to a file in the folder `scratch`, which it creates if
-/// necessary, and returns the file's path.
+/// Returns the argument unchanged if it is a name or path. Otherwise writes the text to a file in the folder
+/// `scratch`, which it creates if necessary, and returns the file's path.
 std::string name_of(const std::string& name_or_text, const std::string& file, fs::path& scratch) {
   if (!is_text(name_or_text)) return name_or_text;
   if (scratch.empty()) {

@@ -60,7 +60,7 @@ ResolvedTrial resolve_trial(const Trial& trial, client::Runner& runner);
 
 /// The resolved names of a FleetTrial.
 struct ResolvedFleetTrial {
-  std::vector<Trial> trials;  ///< each robot as if it were alone
+  std::vector<Trial> trials;  ///< each robot, as for a run without the others
   launch::Fleet fleet;
   launch::ChosenFleet chosen;
   bool map_is_text = false;

@@ -15,7 +15,7 @@ bool is_silent_run();
 /// took place: the sketch does not compile, or the trial names something that does not exist.
 bool fails_in(const Trial& trial, const std::function<void(Simulation&)>& body);
 
-/// Runs `body` and reports its failures: they fail the test, followed by `why`.
+/// Runs `body` and reports its failures, which fail the test. Prints `why` after them.
 void rerun_and_report(const Trial& trial, const std::function<void(Simulation&)>& body,
                       const std::string& why, const char* file, int line);
 

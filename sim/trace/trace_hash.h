@@ -14,8 +14,8 @@
 namespace robosim::trace {
 
 /// Hashes the events of a run: the bits of every pose, every change of a pin or its PWM, every sent byte.
-/// Does not hash observations, so recording more never changes the hash. XXH3-64 over 64-bit little-endian
-/// words.
+/// Does not hash observations, so recording more never changes the hash. The hash is XXH3-64 over 64-bit
+/// little-endian words.
 class TraceHash {
  public:
   TraceHash();
@@ -23,7 +23,7 @@ class TraceHash {
   TraceHash& operator=(const TraceHash& other);
   ~TraceHash();
 
-  /// Adds the pose at the end of a tick. Call it once per tick: the hash does not include its time.
+  /// Adds the pose at the end of a tick. Call it once per tick: the hash does not include the time of a pose.
   void pose(const Pose& pose) {
     static_assert(sizeof pose == kPoseWords * sizeof(std::uint64_t), "two Vec2 and nothing between");
     std::memcpy(take(kPoseWords), &pose, sizeof pose);

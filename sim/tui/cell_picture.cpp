@@ -17,8 +17,8 @@ constexpr char32_t kAscii[] = U"o-|+--++|+|+++++";
 constexpr char32_t kArrows[] = U"►▼◄▲";
 constexpr char32_t kAsciiArrows[] = U">v<^";
 
-// Returns the first of `count` visible cells, out of those from `least` to `most`. The first visible cell was
-// `now`. `middle` must be well in view.
+// Returns the first of `count` visible cells, chosen from the cells `least` to `most`. Keeps the first
+// visible cell `now`, unless `middle` would be near the edge or out of view.
 int keep_in_sight(int now, int least, int most, int count, int middle) {
   const int margin = count / 5;
   if (middle < now + margin || middle >= now + count - margin) now = middle - count / 2;
@@ -132,8 +132,8 @@ int CellPicture::draw(Frame& frame, int row, int rows, CellAt around, const std:
   const auto row_of = [&](CellAt c) { return row + (c.y - part.y) * part.high; };
   for (const CellLabel& label : labels) {
     if (!shows(label.cell)) continue;
-    // If the line comes from the right, the label ends on its cell if there is room. Otherwise it begins
-    // there. A robot on the cell shifts it by one column.
+    // If the line comes from the right and there is room, the label ends on its cell. Otherwise the label
+    // begins on its cell. A robot on the cell shifts the label by one column.
     const int length = static_cast<int>(label.text.size());
     const int beside = robot && robot->cell == label.cell ? 1 : 0;
     const bool ends_here =

@@ -17,8 +17,8 @@ class Console {
   virtual ~Console() = default;
   virtual TerminalSize size() = 0;
   virtual Look look() const = 0;
-  /// Returns whether a user is watching. If so, walks are shown move by move. Otherwise only frames that wait
-  /// for an answer are shown, without delays.
+  /// Returns whether a user is watching. If so, a robot's moves are shown one by one. Otherwise only frames
+  /// that wait for an answer are shown, without delays.
   virtual bool is_live() const = 0;
   virtual void show(const Frame& frame) = 0;
   /// Returns the next key. Returns `nothing` after at most `timeout_ms`, and after a resize, which requires a

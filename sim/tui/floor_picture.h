@@ -66,8 +66,8 @@ class FloorPicture {
     int x, y;
   };
   Dot dot_of(Vec2 p) const;
-  /// Returns whether p is within `reach_m` of a centre line. With `whole`, uses half of the line's width
-  /// instead of `reach_m` if that is larger.
+  /// Returns whether p is within `reach_m` of a centre line. With `whole`, uses half of the line's width if
+  /// this is larger than `reach_m`.
   bool is_painted(Vec2 p, double reach_m, bool whole) const;
   /// Returns the sign of the hill at p, the middle of a character: ^ > v < point uphill, : is level ground, =
   /// is a seesaw. Returns 0 if there is no hill.

@@ -119,7 +119,8 @@ class Tree {
   std::vector<std::string> lines_;
 };
 
-// More nodes than any user reads. A deep tree's indentation grows quadratically.
+// The maximum number of nodes in a printed tree. A deep tree's indentation takes space quadratic in its
+// depth.
 constexpr std::size_t kMostTreeNodes = 500;
 
 }  // namespace

@@ -95,7 +95,8 @@ void LiveScene::move_window(Vec2 top_left) {
   Window window = floor_.window();
   const Area all = area_of(map_);
   const Vec2 size{window.columns * 2 * window.dot_m, window.rows * 4 * window.dot_m};
-  // Moves by whole characters, so that the floor does not creep within them, and stays on the map.
+  // Moves the window by whole characters, so that each dot of the floor keeps its place within a character.
+  // Keeps the window on the map.
   const auto snap = [](double metres, double step) { return std::round(metres / step) * step; };
   window.top_left.x = std::clamp(snap(top_left.x, 2 * window.dot_m), 0.0, std::max(all.most.x - size.x, 0.0));
   window.top_left.y =

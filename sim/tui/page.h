@@ -1,5 +1,5 @@
-// Builds one screen of a session, from the top: a title, text, lists, a map. Directly below follows a footer,
-// which is always shown.
+// Builds one screen of a session, from the top: a title, text, lists, a map. A footer follows directly below,
+// and is always shown.
 #pragma once
 
 #include <string>

@@ -42,11 +42,11 @@ class Trail {
   std::size_t every_ = 1, seen_ = 0;
 };
 
-/// Returns the sample period for a run of that maximum duration. The period is coarse enough to cost nothing,
-/// and fine enough for a picture with a few centimetres per dot. It is a multiple of 1 ms.
+/// Returns the sample period for a run of at most `for_ns`. The period is coarse enough to cost nothing, and
+/// fine enough for a picture with a few centimetres per dot. It is a multiple of 1 ms.
 std::int64_t trail_every_ns(std::int64_t for_ns);
 
-/// A limit that the firmware states, and the maximum that would be possible.
+/// A limit that the firmware states, and the maximum for which the RAM would suffice.
 struct Room {
   std::string what;  ///< "nodes of a tree"
   std::uint64_t now = 0;

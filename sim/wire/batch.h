@@ -2,7 +2,7 @@
 // them as one JSON line each would take several times as long as the run.
 //
 // A batch is a sequence of events. Each begins with eight bytes: kind, robot's number, pin's number, a byte
-// `other`, and a signed number of four bytes. Unless noted below, that number is the time in nanoseconds
+// `other`, and a signed number of four bytes. Unless noted below, this number is the time in nanoseconds
 // since the previous event that has a time, starting at 0. Numbers are little-endian; doubles are IEEE 754.
 //
 //   't'  base of the next event's time, in nanoseconds (eight bytes); robot, pin and the rest are 0
@@ -15,7 +15,7 @@
 //   'l'  a level that was read; `other` is 0 or 1
 //   'v'  volts that were read, a double
 //   'b'  a serial byte, in the place of the pin; `other` is 1 if the firmware sent it, 0 if it received it
-//   'd'  announces that the robot's pins have sources; precedes everything else
+//   'd'  announces that the robot's pin events have sources (lines of the sketch); precedes everything else
 //   'c'  a source, numbered from 1; pin is the length of the function's name, `other` that of the file's, and
 //        the number is the line. Then the names
 //
@@ -103,12 +103,12 @@ class BatchWriter {
     end(memory, put(put_head(at(memory), 'v', agent, pin, 0, step_to(t_ns)), volts));
   }
   void add_byte(int agent, std::int64_t t_ns, std::uint8_t value, bool sent);
-  /// Returns whether a pin, level or volts event of that pin, at that time, needs no 't' or 'n' before it.
-  /// Most events need none.
+  /// Returns whether an event of `pin` at `t_ns` needs neither a 't' nor an 'n' before it. Most events need
+  /// neither.
   bool follows(int agent, std::int64_t t_ns, std::uint8_t pin) const {
     return is_named(number_of(agent, pin)) && is_near(t_ns);
   }
-  /// Announces that pins of the robot will have sources.
+  /// Announces that the robot's pin events will have sources, which are lines of the sketch.
   void add_sources(int agent);
   /// Adds the robot's next source. Longer names are truncated.
   void add_source(int agent, const SourceLine& line);

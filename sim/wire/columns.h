@@ -110,8 +110,8 @@ class ColumnReader {
   std::uint64_t last_ = 0, change_ = 0;
 };
 
-/// Writes rows. Rows wait until their bytes are requested: packing column by column takes a third of the
-/// time.
+/// Writes rows. Rows wait until their bytes are requested: packing column by column takes a third of the time
+/// of packing row by row.
 class Stream {
  public:
   Stream(std::string name, const std::vector<ColumnSpec>& columns);

@@ -13,7 +13,7 @@
 
 namespace robosim::wire {
 
-/// A stop condition of a run. Checked at the end of each tick.
+/// A stop condition of a run, checked at the end of each tick.
 struct Stop {
   enum class Kind {
     serial,   ///< the firmware has sent `text`, at or after byte number `from`

@@ -1,4 +1,4 @@
-// Detects where a script moved the robot manually, so that the robot did not drive that path.
+// Detects manual moves by a script, since the robot did not drive these parts of its path.
 #pragma once
 
 #include <utility>

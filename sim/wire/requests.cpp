@@ -28,7 +28,7 @@ Id id_of(const Json& object) {
   return found->get<double>();
 }
 
-// Returns the alternative of Any whose name is requested, if any; tries them from number I.
+// Returns the alternative of Any whose name is requested, if any. Tries the alternatives from number I on.
 template <class Any, std::size_t I = 0>
 std::optional<Any> read_named(const std::string& name, const Json& object) {
   if constexpr (I == std::variant_size_v<Any>) {

@@ -34,7 +34,7 @@ std::vector<ColumnSpec> sample_columns(const std::vector<std::string>& readings)
 std::vector<ColumnSpec> pin_columns(bool sources = false);
 const std::vector<ColumnSpec>& volts_columns();
 
-/// Numbers the lines that drive pins, from 1 in the order of their appearance.
+/// Numbers the sketch's lines that drive pins, from 1 in the order of their appearance.
 class SourceNumbers {
  public:
   /// Returns the line's number; 0 = unknown line.

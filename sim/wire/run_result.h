@@ -66,8 +66,8 @@ void fields(V& v, Same<V, DivisionByZero>& d) {
   v("times", d.times, "how often it did");
 }
 
-/// A feature of the chip that the sketch used and its target lacks: the run's later behaviour may differ from
-/// the chip's. Reported on the host.
+/// A feature of the chip that the sketch used, but that the run's target lacks. From then on, the run may
+/// differ from the chip's behaviour. Reported on the host.
 struct Lack {
   std::string what;  ///< name of the feature in a sketch: "CLKPR"
   SourceLine where;

@@ -12,8 +12,8 @@ namespace robosim::wiring {
 std::string text_of(const RobotDraft& draft, const std::vector<std::string>& remarks = {});
 
 /// Removes the part at this line of the draft's text, which the reader of robot files refuses with `message`.
-/// The part becomes a question. At a line without a part, removes the standby pin, and otherwise all parts.
-/// Returns false if there was nothing to remove.
+/// The part becomes a question. If the line is not in a part, removes the standby pin or, without one, all
+/// parts. Returns false if there was nothing to remove.
 bool remove_refused(RobotDraft& draft, int line, const std::string& message);
 
 /// Returns lines of a script that presses each button of the draft twice.

@@ -136,8 +136,8 @@ void add_wheel_and_periods(const RobotDraft& draft, Side side, PartDraft& encode
   encoder.keys.emplace_back("wheel", side == Side::left ? "\"left\"" : "\"right\"");
 }
 
-// Makes wheel servos of two servos with the names of sides if nothing else can drive the wheels. Beside
-// motors such servos move a gripper, an arm or a flag.
+// Converts two servos that are named after the sides to wheel servos, if nothing else can drive the wheels.
+// On a robot with motors, such servos move a gripper, an arm or a flag.
 void guess_wheel_servos(RobotDraft& draft) {
   PartDraft *left = nullptr, *right = nullptr;
   for (PartDraft& part : draft.parts) {

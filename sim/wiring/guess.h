@@ -18,7 +18,8 @@ struct PartDraft {
   std::vector<std::string> doubts;                        ///< sentences for the user
 };
 
-/// Properties that neither names nor a run without the part determine. A caller can try all of them.
+/// Properties that neither names nor a run on a robot without these parts can determine. A caller can try all
+/// of them.
 struct Ways {
   bool black_low = false;    ///< sensors read low over black
   bool other_order = false;  ///< the first sensor is the rightmost

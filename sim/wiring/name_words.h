@@ -12,8 +12,8 @@ enum class Side { unknown, left, right };
 /// Returns the side that words for left and right describe: left, rm, izquierda, esq, gauche, rechts, sx,
 /// sag …
 Side spelled_side(const std::vector<std::string>& words);
-/// Like spelled_side(), and by convention for other names: the first of numbered motors and channels counts
-/// as the left one (ENA, IN3, motorB, M2, m21). Only a run can confirm a convention.
+/// Returns spelled_side(), or a side by convention for other names: the first of numbered motors and channels
+/// counts as left (ENA, IN3, motorB, M2, m21). Only a run can confirm a convention.
 Side side_of(const std::vector<std::string>& words);
 
 /// Returns whether any of the words starts with any of the beginnings.

@@ -34,8 +34,8 @@ class PinHistory {
 
   const PinFacts& of(Pin pin) const { return facts_[pin]; }
 
-  /// Returns the mean over the run of `high`'s duty cycle minus that of `low` (kNoPin = 0.5). The difference
-  /// is multiplied by the duty cycle of `enable` (kNoPin = always on). Above 0, `high` was mostly higher.
+  /// Returns the mean over the run of (duty of `high` - duty of `low`) x duty of `enable`. With kNoPin, `low`
+  /// has duty 0.5, and `enable` has duty 1. Above 0, `high` was mostly higher.
   double lean(Pin enable, Pin high, Pin low) const;
 
  private:

@@ -299,7 +299,7 @@ class Reader {
     given_.push_back({inner[0].text, outer, {}, list, spot()});
   }
 
-  // Returns the pin's name for attachInterrupt(0, …).
+  // Returns the name of the pin whose interrupt number is the argument, as in attachInterrupt(0, …).
   std::optional<std::string> pin_of_interrupt(const std::vector<std::string>& list) const {
     if (list.empty() || list[0].size() != 1 || std::isdigit(static_cast<unsigned char>(list[0][0])) == 0)
       return {};

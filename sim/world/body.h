@@ -8,7 +8,8 @@
 //   3. Walls, obstacles and other bodies push the outline out, and stop its velocity towards them.
 // Velocities are therefore constant inside a tick. Sensors can extrapolate exactly from the tick's start.
 //
-// Each wheel, with all torques at the wheel's axle (a motor's data sheet gives these five parameters):
+// Each wheel has these constants. All torques are at its axle. A motor's data sheet gives nominal_volts,
+// stall_current, stall_torque, no_load_current and no_load_rate.
 //   R    = nominal_volts / stall_current                                   terminal resistance
 //   k_t  = stall_torque / (stall_current - no_load_current)                torque per ampere
 //   k_e  = (nominal_volts - R no_load_current) / no_load_rate              volts per rad/s
@@ -26,8 +27,8 @@
 //   m dv/dt = F_left + F_right,   I domega/dt = (F_right - F_left) track / 2,   m v omega = S_left + S_right
 //   F^2 + S^2 <= (grip (load_share m g + downforce) / 2)^2, S the sideways force, halved between the wheels
 // While F stays below that limit the wheel rolls (r w = ground speed). At the limit it slips, and wheel and
-// ground speed differ. If S alone exceeds its part, the body skids sideways. The step is implicit in the
-// velocities, so no parameter makes it unstable.
+// ground speed differ. If S alone exceeds its share of the grip (kSkidShare), the body skids sideways. The
+// step is implicit in the velocities, so no parameter makes it unstable.
 //
 // Hills, surfaces and shifting loads: body_ground.cpp. Skid steering: body_skid.cpp. Steered wheels:
 // body_steer.cpp.

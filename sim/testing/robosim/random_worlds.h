@@ -52,7 +52,7 @@ rc::Gen<std::string> tracks(Tracks limits = {});
 
 /// Generates robots within the spread of a robot file (a stock robot's name, or a path). Each parameter with
 /// a spread in the file gets a value within it. Floor sensors are up to `mounting_mm` off their positions, to
-/// the front or side. Robots shrink to the file's own values, except those that the failure needs.
+/// the front or side. Robots shrink to the file's own values, except for parameters that the failure needs.
 rc::Gen<std::string> robots(const std::string& file = "uno5", double mounting_mm = 1.0);
 
 /// The faults to draw, with their maximum severity; 0 = never. docs/reference/robots.md describes each fault.
@@ -75,7 +75,7 @@ struct Worlds {
   std::optional<rc::Gen<std::string>> maps = {};     ///< for Trial::map
   std::optional<rc::Gen<std::string>> robots = {};   ///< for Trial::robot
   std::optional<rc::Gen<std::string>> scripts = {};  ///< such as faults(); appended to Trial::script
-  std::uint64_t seeds = 1'000;                       ///< Trial::seed is from 1 to this; 1 = the trial's own
+  std::uint64_t seeds = 1'000;                       ///< drawn from 1 to this number; 1 = the trial's own
 };
 
 /// Generates trials in these worlds.

@@ -35,11 +35,11 @@ class Event {
   std::vector<One> any_;
 };
 
-/// Occurs when the sketch has sent this text. The search begins after the last such event or action (press,
-/// send, …), so that the answer to a question is found after the question.
+/// Occurs when the sketch has sent this text. The search begins after the last text that was found, and after
+/// the last action (press, send, …). The answer to a question is therefore found after the question.
 Event serial_says(const std::string& text);
-/// Occurs when this regular expression (ECMAScript's) matches part of a whole line, without the line end. The
-/// search begins as for serial_says().
+/// Occurs when this regular expression (ECMAScript's) matches part of a complete line; the line end is not
+/// included. The search begins as for serial_says().
 Event serial_matches(const std::string& regex);
 /// Occurs when a display shows a text with this beginning, its lines joined by "|". Also occurs when a
 /// Bluetooth module has received a line with this beginning.
@@ -51,14 +51,15 @@ Event visits(int station);
 /// Occurs while the body covers a station's centre.
 Event is_at(const std::string& station);
 Event is_at(int station);
-/// The next two events occur when an LED, or another part that people can see or touch, is on or off.
+/// turns_on() occurs when an LED, or another part that people can see or touch, is on; turns_off() when it is
+/// off.
 Event turns_on(const std::string& part);
 Event turns_off(const std::string& part);
-/// The next two events occur when the firmware drives a pin ("D13", "A5") high or with PWM, or low, even
-/// briefly.
+/// pin_goes_high() occurs when the firmware drives a pin ("D13", "A5") high or with PWM; pin_goes_low() when
+/// it drives the pin low. A change of any duration counts.
 Event pin_goes_high(const std::string& pin);
 Event pin_goes_low(const std::string& pin);
-/// The next two events occur when a motor is commanded, or no motor is.
+/// motors_start() occurs when any motor is commanded; motors_stop() when none is.
 Event motors_start();
 Event motors_stop();
 /// Occurs when no wheel has turned for this duration.

@@ -66,10 +66,11 @@ class Fleet {
   bool over() const;
   /// Returns the verdicts in the order of the robots; "" for a robot without a verdict.
   std::vector<std::string> verdicts() const;
-  /// Returns success if all robots have reached their goals, for EXPECT_TRUE. Otherwise names the others,
-  /// with the reasons.
+  /// Returns success if all robots have reached their goals, for EXPECT_TRUE. Otherwise names the robots that
+  /// have not, with the reasons.
   ::testing::AssertionResult all_reached() const;
-  /// Returns the command that reproduces this run until now. Its files exist if the test fails.
+  /// Returns the command that reproduces this run until now. The files that it names are saved if the test
+  /// fails.
   std::string replay_command() const;
 
  private:

@@ -27,8 +27,8 @@ struct Graph {
   int junctions() const;
 };
 
-/// Returns "" if the graphs are equal except for the numbers of nodes and the choice of first arms. Otherwise
-/// returns a sentence.
+/// Returns "" if the graphs are equal except for the numbering of nodes and the choice of first arms.
+/// Otherwise returns a sentence about a difference.
 std::string difference(const Graph& truth, const Graph& found);
 
 /// Matches an equal graph: EXPECT_THAT(explored, IsTheSameGraphAs(robot.true_graph())).

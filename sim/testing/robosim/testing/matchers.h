@@ -68,7 +68,8 @@ Requirement Visits(std::vector<std::string> stations);
 /// counts twice. The station at which the drive began counts only if the robot returns.
 Requirement VisitsInOrder(std::initializer_list<int> stations);
 
-/// Require that no wheel turns from this time, or this distance, after the drive's beginning until its end.
+/// Require that no wheel turns after this time, or after this distance, both counted from the drive's
+/// beginning.
 Requirement StopsWithin(Duration time);
 Requirement StopsWithin(Length way);
 
@@ -87,8 +88,8 @@ Requirement NeverDrives(Doing what);
 /// Requires no contact with walls, obstacles or the map's edge.
 Requirement NeverCollides();
 
-/// The next two require that the sketch has sent this text, or a line that the regular expression matches in
-/// part.
+/// SerialSays() requires that the sketch has sent this text. SerialMatches() requires that it has sent a line
+/// of which the regular expression matches a part.
 Requirement SerialSays(std::string text);
 Requirement SerialMatches(std::string regex);
 
@@ -97,7 +98,8 @@ Requirement Reaches(std::string goal);
 /// Requires that the run ended with this verdict: "lost".
 Requirement EndsAs(std::string verdict);
 
-/// The next two require that the run ended with a score of at least, or at most, `value`: seconds or points.
+/// The next two require that the run ended with a score of at least, or at most, `value`, in seconds or
+/// points.
 Requirement ScoresAtLeast(double value);
 Requirement ScoresAtMost(double value);
 

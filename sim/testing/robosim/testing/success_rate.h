@@ -24,7 +24,7 @@ struct MinimumRate {
 /// Requires this share among exactly these seeds.
 constexpr MinimumRate at_least(double rate) { return {rate, false}; }
 /// Requires that these seeds show this rate for all seeds, at 95 % confidence. The lower end of Wilson's
-/// interval counts. This needs more runs: 381 without a failure for 0.99.
+/// interval must reach the rate. This needs more runs: 381 without a failure for 0.99.
 constexpr MinimumRate surely_at_least(double rate) { return {rate, true}; }
 
 /// Runs a trial to its verdict with each of the seeds. Passes if at least this share of the runs reaches the
