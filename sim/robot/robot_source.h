@@ -1,5 +1,5 @@
 // A robot file merged with its bases, as one tree. The derived file overrides its base key by key in
-// [chassis], [motors], [driver], [budget] and [electronics], and overrides parts by name.
+// [chassis], [motors], [driver], [budget] and [electronics]. It overrides parts by name.
 #pragma once
 
 #include <filesystem>
@@ -26,8 +26,8 @@ std::string bytes_of(const RobotSource& source);
 /// Returns "uno5.toml:12"; for a place in a base "uno5.toml:12, which my.toml:1 extends".
 std::string place_text(const RobotSource& source, const Place& place);
 
-/// Reads a robot with its bases. Throws InputError for text that is not TOML, for a missing base, for an
-/// unknown part in `remove`, and for more than 8 bases.
+/// Reads a robot with its bases. Throws InputError for text that is not TOML, a missing base, an unknown part
+/// in `remove`, or more than 8 bases.
 RobotSource read_source(std::string_view text, const std::filesystem::path& file);
 
 /// Returns the text of a key in a table; empty if the table has no such text.

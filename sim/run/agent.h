@@ -37,7 +37,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   };
 
   /// Throws InputError if the set-up is invalid. `number` counts from 0. It is the agent's place in the order
-  /// in which agents act, and part of the address of its noise.
+  /// in which agents act, and selects its noise streams.
   Agent(const AgentSetup& own, const Stage& stage, int number);
   Agent(const Agent&) = delete;
   Agent& operator=(const Agent&) = delete;

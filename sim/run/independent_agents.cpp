@@ -7,12 +7,12 @@
 namespace robosim::run {
 namespace {
 
-constexpr SimTime kTurn = 5 * kRestSpan;  // an upper limit, so that robots need not be far apart
+constexpr SimTime kTurn = 5 * kRestSpan;  // limits a turn, so that robots need not be far apart
 
 }  // namespace
 
-// Returns the time until which robots that are apart may run independently, starting at `t`; `t` if they may
-// not. Until then no script acts, and no observer needs all robots at the same time.
+// Returns the time until which robots that are apart may run independently, starting at `t`. Returns `t` if
+// they may not. Until then no script acts, and no observer needs all robots at the same time.
 SimTime Simulation::Impl::turns_end(SimTime t, SimTime end) const {
   if (wants_to_stop()) return t;
   SimTime until = std::min(end, t - t % kTurn + kTurn);

@@ -1,13 +1,13 @@
 // A simulation consists of a clock, a world and agents: robots, each with its own firmware, script, goal and
-// verdict. Only this class keeps firmware and world in lockstep.
+// verdict. Only the class Simulation keeps firmware and world in lockstep.
 //
 // A tick is [t, t+1 ms):
 //   1. The scenario acts at t, and parts schedule their pin edges from the state at t.
 //   2. Firmware runs to t+1 ms; its reads inside the tick are extrapolated from the state at t.
 //   3. Each motor's command becomes the time average of its pins over the tick.
 //   4. The world integrates to t+1 ms; then goal and judge examine it.
-// All agents perform a step, in the order of their numbers, before the next step begins. An effect of one
-// agent on another in a tick is therefore visible in the next tick.
+// All agents perform a step, in the order of their numbers, before the next step begins. An agent's effect on
+// another agent therefore becomes visible in the next tick.
 //
 // A robot that is too far from all others to affect them runs several ticks in one turn. The result is the
 // same, and the processor's caches are used better. The order of turns is the same for every executor, and

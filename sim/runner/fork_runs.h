@@ -15,7 +15,7 @@ namespace robosim::runner {
 
 /// Runs the ways of the request one after the other, in order. The request must have ways. `in_copy` is
 /// called first in each copy; if it is empty, this process cannot be copied, because host firmware is
-/// confined. Each way writes its counters if the request asks for them. Throws InputError if the run
+/// confined. Each way writes its line counters if the request asks for them. Throws InputError if the run
 /// cannot branch, or a way's script is invalid.
 wire::RunResult run_all_branches(RequestedRun& run, const wire::RunRequest& request,
                                  const std::function<void()>& in_copy);

@@ -12,9 +12,9 @@
 
 namespace robosim::runner {
 
-/// Firmware that takes longer for one tick (usually a microsecond for each robot), or for loading, will never
-/// finish. Either it loops in code that is not instrumented, such as a library function with an unterminated
-/// string, or it sleeps.
+/// Firmware that exceeds one of these limits in a tick (usually a microsecond for each robot), or in loading,
+/// never finishes. Either it loops in code that is not instrumented, such as a library function with an
+/// unterminated string, or it sleeps.
 constexpr int kLongestTick_s = 5;    ///< processor time
 constexpr int kLongestSleep_s = 30;  ///< wall time with almost no processor time
 /// A whole run may take this processor time after loading its firmware, in addition to the simulated time.

@@ -4,8 +4,8 @@
 //   - The decisive moment of the verdict is repeated, and each instruction recorded (exec::CauseFinder).
 //   - If the causes include bytes that were written long before, the run is repeated in the same way between
 //     two snapshots: the last two between which any of these bytes changed.
-//   - The lines found become links: one for each file, one for everything that was read, and one for
-//     everything that was set long before.
+//   - The lines found become links of a chain: one for each file, one for everything that was read, and one
+//     for everything that was set long before.
 #pragma once
 
 #include <map>

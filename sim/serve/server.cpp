@@ -162,8 +162,7 @@ struct Server::Impl {
         deadline(port, settings.deadline, too_slow(settings.deadline)) {
     http.new_task_queue = [this] { return new Threads(deadline); };
     // The library does not read the body of a refused request, and would treat this body as the next request.
-    // A page of another site could therefore put a request into a body, with headers that the page may not
-    // send itself.
+    // So another site's page could put a request into a body, with headers that the page itself may not send.
     http.set_keep_alive_max_count(1);
     http.set_logger([this](const Request& request, const Response&) {
       if (request.body.empty() && has_body(request)) deadline.read_away();

@@ -30,8 +30,8 @@ std::map<std::string, std::vector<std::unique_ptr<client::Runner>>>& idle_runner
 
 bool is_text(const std::string& value) { return value.find('\n') != std::string::npos; }
 
-/// Returns the argument unchanged if it is a name or path. Otherwise writes the text to a file in the folder
-/// `scratch`, which it creates if necessary, and returns the file's path.
+/// Returns the argument unchanged if it is a name or path. Otherwise writes the text to a file in `scratch`,
+/// and returns the file's path. Creates the folder `scratch` if necessary.
 std::string name_of(const std::string& name_or_text, const std::string& file, fs::path& scratch) {
   if (!is_text(name_or_text)) return name_or_text;
   if (scratch.empty()) {

@@ -87,9 +87,9 @@ void Body::advance(double dt) {
   distance_ += (u_ == 0.0 ? std::fabs(v_) : std::sqrt(v_ * v_ + u_ * u_)) * dt;
 }
 
-// Both wheels roll: (mass_own + inertia + drag) speed_i + mass_cross speed_j = impulse_i - friction_i, where
-// friction holds a wheel or opposes its turning. The solution is the unique minimum of a convex function, and
-// is found by coordinate descent.
+// Solves for the speeds of two rolling wheels: (mass_own + inertia + drag) speed_i + mass_cross speed_j =
+// impulse_i - friction_i, where friction holds a wheel or opposes its turning. The solution is the unique
+// minimum of a convex function, and is found by coordinate descent.
 void Body::solve_friction(double* speed, const double* impulse, const double* friction,
                           const Motor* m) const {
   const double own[2] = {mass_own_ + unit_[left].inertia + m[left].drag,

@@ -1,6 +1,6 @@
 // type = "current-sensor": an ACS712 in the motors' supply. It measures the motors' current from the battery.
 //
-//   V = half the supply + `per_amp` i, at most the supply; i = mean of the last millisecond
+//   V = half the supply + `per_amp` i, at most the supply; i = mean current in the last tick, A
 //
 // Source: Allegro's ACS712 data sheet: 185 mV per ampere (5 A type), 100 (20 A), 66 (30 A) at 5 V; noise of
 // 21 mV peak to peak (5 A type), about 4 mV rms. The board's own current is not included.

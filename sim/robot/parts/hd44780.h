@@ -1,5 +1,5 @@
 // The HD44780U, the controller of character displays (Hitachi data sheet ADE-207-272). A display part
-// contains it, and calls write() on each falling edge of E, a wire from a pin or from a port expander.
+// contains it, and calls write() on each falling edge of E. E is wired to a pin, or to a port expander.
 //
 //   instruction or data   4 or 8 bits, by "function set"; with 4 bits, the high half first
 //   busy                  1.52 ms after clear and home, 37 us after any other (270 kHz); writes meanwhile are

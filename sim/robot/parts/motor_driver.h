@@ -29,8 +29,8 @@ struct BridgeInputs {
 };
 
 /// Returns the motor command for these inputs. Assumes that the inputs' PWM is in phase, as for pins of one
-/// timer: each input is high from the start of the period. By the chip's table, let f, r and s be the shares
-/// of time for which the chip drives the motor forward, drives it in reverse, and shorts it:
+/// timer: each input is high from the start of the period. Let f, r and s be the shares of time for which the
+/// chip's table says forward, reverse and shorted:
 ///   drive = f - r,  brake = s + 2 min(f, r),  against = min(f, r)
 /// Equal forward and reverse shares hold the motor at 0 V, which brakes it.
 inline world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs);

@@ -98,8 +98,8 @@ Requirement Reaches(std::string goal);
 /// Requires that the run ended with this verdict: "lost".
 Requirement EndsAs(std::string verdict);
 
-/// The next two require that the run ended with a score of at least, or at most, `value`, in seconds or
-/// points.
+/// ScoresAtLeast() requires that the run ended with a score of at least `value`; ScoresAtMost(), of at most
+/// `value`. The unit is seconds or points.
 Requirement ScoresAtLeast(double value);
 Requirement ScoresAtMost(double value);
 
