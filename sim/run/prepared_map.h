@@ -1,5 +1,5 @@
-// The initial state of simulations on a map, which does not depend on their seed. A process that forks for
-// each run builds this state first, so that all forks share it.
+// The initial state of simulations on a map. It does not depend on their seeds. A process that forks for each
+// run builds this state first, so that all forks share it.
 #pragma once
 
 #include <cstddef>

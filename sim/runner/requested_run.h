@@ -65,8 +65,8 @@ class RequestedRun {
 
   /// Returns the executor of robot `number`.
   exec::Executor& executor(std::size_t number = 0) { return *members_[number].executor; }
-  /// Lets `server` halt the first robot's chip, and go back if that is possible. `server` outlives this
-  /// object.
+  /// Lets `server` halt the first robot's chip, and run it in reverse if that is possible. `server` outlives
+  /// this object.
   void debug_with(exec::gdb::Server& server);
   /// Returns the set-up, for settings outside the request, such as the controller of the run.
   run::Setup& setup() { return setup_; }

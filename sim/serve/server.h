@@ -1,7 +1,7 @@
 // `robosim serve`: serves the page for a folder by HTTP.
 //
 //   GET  /                    the page; /bench.css, /bench.js, /watch.js, /editor.js
-//   GET  /api/folder          the choices
+//   GET  /api/folder          the choices: sketches, robots and maps (folder.h)
 //   POST /api/run             runs a request; the answer is a line of JSON for each piece of output,
 //                             {"say": "…"}, and at its end {"done": {"status", "recording", "sentence"}}
 //   GET  /recording/N.html    the page of run N (docs/reference/recordings.md)
@@ -12,7 +12,7 @@
 //   POST /api/map             {"name"}: a map's text
 //   POST /api/floor           {"text"}: the floor of a map's text, or its error
 //   POST /api/file            {"name", "text", "replace"}: writes a sketch, robot or map (file_store.h)
-//   GET  /live.html           the page of a run, empty
+//   GET  /live.html           the page of a run, without the run's data
 #pragma once
 
 #include <chrono>

@@ -7,8 +7,8 @@
 
 namespace robosim::wire {
 
-/// Parses like nlohmann::json::parse. The result is discarded if `text` is not JSON or exceeds
-/// sim/base/json_limits.h.
+/// Parses like nlohmann::json::parse. Returns a discarded value if `text` is not JSON or exceeds the limits
+/// in sim/base/json_limits.h.
 nlohmann::json parsed_json(std::string_view text);
 
 }  // namespace robosim::wire

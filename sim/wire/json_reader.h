@@ -108,7 +108,7 @@ class JsonReader {
     return found == object_.end() ? nullptr : &*found;
   }
 
-  /// Throws BadValue for unknown keys. If there are choices, requires exactly one.
+  /// Throws BadValue for unknown keys. If choice() was called, requires exactly one of its keys.
   void finish() const;
 
   template <class T>

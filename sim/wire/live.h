@@ -1,5 +1,5 @@
-// Defines the requests to a run in step with the wall clock (`robosim run --live`), allowed at any time. Such
-// a run answers like a run that is driven step by step (driven.h).
+// Defines the requests that a run in step with the wall clock (`robosim run --live`) accepts at any time.
+// Such a run answers like a run that is driven step by step (driven.h).
 #pragma once
 
 #include <cstdint>

@@ -8,8 +8,8 @@
 //   s         the share of light that remains at this height
 //   v         brightness of the floor at this place (world::Floor::brightness)
 //   ambient   stray light
-//   x L       ambient light L, and the exposure x at this height (world/lighting.h)
-//   n         the share of the noise that remains over black
+//   x L       ambient light L, times the exposure x at this height (world/lighting.h)
+//   n         factor of the noise: 1 over white, less over black
 //   g         standard normal, a new sample for every read
 //
 // From the profile typical@2 on:
@@ -21,7 +21,7 @@
 //
 // A phototransistor is slow. With `rise`, its time from 10 to 90 %, the lag is
 //   tau = rise / ln 9
-// The reading follows the floor with this lag, which is exact for light that changes linearly. After the
+// The reading follows the floor with a delay of tau. This is exact for light that changes linearly. After the
 // emitter is switched, the reading approaches its new value exponentially.
 //
 // The output depends on `read`:

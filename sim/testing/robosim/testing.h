@@ -1,4 +1,4 @@
-// Provides tests of line-follower firmware that read like requirements: docs/howto/testing.md.
+// Provides tests that read like requirements, for line-follower firmware: docs/howto/testing.md.
 //
 //   #include <robosim/testing.h>
 //   using namespace robosim::testing;
