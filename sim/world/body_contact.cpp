@@ -8,8 +8,8 @@ namespace robosim::world {
 
 namespace {
 
-constexpr int kContactRounds = 4;  // in a corner, two walls alternate
-constexpr double kAhead = 0.5;     // cosine of 60 degrees
+constexpr int kContactRounds = 4;  // a push out of one wall of a corner may lead into the other wall
+constexpr double kAhead = 0.5;     // cosine of 60 degrees; a wall within this angle is ahead
 
 }  // namespace
 
@@ -42,8 +42,8 @@ void Body::collide(const Walls& walls) {
   grip_after_contact();
 }
 
-// Moves the body out of an overlap. Limits its approach so that it at most closes the gap within a tick.
-// `moved` is the body's movement since the contact was found.
+// Moves the body out of an overlap. Limits the body's approach so that at most the remaining gap closes
+// within a tick. `moved` is the body's movement since the contact was found.
 bool Body::push_out(const Contact& contact, Vec2 moved) {
   if (contact.embedded) {
     v_ = u_ = omega_ = surface_[0] = surface_[1] = 0.0;
@@ -82,8 +82,8 @@ void Body::set_velocity(Vec2 velocity) {
   u_ = side_free_ = bounded(dot(velocity, left_of(pose_.heading)), kMaxSpeed);
 }
 
-// Slows the treads after a contact. The wall has stopped the body, and the floor stops the treads within its
-// grip. The wall takes up the treads' push on the body.
+// Adapts the treads' speeds to the body's speed after a contact, as far as the floor's grip allows in one
+// tick. Ignores the treads' push on the body, because the wall takes it up.
 void Body::grip_after_contact() {
   const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};
   for (int i = 0; i < 2; ++i) {

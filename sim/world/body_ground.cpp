@@ -1,38 +1,42 @@
 // Simulates a body on hills and surfaces, and on wheels whose loads shift.
 //
-// The weight m g is shared: load_share on the axle, half on each wheel, the rest on the caster, at caster_m =
-// c. Each wheel and the caster stand at their own height (ground.h). Gravity therefore pulls with
+// The axle carries load_share of the weight m g, half on each wheel. The caster, at caster_m = c from the
+// axle, carries the rest. Each wheel and the caster stand at their own height, whose gradient is `rise`
+// (ground.h). Gravity therefore pulls with
 //   force  = - m g (load_share (rise_left + rise_right) / 2 + (1 - load_share) rise_caster)
-//   torque = the same forces, each with its arm about the axle's centre
-// Both change the velocities before motors, friction and grip do. The weight that presses on the floor is m g
-// cos, where cos is the cosine of the body's lean. Rolling resistance and grip depend on this weight and on
-// the surface under each wheel.
+//   torque = sum of these forces, each times its arm about the axle's centre
+// Force and torque change the velocities before motors, friction and grip do. The weight that presses on the
+// floor is m g cos, where cos is the cosine of the body's lean. Rolling resistance and grip depend on this
+// weight and on the surface under each wheel.
 //
-// With centre_height_m = h, loads shift with the acceleration a (the mean of this tick's acceleration and the
-// previous a) and with the slope:
+// With centre_height_m = h, the loads N shift with the slope (pitch and roll are sines) and with the
+// acceleration a. Here a is the mean of this tick's acceleration and the previous a:
 //   N_caster = (1 - load_share) m g cos - m (g pitch + a) h / c      N_axle = m g cos - N_caster
 //   N_right - N_left = 2 m (g roll + v omega) h / track              at most N_axle
 // If N_caster is negative, the caster leaves the floor and the body turns about its axle. If a wheel's load
 // is negative, the body turns about the line from the other wheel to the caster. The force across that line
-// is f = m g sine + m a. With the mass at the distance d from the line, and the tip angle phi,
+// is f = m g sine + m a, with the slope's sine in the force's direction. With the mass at the distance d from
+// the line, and the tip angle phi,
 //   I d2 phi / dt2 = f (h cos phi + d sin phi) - m g cos (d cos phi - h sin phi)
 //   I = m (h^2 + d^2 + bound_radius^2 / 4)
-// Beyond 45 degrees the body has toppled. At rest, it therefore tips where tan(slope) > d / h.
+// A body at rest therefore tips where tan(slope) > d / h. Beyond phi = 45 degrees the body has toppled.
 //
-// If the caster is at the back, a step or the foot of a slope may be steeper than the chassis. The floor then
-// pushes at a wheel's hub and not at its tread. The speed lost by impact and slope acts with the arm h - r,
-// at least 0, instead of h. A robot therefore does not trip over a step if its mass is no higher than its
-// hubs.
+// If the caster is at the back, the path under the wheels may be steeper than the chassis: at a step, or at
+// the foot of a slope. The floor then pushes at a wheel's hub and not at its tread. The force of impact and
+// slope then has the arm max(h - r, 0), not h; r is the wheel's radius. A robot therefore does not trip over
+// a step if its centre of mass is no higher than its hubs.
 //
-// If the slope under a wheel increases from k_0 to k_1, v is reduced by (1 - cos) times the wheel's share of
-// the mass. cos is the cosine of the angle between both slopes. If the wheel lands from k_0 < 0, its share of
-// v^2 falls by no more than the gain during the fall: 2 g r (1 - 1 / sqrt(1 + k_0^2)).
+// If the slope under a wheel increases from k_0 to k_1, v falls by the fraction (1 - cos) share; share is the
+// wheel's share of the mass. Here cos is the cosine of the angle between both slopes. If k_0 < 0, the wheel
+// lands after a fall. v^2 then falls at most by the wheel's share of the gain during that fall:
+//   2 g r (1 - 1 / sqrt(1 + k_0^2))
 //
-// At a gap between boards, each wheel and the caster lose their share of the energy at once (floor_gaps.h). A
-// gap pulls the wheel down while the wheel is inside.
+// At the far edge of a gap between boards, each wheel and the caster lose kinetic energy in one tick
+// (floor_gaps.h). Inside a gap, gravity acts along the slope of the wheel's path.
 //
-// The body has also toppled if the ground under a wheel drops at once by more than the wheel's radius. Ground
-// that rises by more than three times a wheel's movement is a face: the body stops there, as at a wall.
+// The body has also toppled if the ground under a wheel drops within a tick by more than the wheel's radius.
+// Ground that rises within a tick by more than three times a wheel's movement counts as a face: the body
+// stops there, as at a wall.
 //
 // Not modelled: a step's upward push on the axle, which holds the caster down; the lift of a front caster by
 // the motors at a step; a tip about the caster (the wheels lose their grip instead); a chassis that sits on a
@@ -51,13 +55,13 @@ namespace {
 
 constexpr double kMostSine = 0.99;
 constexpr double kToppled = 0.78539816339744831;       // rad: 45 degrees
-constexpr double kNoWay = 1e-6;                        // m
+constexpr double kNoWay = 1e-6;                        // m: a shorter movement has no direction
 constexpr double kFaceSlope = 3.0, kFaceLeast = 1e-4;  // m per m of movement, and m
 
 }  // namespace
 
-// Sets the body's stance. Returns false if the body topples or has run into a face. A face moves the body
-// back to `before`.
+// Computes `stance_`: heights, lean and loads of the wheels. Returns false if the body topples or has run
+// into a face. At a face, moves the body back to `before`.
 bool Body::stand(Ground* ground, const Pose& before, double travel) {
   Vec2 at[3], rises[3];
   const Stance last = stance_;
@@ -92,7 +96,7 @@ bool Body::stand(Ground* ground, const Pose& before, double travel) {
   return true;
 }
 
-// Returns the share of the weight on foot `i`, as the chassis distributes it.
+// Returns the share of the weight that foot `i` (a wheel or the caster) carries on a plane floor.
 double Body::share_on(int i) const { return i < 2 ? 0.5 * params_.load_share : 1.0 - params_.load_share; }
 
 FloorGaps::Roller Body::roller(int i) const {
@@ -101,7 +105,7 @@ FloorGaps::Roller Body::roller(int i) const {
 
 double Body::foot_radius(int i) const { return i < 2 ? params_.wheel[i].radius_m : params_.caster_radius_m; }
 
-// Returns the share of a push at the foot's hub that shifts no load.
+// Returns the share of a push at the foot's hub that shifts no load: 0 if the caster is in front of the axle.
 double Body::hub_share(int i) const {
   if (params_.caster_m > 0.0) return 0.0;
   const double h = params_.centre_height_m, radius = foot_radius(i);
@@ -128,8 +132,8 @@ void Body::find_footing(const Ground* ground, Vec2* at, Vec2* rises) {
     stance_.sunk[i] = ground ? ground->joints().sunk(at[i], roller(i)).depth : 0.0;
     stance_.height[i] = footing.height - stance_.sunk[i];
     rises[i] = footing.rise;
-    // On a slope, a large wheel's axle rises more than a small one's. The chassis follows the slope, so this
-    // uses a ball's height.
+    // On a slope, the axle of a large wheel rises more than that of a small wheel. The chassis follows the
+    // slope itself, so its height is computed with the caster's radius.
     chassis[i] = footing.height > 0.0 && i < 2 ? ground->under_ball(at[i], params_.caster_radius_m).height
                                                : footing.height;
     chassis[i] -= stance_.sunk[i];
@@ -165,8 +169,8 @@ void Body::bump(const Vec2* before, const Vec2* rises) {
   }
 }
 
-// Removes a wheel's share of the energy when the wheel meets the far edge of a gap. Sets the slope within a
-// gap so that gravity's work equals the difference of the heights, for any number of ticks.
+// Removes kinetic energy when a wheel or the caster meets the far edge of a gap. Sets the slope within a gap
+// so that gravity's work does not depend on the number of ticks: it equals the change of potential energy.
 void Body::jolt(const FloorGaps& joints, const Pose& before, const Stance& last, const Vec2* at,
                 Vec2* rises) {
   const Vec2 from[3] = {before.to_world({0.0, half_track_}), before.to_world({0.0, -half_track_}),
@@ -244,8 +248,9 @@ void Body::share_load(Ground* ground, const Vec2* at) {
   for (int i = 0; i < 3; ++i) ground->press(at[i], load[i] / kGravity, load[i]);
 }
 
-// Advances a tip about one axis. `push` is the acceleration across that axis, m/s2; `arm` is the distance
-// from the axis to the centre of mass, m.
+// Advances the tip angle by a tick, about the axle (`which` = 0) or about the line from a wheel to the caster
+// (1). `push` is the acceleration across that axis, m/s2; `arm` is the distance from the axis to the centre
+// of mass, m.
 void Body::tip(int which, double push, double arm) {
   const double h = params_.centre_height_m;
   double &angle = stance_.tip[which], &rate = stance_.tip_rate[which];

@@ -10,7 +10,7 @@ namespace robosim::world {
 
 namespace {
 
-// N s per tick: friction that no motor overcomes.
+// Friction of a blocked wheel, N s per tick: no motor overcomes it.
 constexpr double kHeld = 1e6;
 
 double torque_per_ampere(const WheelParams& w) {
@@ -157,7 +157,7 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
     bound_centre_ = (low + high) * 0.5;
     for (const Vec2 p : params_.outline) bound_radius_ = std::max(bound_radius_, length(p - bound_centre_));
   }
-  constexpr double kCurve = 1.02;  // for the polynomials of pose_after()
+  constexpr double kCurve = 1.02;  // margin for the error of the polynomials in pose_after()
   way_per_travel_ = kCurve * std::max(1.0, length(bound_centre_) / bound_radius_);
   roller_.mass = m;
   for (const Side side : {left, right}) set_roller(side);
@@ -171,7 +171,7 @@ Body::Body(const BodyParams& params, const Pose& pose) : pose_(pose), params_(pa
       !winds_ && !(params_.centre_height_m > 0.0) && !(params_.steer_base_m > 0.0) && !(scrub_rolling_ > 0.0);
 }
 
-// Updates the values of `roller_` that depend on a command.
+// Updates the values of `roller_` that depend on the motor's command.
 void Body::tell_roller(Side side) {
   const Unit& unit = unit_[side];
   const double drives = std::fabs(unit.drive);

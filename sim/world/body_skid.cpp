@@ -2,18 +2,19 @@
 // driven together.
 //
 // L is the wheelbase on each side, B the track between the sides, mu the grip. All four wheels carry the same
-// load. While the body turns at omega, each wheel slides sideways at omega L / 2. Lengthwise, it slides at s,
-// the difference between tread speed and ground speed. The tyre's force is mu N against the slide. The
-// balance of moments about the body's middle gives
-//   s = omega L^2 / (2 B)      so that treads at r w turn the body as if they were farther apart:
+// load N. While the body turns at omega, each wheel slides sideways at omega L / 2. Lengthwise, the wheel
+// slides at s, the difference between tread speed and ground speed. The tyre's force is mu N against the
+// slide. The balance of moments about the body's middle gives
+//   s = omega L^2 / (2 B)
+// Wheels of radius r that turn at the rates w and -w therefore turn the body as if their track were
 //   B_eff = 2 r w / omega = B + L^2 / B
 // at any grip and speed. The moment of the ground against the turn is
 //   M = mu m g (L / 2) / sqrt(1 + (L / B)^2)
-// A body with wheelbase_m > 0 is computed like a body with track B_eff. Its moment of inertia and M are
-// multiplied by B_eff / B: the motors' moment and M then have the effect described above. For evenly loaded
-// tracks of length l, L is l / sqrt(3), which has the same mean square.
+// A body with wheelbase_m > 0 is computed like a body with track B_eff. The motors' forces then have the arm
+// B_eff / 2 instead of B / 2. Moment of inertia and M are therefore multiplied by B_eff / B, too. For evenly
+// loaded tracks of length l, L is l / sqrt(3), which has the same mean square.
 //
-// Source: Coulomb's law at each tyre. No published measurement of B_eff was found, at any speed. Not
+// Source: Coulomb's law at each tyre. No published measurement of B_eff was found, for any speed. Not
 // modelled: sideways forces in fast bends, which change M; a centre of mass away from the middle of the
 // wheels.
 #include <algorithm>
@@ -43,7 +44,7 @@ void Body::set_scrub() {
   scrub_slipping_ = moment * kDt * per_inertia_;
 }
 
-// Reduces the turn by the tyres' sideways slide, after motors and grip.
+// Slows the turn by M, the moment of the sliding tyres. Call after motors and grip have been applied.
 void Body::scrub() {
   const double less = slips_ ? scrub_slipping_ : scrub_rolling_;
   const double turn = omega_ > 0.0 ? std::max(omega_ - less, 0.0) : std::min(omega_ + less, 0.0);

@@ -8,17 +8,17 @@
 // The driven wheels, B apart, roll at r_left v and r_right v, with r = 1 -+ k B / 2. A car's two steered
 // wheels are B apart, too. The inner one is turned more than delta and the outer one less:
 //   cot inner = cot delta - B / (2 L),  cot outer = cot delta + B / (2 L)
-// Body, wheels and motors then have one degree of freedom:
+// Body, wheels (moments of inertia J_i) and motors then have one degree of freedom:
 //   (m + I k^2 + sum r_i^2 J_i / radius^2) dv/dt = sum r_i (motor_i - friction_i)
 // A change of delta keeps the momentum m v + I k omega. With a differential, one motor gives both wheels the
 // same torque and turns at the mean of their speeds. Otherwise each motor turns with its own wheel.
 //
-// For this motion the steered wheels push across their own direction with
+// During this motion the steered wheels push across their own direction with the force
 //   P = (I domega/dt - (F_right - F_left) B / 2) / (L cos delta) + (1 - load_share) m v omega
-// up to grip (1 - load_share) m g. If they would have to push harder, they slide, and the body runs wide.
-// That limited force and the driven wheels then determine its turn. In a steady bend, therefore, v^2 k <=
-// grip g. Driven wheels slip and skid as in body.h; the steered wheels carry their share of the sideways
-// force.
+// where F are the driven wheels' forces. P is at most grip (1 - load_share) m g. If the motion needs a larger
+// P, the steered wheels slide, and the body runs wide. The limited P and the driven wheels then determine the
+// turn. In a steady bend, therefore, v^2 k <= grip g. Driven wheels slip and skid as in body.h; the steered
+// wheels carry their share of the sideways force.
 //
 // Source: geometry and Newton's law. Not modelled: spinning out (the tail slides, but does not turn the body
 // faster), the steered wheels' inertia and the servo's load while turning them, linkages that miss
@@ -39,7 +39,8 @@ constexpr double kMostSteered = 1.4;  // rad
 
 double steered_middle(double inner, double track, double steer_base) {
   const Vec2 turn = direction_of(inner);
-  // The wheel is track / 2 to the side of the middle, and its axle points to the same centre.
+  // The inner wheel is track / 2 to the side of the middle. Its axle points to the same centre as a middle
+  // wheel's.
   return angle_of({turn.x + std::fabs(turn.y) * track / (2.0 * steer_base), turn.y});
 }
 
@@ -52,7 +53,8 @@ void Body::steer(double angle) {
   curvature_ = turn.y / (turn.x * params_.steer_base_m);
 }
 
-// Applies motors and grip of a tick. If a tyre slips, the steered wheels contribute only their push.
+// Applies motors and grip for a tick. If a tyre slips, applies the steered wheels' push, then calls
+// accelerate() for the driven wheels.
 void Body::accelerate_steered() {
   const double ratio[2] = {1.0 - curvature_ * half_track_, 1.0 + curvature_ * half_track_};
   Motor m[2] = {motor(left), motor(right)};
@@ -74,7 +76,8 @@ void Body::accelerate_steered() {
   speed = bounded(speed, kMaxSpeed);
   double turn = bounded(curvature_ * speed, kMaxTurn);
 
-  // Impulses, N s: of the tyres on the ground, and of the steered wheels across their direction.
+  // Impulses, N s: `traction` of the driven tyres on the ground; `push` of the steered wheels across their
+  // direction.
   double traction[2];
   for (const int i : {0, 1}) {
     const double tread = ratio[i] * speed, given = m[i].push - m[i].drag * turning[i] * speed;

@@ -12,11 +12,12 @@
 // V_d is a diode's voltage drop (driver_diode_volts). The order of the parts is: forward, shorted, backward,
 // open. Here "forward" is the command's direction.
 //
-// A motor that is turned by its wheel delivers at most the energy that the wheel loses. Its torque against
-// the motion is then k_e per ampere if that exceeds k_t. k_t includes the gear's losses during driving.
+// A motor that is turned by its wheel delivers at most the energy that the wheel loses. Its torque per
+// ampere, against the motion, is therefore k_e if k_e exceeds k_t. Unlike k_e, k_t
+// includes the gear's losses during driving.
 //
-// Torque and the supply's current are linearised about the speed at the tick's beginning. The step is
-// therefore implicit, as for the motors in body.h.
+// Torque and the supply's current are linearised about the speed at the tick's beginning. The step can
+// therefore be implicit, as for the motors in body.h.
 #include <algorithm>
 
 #include "sim/base/exponential.h"

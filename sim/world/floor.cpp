@@ -13,8 +13,9 @@ constexpr double kUsualFootprint = 0.016;
 
 constexpr double kPatch = 0.010;  // m between the sample points of a floor's brightness
 
-// Numbers of Floor's kinds. 0 is a cell without a line. Painted cells follow, each arm 0 (none), 1 (whole) or
-// 2 (shortened). Gaps are last, each arm 0 (none) or 1 (whole).
+// Numbers of kinds of cells (Floor::Kind). 0 is a cell without a line. Painted cells follow; each of their
+// four arms is 0 (none), 1 (whole) or 2 (shortened). Cells in a gap of the line are last; each arm is 0
+// (none) or 1 (whole).
 constexpr int kFirstPainted = 1, kFirstGap = 82;
 
 }  // namespace
@@ -60,7 +61,8 @@ void Floor::index_with_marks(const grid::Map& map) {
   marked_ = true;
 }
 
-// Reads stripes cell by cell, like grid::Stripes. Shortens painted stripes by line/2 next to a gap.
+// Reads stripes cell by cell, like grid::Stripes. Next to a gap, shortens painted stripes by half the line's
+// width.
 void Floor::read_stripes(const grid::Map& map) {
   const double whole = 0.5 * cell_;
   const double shortened = whole - std::min(half_line_, 0.45 * cell_);
@@ -162,8 +164,8 @@ double Floor::drawn_darkness(Vec2 p, double footprint_m, Band band) const {
   return 1.0 - areas_.over(back, true, band, p, footprint);
 }
 
-// Returns a brightness that is random at the points of a lattice and smooth in between. The mean standard
-// deviation in between is 26/35 of the value at the points.
+// Returns a brightness that is random at the points of a lattice and smooth in between. In between, the
+// standard deviation is on average 26/35 of the value at the points.
 double Floor::patch_brightness(Vec2 p) const {
   const double u = p.x * (1.0 / kPatch), v = p.y * (1.0 / kPatch);
   const double column = std::floor(u), row = std::floor(v);
@@ -195,8 +197,7 @@ double Floor::square_in(int column, int row, Vec2 p, bool painted_only) const {
   return arms.square(p.x - (column + 0.5) * cell_, p.y - (row + 0.5) * cell_);
 }
 
-// Searches ring by ring about the point's cell. Anything outside the cells up to ring k is at least k cells
-// away.
+// Searches ring by ring about the point's cell. Anything outside ring k is at least k cells away.
 double Floor::search(Vec2 p, bool painted_only) const {
   const auto cell_of = [this](double x, double most) {
     return static_cast<int>(
@@ -232,9 +233,10 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
   return ramp(nearest, reach, footprint);
 }
 
-// Finds the nearest stripe. The result is valid in the point's cell, and for a small `reach` also around that
-// cell. Stripes that the cell does not list are at least stripes_reach_ away from it. They stay farther away
-// than `reach` within stripes_reach_ - reach of the cell. A cell at the map's edge gets no such margin.
+// Finds the nearest stripe. The result is valid in the point's cell. If `reach` is smaller than
+// stripes_reach_, the result is also valid in a margin of stripes_reach_ - reach around the cell. Stripes
+// that the cell does not list are at least stripes_reach_ away from the cell, thus `reach` from the margin. A
+// cell at the map's edge has no margin.
 double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) const {
   constexpr double kRounding = 1e-9;  // m
   found = {};
@@ -297,7 +299,7 @@ double Floor::coverage_raster(Vec2 p, double footprint) const {
     return south * ((quad & 1 ? west : 0.0) + (quad & 2 ? east : 0.0)) +
            north * ((quad & 4 ? west : 0.0) + (quad & 8 ? east : 0.0));
   }
-  // Sums the overlaps with all cells: the footprint is wider than a cell. The map begins at u = v = 1.
+  // The footprint is wider than a cell: sums its overlaps with all cells. The map begins at u = v = 1.
   const auto first = [](double low) { return static_cast<int>(std::max(std::floor(low) - 1.0, 0.0)); };
   const auto last = [](double high, double most) {
     return static_cast<int>(std::min(std::ceil(high) - 1.0, most));

@@ -43,8 +43,8 @@ class Floor {
   /// The map must outlive the floor.
   explicit Floor(const grid::Map& map);
 
-  /// Returns the share of a sensor's footprint that lies on painted line, 0..1. `footprint_m` is f, the
-  /// footprint's width: the side of a square, or a disc of the same area (diameter 1.13 f).
+  /// Returns the share of a sensor's footprint that lies on painted line, 0..1. `footprint_m` is f: the side
+  /// of a square footprint, or of the square that has the same area as a disc (diameter 1.13 f).
   ///   clamp((line/2 + f/2 - d) / f, 0, min(1, line/f)),  d = distance to the nearest painted centre line
   /// The result is exact for a square on a parallel stripe, and within 0.026 for a disc on an edge. On a
   /// raster floor it is the exact share of a square of side f.
@@ -53,14 +53,13 @@ class Floor {
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
 
-  /// Cached variant: pass the same `last` and footprint on every call. The same applies to the functions
-  /// below with `last`.
+  /// Cached variant: pass the same `last` and footprint on every call, also to the functions below.
   double coverage(Vec2 p, double footprint_m, NearStripe& last) const {
     const double drawn = drawn_coverage(p, footprint_m, last);
     return patches_.empty() ? drawn : patches_.over(drawn, 1.0, 0.0, p, footprint_m);
   }
 
-  /// Returns the share on the line as people see the line: a segment wider than the map's line counts with
+  /// Returns the share of the footprint on the visible line: a segment wider than the map's line counts with
   /// its full width.
   double on_line(Vec2 p, double footprint_m) const {
     NearStripe unknown;
@@ -73,11 +72,12 @@ class Floor {
   }
 
   /// Returns how dark a footprint appears to a reflectance sensor: 0 is white paper, 1 black. The value is
-  /// negative where more light returns than from paper. For a picture it is the mean darkness. On a floor
-  /// with lines only, it is the dark share of the footprint: the share on a dark line, or off a light line.
+  /// negative where more light returns than from paper. On a floor with an image, it is the image's mean
+  /// darkness. On a floor with lines only, it is the dark share of the footprint: the share on a dark line,
+  /// or off a light line.
   ///
-  /// Marks are painted like the line. Areas lie under lines and marks, or over them, in their order
-  /// (grid::Area). PaintedLines covers lines of other widths and colours, wear and gloss.
+  /// Marks are painted like the line. Each area lies under or over lines and marks, and later areas cover
+  /// earlier ones (grid::Area). PaintedLines computes lines of other widths and colours, wear and gloss.
   double darkness(Vec2 p, double footprint_m) const {
     if (plain_) {
       const double painted = drawn_coverage(p, footprint_m);
@@ -175,17 +175,17 @@ class Floor {
   /// Returns the coverage of the map's own lines.
   double drawn_coverage(Vec2 p, double footprint_m) const;
   double drawn_coverage(Vec2 p, double footprint_m, NearStripe& last) const;
-  /// Returns `darkness` covered by the paint that was added during the run.
+  /// Returns the darkness after changes of paint during the run; `darkness` is the value without them.
   double patched(double darkness, Vec2 p, double footprint) const {
     if (patches_.empty()) return darkness;
     return patches_.over(darkness, light_line_ ? 0.0 : 1.0, light_line_ ? 1.0 : 0.0, p, footprint);
   }
-  // Returns the darkness of a floor with more than lines. Inlining it for each sensor would slow down floors
+  // Returns the darkness of a floor with more than lines. Not inline, because that would slow down floors
   // with lines only. Takes x and y, because a Vec2 would be built in memory before each reading.
   double painted_darkness(double x, double y, double footprint_m) const;
   double other_darkness(double x, double y, double footprint_m) const;
   double darkness_of_paint(Vec2 p, double footprint) const;
-  // Returns the darkness without the paint that was added during the run.
+  // Returns the darkness without changes of paint during the run.
   double drawn_darkness(Vec2 p, double footprint_m) const {
     if (alike_) {
       const double painted = painted_share(p, footprint_m);

@@ -8,13 +8,13 @@
 namespace robosim::world {
 namespace {
 
-constexpr double kTread = 0.006;     // m
+constexpr double kTread = 0.006;     // m; assumed width of a wheel's tread
 constexpr double kMostShare = 0.98;  // maximum ratio of half the gap to the roller's radius
 
 // Dimensions of a gap and of a roller at it, measured across the gap, m.
 struct Meeting {
   double half = 0.0;   // half the gap, without the part that the tread bridges
-  double reach = 0.0;  // the roller's; more than half
+  double reach = 0.0;  // the roller's radius as seen across the gap; more than `half`
 };
 
 Meeting meeting_of(const grid::Joint& joint, const FloorGaps::Roller& roller) {

@@ -9,13 +9,13 @@
 //
 // Above a speed of sqrt(G r), G = 9.8 m/s^2 (0.40 m/s for r = 16 mm), the wheel leaves the first edge and
 // falls. With V = v / sqrt(G r), the wheel touches the second edge when its axle is g / (1 + V) before that
-// edge. It has then sunk by at most 4 / (1 + V)^2 h. If g is small compared to r, its speed across the edge
-// is sqrt(G r) g / r. A wheel that carries a mass m loses the kinetic energy
+// edge. The wheel has then sunk by at most 4 / (1 + V)^2 h. If g is small compared to r, the wheel's speed
+// across the edge is sqrt(G r) g / r. A wheel that carries a mass m loses the kinetic energy
 //   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              at most 4 m G h, at any speed
 //
-// A wheel that rolls obliquely, by theta, reaches r |cos theta| along the gap's width. Its tread of width w
-// bridges w |sin theta| of that width. Robot files do not contain w; 6 mm are assumed, as for narrow wheels.
-// A ball has no tread. A ball that is hardly wider than the gap is caught.
+// A wheel that rolls obliquely, at the angle theta, reaches r |cos theta| along the gap's width. Its tread of
+// width w bridges w |sin theta| of that width. Robot files do not contain w; 6 mm are assumed, as for narrow
+// wheels. A ball has no tread. A ball that is hardly wider than the gap is caught.
 //
 // Not modelled: soft tyres, which sink less and lose less; boards of different heights (use a [[hill]] as a
 // step); a jolt that lifts the other wheels.

@@ -4,14 +4,15 @@
 // Coordinates run along the slope (grid/relief.h), so the gradient of the height h is the sine of the slope's
 // angle. A wheel of radius r cannot touch every point of a profile. The height of its axle at s, minus r, is
 //   z(s) = max over s' of  h(s') + sqrt(r^2 - (s' - s)^2) - r      s' within the wheel's reach
-// The maximum is exact: it is at a corner of the profile, or on a straight of slope k, which contributes
+// The maximum is computed exactly: it is at a corner of the profile, or on a straight of slope k, which
+// contributes
 //   h(s) + r sqrt(1 + k^2) - r
 // A wheel that rolls obliquely to a hill reaches r |cos| along the hill and r |sin| across.
 //
 // A wheel therefore meets a step of height H when its axle is r sqrt(1 - (1 - H/r)^2) before the step. The
-// slope is then tan(acos(1 - H/r)). A wheel at rest climbs only as far as its grip allows: H <= r (1 - 1 /
-// sqrt(1 + grip^2)), if it carries all of the weight. Where hills overlap, the highest hill counts. dz/ds is
-// limited to kSteepest.
+// slope of z is then tan(acos(1 - H/r)). A wheel at rest climbs only as far as its grip allows. If the wheel
+// carries all of the weight, H <= r (1 - 1 / sqrt(1 + grip^2)). Where hills overlap, the highest hill counts.
+// The slope dz/ds is limited to kSteepest.
 //
 // A seesaw is a thin, even plank on a pivot at height p, with mass M and length L:
 //   (M L^2 / 12 + sum m s^2) d2(sine)/dt2 = - sum N s       m, N: mass and force at s from the pivot
@@ -34,7 +35,7 @@ inline constexpr double kSteepest = 4.0;  // m per m
 
 /// The floor under a wheel.
 struct Footing {
-  double height = 0.0;  ///< m; height of its axle above the height on a plane floor
+  double height = 0.0;  ///< m by which the wheel's axle is higher than on a plane floor
   Vec2 rise;            ///< gradient of the height, in the world frame
 };
 
@@ -53,7 +54,7 @@ class Ground {
   Footing under_ball(Vec2 p, double radius) const;
   /// Returns the height of the floor itself in m.
   double height(Vec2 p) const;
-  /// A surface: a factor of the robot's grip, and a rolling resistance that is added to the robot's.
+  /// A surface: a factor for the robot's grip, and a rolling resistance that is added to the robot's.
   using Kind = grid::SurfaceFigures;
   Kind kind(Vec2 p) const;
 
@@ -68,7 +69,7 @@ class Ground {
 
   /// The state that changes during a run.
   struct Seesaw {
-    double sine = 0.0, rate = 0.0;       ///< the plank's; positive: its end is up
+    double sine = 0.0, rate = 0.0;       ///< of the plank's slope; its rate, 1/s; positive: the end is up
     double torque = 0.0, inertia = 0.0;  ///< sums over this tick's presses
   };
   struct State {

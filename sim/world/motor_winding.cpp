@@ -25,7 +25,7 @@ class Period {
     double left = phase.share, decay = phase.decay;
     while (left > 0.0) {
       const int way = way_in(phase);
-      if (way < 0) {  // stays at 0, even after a tiny deviation
+      if (way < 0) {  // the current stays at 0; removes a tiny deviation
         now_ = {};
         return;
       }
@@ -42,7 +42,7 @@ class Period {
       flow(lasts, until_zero, 0.0, target, phase.supply[way]);
       left -= lasts;
       decay = left > 0.0 ? decay_of(left / tau_) : 1.0;
-      // With the opposite sign, the current has another rate of change.
+      // After its change of sign, the current has another rate of change.
       const int other = way_in(phase);
       if (other < 0) {
         now_ = {};
@@ -58,7 +58,7 @@ class Period {
   const Value& drawn() const { return drawn_; }
 
  private:
-  // Returns the present or coming direction: 0 forward, 1 backward, -1 neither.
+  // Returns the direction in which the current flows or begins to flow: 0 forward, 1 backward, -1 neither.
   int way_in(const Phase& phase) const {
     if (now_.value > 0.0) return 0;
     if (now_.value < 0.0) return 1;
@@ -86,7 +86,7 @@ class Period {
   Value now_, charge_, drawn_;
 };
 
-// Returns the means if the current equals its final value in each phase.
+// Returns the means of a current that reaches its final value at the beginning of each phase.
 MeanCurrent settled(std::span<const Phase> phases, double emf, double per_ohm) {
   MeanCurrent mean;
   for (const Phase& phase : phases) {

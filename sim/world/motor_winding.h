@@ -1,6 +1,6 @@
 // Computes the current in a motor's winding, averaged over a PWM period T.
 //
-//   L di/dt = v - R i - E        tau = L / R; E = k_e w, constant during a period
+//   L di/dt = v - R i - E        tau = L / R; E = k_e w (back-EMF at rate w), constant during a period
 //
 // In each phase of a period a driver applies a voltage v to the winding. With diodes, v may depend on the
 // current's direction: v+ while it flows forward, v- >= v+ while it flows backward. No voltage applies if no
@@ -11,8 +11,8 @@
 // to 3 periods: the end is a linear function of the beginning while the current keeps its sign. No pulse is
 // simulated.
 //
-// If the motor is driven for D T at V, without voltage drops (Erickson and Maksimovic, Fundamentals of Power
-// Electronics, chapters 2 and 5, whose converters have R = 0):
+// If the driver applies V for the part D T of each period, without voltage drops (Erickson and Maksimovic,
+// Fundamentals of Power Electronics, chapters 2 and 5, whose converters have R = 0):
 //   shorted in between (slow decay):     mean i = (D V - E) / R, at any T; the current from the battery drops
 //                                        from D V (V - E) / R for T >> tau to D V (D V - E) / R for T << tau
 //   ripple, peak to peak:                V / R (1 - e^(-D T / tau)) (1 - e^(-(1 - D) T / tau)) /

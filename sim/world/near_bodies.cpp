@@ -10,7 +10,7 @@ namespace {
 
 // Up to this number of bodies, all pairs are compared.
 constexpr std::size_t kFew = 8;
-// Bodies that are pushed apart may come closer to a third body.
+// Margin: two bodies that are pushed apart may come closer to a third body.
 constexpr double kPushed_m = 0.02;
 constexpr int kMostSquares = 512;  // in a row or column
 

@@ -1,5 +1,5 @@
-// Finds bodies that are near enough to meet, without testing every pair. The squares of its grid are so large
-// that bodies that meet are in the same square or in neighbouring squares.
+// Finds bodies that are near enough to meet, without testing every pair. Divides the floor into large
+// squares: two bodies that meet are in the same square or in neighbouring squares.
 #pragma once
 
 #include <cstddef>

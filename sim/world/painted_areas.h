@@ -24,9 +24,9 @@ class PaintedAreas {
   bool empty() const { return areas_.empty(); }
 
   /// Returns the reflectance of a band, as a share of white's, in a square of side `footprint` about p.
-  /// `below` is the reflectance under the areas with the given `over_lines`; each area covers the previous
-  /// ones. An area's share of the square is exact for a parallel rectangle. A disc's edge is treated as
-  /// straight.
+  /// Only areas with the given `over_lines` count; `below` is the reflectance under them. Each area covers
+  /// the previous ones. The share of the square that an area covers is exact for a parallel rectangle. A
+  /// disc's edge is treated as straight.
   double over(double below, bool over_lines, Band band, Vec2 p, double footprint) const {
     return areas_.empty() ? below : over_any(below, over_lines, band, p, footprint);
   }

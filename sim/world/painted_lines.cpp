@@ -32,7 +32,7 @@ PaintedLines::PaintedLines(const grid::Map& map, const PaintedMarks& marks)
 
 double PaintedLines::over_these(std::span<const std::uint32_t> near, double below, Band band, Vec2 p,
                                 double footprint, const PaintedMarks& marks) const {
-  std::array<double, grid::Paint::kMost + 1> shares;  // shares of the paints in `met`; distances at first
+  std::array<double, grid::Paint::kMost + 1> shares;  // first distances, then shares, of the paints in `met`
   std::uint64_t met = 0;
   const std::span<const grid::Stripe> lines = stripes_->all();
   auto at = near.begin();

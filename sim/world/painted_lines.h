@@ -18,8 +18,8 @@ namespace robosim::world {
 
 class PaintedLines {
  public:
-  /// Stores nothing for a map whose lines are alike and whole. The map must outlive this object. Pass the
-  /// same `marks` to over().
+  /// Stores nothing for a map whose lines all have the usual paint and no wear. The map must outlive this
+  /// object. Pass the same `marks` to over().
   PaintedLines(const grid::Map& map, const PaintedMarks& marks);
 
   bool empty() const { return !stripes_; }

@@ -25,7 +25,7 @@ class PaintedMarks {
     return within(own.x, marks_[mark].half_length, footprint) *
            within(own.y, marks_[mark].half_width, footprint);
   }
-  /// Returns the stripes, followed by the marks' middle lines, for a common index.
+  /// Returns `lines` followed by the marks' middle lines, for a common index.
   std::vector<grid::Stripe> after(std::span<const grid::Stripe> lines) const;
   /// Returns the greatest distance, m, from a mark's middle line at which a footprint can reach the mark.
   double reach() const { return reach_; }
@@ -33,7 +33,7 @@ class PaintedMarks {
   bool any_near(Vec2 p, double footprint) const {
     return footprint > kLookedUpFootprint ? !marks_.empty() : !near_.at(p).empty();
   }
-  /// Returns the largest share of any mark.
+  /// Returns the largest share() of any mark.
   double coverage(Vec2 p, double footprint) const;
 
  private:

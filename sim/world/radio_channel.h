@@ -1,5 +1,5 @@
-// Models radio transmission between robots, byte by byte. Each receiver on a channel receives from all other
-// senders on it. Not modelled: range, and collisions of bytes.
+// Models radio transmission between robots, byte by byte. Each radio receives from all other radios on its
+// channel. Not modelled: range, and collisions of bytes.
 #pragma once
 
 #include <cstddef>

@@ -88,7 +88,7 @@ bool Walls::near_disc(Vec2 centre, double radius) const {
 
 namespace {
 
-// The cells that a box about a disc covers, at most one beyond the map's edge.
+// The cells that a box about a disc covers, at most one cell beyond the map's edge.
 struct Window {
   int left, right, bottom, top;
   Window(Vec2 centre, double reach, double per_cell, double columns, double rows) {
@@ -213,7 +213,8 @@ void Walls::touch_cell(std::span<const Vec2> polygon, int column, int row, Conta
     const Vec2 a = polygon[i], edge = polygon[i + 1 < n ? i + 1 : 0] - a;
     const double span = length(edge);
     const Vec2 outward{edge.y / span, -edge.x / span};
-    // The corner that lies farthest against `outward`. It counts only if both of its sides are open.
+    // The cell's corner that lies farthest against `outward`. The corner counts only if both of its sides are
+    // open.
     const bool east = outward.x < 0.0, north = outward.y < 0.0;
     const Vec2 corner{east ? high.x : low.x, north ? high.y : low.y};
     const double depth = dot(outward, a - corner);
@@ -227,8 +228,9 @@ void Walls::touch_cell(std::span<const Vec2> polygon, int column, int row, Conta
     found.add(least);
     return;
   }
-  // Contact with a side: reports every corner of the polygon that touches it, so that a flat contact does not
-  // rock. If no corner is over the side, reports the deepest corner's position along it.
+  // Contact with a side: reports every corner of the polygon that touches the side, so that a body in flat
+  // contact does not rock. If no corner is over the side, reports the side's point nearest to the deepest
+  // corner.
   const Vec2 n = least.normal;
   const double limit = dot(n, face < 2 ? high : low);
   Vec2 deepest;

@@ -66,8 +66,8 @@ class Walls {
 
   /// Returns where a disc touches something, or leaves a gap of less than kNear.
   Contacts touch(Vec2 centre, double radius) const;
-  /// Returns the contacts of a convex polygon, counter-clockwise, in the world frame; `centre` and `radius`
-  /// bound it.
+  /// Returns the contacts of a convex polygon, counter-clockwise, in the world frame. The circle of `radius`
+  /// about `centre` must contain the polygon.
   Contacts touch(std::span<const Vec2> polygon, Vec2 centre, double radius) const;
 
   // The next functions return the distance, m, from a point to walls, discs and the map's edge; 0 from inside

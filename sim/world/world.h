@@ -58,7 +58,7 @@ class World {
   RadioChannel& radio() { return radio_; }
 
   // Returns the distance that body `from_body` can see from a point of the floor, as in walls.h. Other bodies
-  // count as the circles about their outlines, unless they are lifted.
+  // count as circles about their outlines; lifted bodies do not count.
   double range_along(std::size_t from_body, Vec2 from, Vec2 direction, double most) const;
   double range_in_beam(std::size_t from_body, Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;
 

@@ -6,8 +6,8 @@
 namespace robosim::worlds {
 namespace {
 
-/// Moves the squares to the lattice's corner. Drops empty columns and rows, and gaps that are not on the
-/// line. If the start is not on the line, moves it to the first piece.
+/// Moves the squares to the lattice's corner. Drops empty columns and rows, and drops gaps that are not on
+/// the line. If the start is not on the line, moves it to the first piece.
 void tidy(Track& track) {
   if (track.squares.empty()) return;
   std::sort(track.squares.begin(), track.squares.end());

@@ -43,8 +43,8 @@ void whole(benchmark::State& state, const std::filesystem::path& sketch) {
   report(state);
 }
 
-// Runs the chip alone, with open pins, in steps of `range` milliseconds. 1 is the lockstep's step; 1000 has
-// almost no overhead.
+// Runs the chip alone, with open pins, in steps of `range` milliseconds. Steps of 1 ms are those of the
+// lockstep with the world; steps of 1000 ms have almost no overhead.
 void chip(benchmark::State& state, const std::filesystem::path& sketch) {
   const auto image = image_of(sketch);
   const SimTime step = state.range(0) * kMillisecond;

@@ -37,7 +37,7 @@ TEST_F(Page, SaysInOneSentenceThatItsRecordingIsBroken) {
   }
 }
 
-// Cuts the page off in its style, its recording or its program. The page's own code does not run.
+// The file ends within the page's style, recording or program. The page's own code then does not run.
 TEST_F(Page, SaysThatItIsCutOff) {
   const std::string good = read_file(file());
   const std::size_t begins = good.find("octet-stream\">") + 14;

@@ -24,7 +24,7 @@ struct Program {
   int loop = -1;                                      ///< the USART whose TX is connected to its RX, or -1
 };
 
-/// Returns the chip with this avr-gcc name. Throws std::runtime_error if no board has it.
+/// Returns the chip with this avr-gcc name. Throws std::runtime_error if no board has this chip.
 const ChipSpec& chip_named(const std::string& name);
 
 /// Returns all programs of a folder, by name. Throws std::runtime_error if a program has no sentence, source

@@ -1,4 +1,4 @@
-// Tests AiNavigator in changed situations: it is carried away, an obstacle stays, or the power fails.
+// Tests AiNavigator in changed situations: the robot is carried away, an obstacle stays, or the power fails.
 #include <chrono>
 
 #include "tests/firmware/ai_navigator.h"
@@ -19,7 +19,7 @@ TEST_F(AiNavigatorAgain, DrivesOverTwoJunctionsAfterItWasSwitchedOff) {
   EXPECT_EQ(robot().station(), "1");
 }
 
-// After power-on at station 3, the walker's headings differ from the map's.
+// After power-on at station 3, the robot's heading 0 is another direction than the map's heading 0.
 TEST_F(AiNavigatorAgain, DrivesOverTwoJunctionsAfterItWasSwitchedOffFacingAnotherWay) {
   put_on(kRingOfThree);
   scan();

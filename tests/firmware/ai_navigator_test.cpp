@@ -117,7 +117,7 @@ TEST_P(AiNavigator, NoticesThatItsMapIsDamaged) {
 TEST_P(AiNavigator, DoesNotTrustAPlaceThatIsDamaged) {
   constexpr int kPlace = 1021;
   scan();
-  robot().act("fault eeprom flip " + std::to_string(kPlace) + " 1");  // now names another station of its map
+  robot().act("fault eeprom flip " + std::to_string(kPlace) + " 1");  // the place is now another station
   robot().power_off(200_ms);
   ASSERT_TRUE(robot().run_until(serial_says("I do not know where I am"), within(2_s)));
 }

@@ -1,4 +1,4 @@
-// Tests two robots on one map, with the second one's firmware on the host or on its chip.
+// Tests two robots on one map. The firmware of the second robot runs on the host or on its chip.
 #include <robosim/testing.h>
 
 namespace fleet_test {

@@ -35,7 +35,7 @@ __________________________________________________
 )";
 
 /// Two junctions between station 1 and station 2, connected by two routes: 4 cells straight on, or 16 cells
-/// by the south.
+/// via the south.
 inline constexpr const char* kRing = R"(+++
 name = "ring"
 +++
@@ -72,7 +72,8 @@ ________________________
 )";
 
 /// Station 1 and station 3 are 21 cells apart along the row of junctions. There are two detours: from the
-/// second junction by the north (20 cells instead of 12), and from the third by the south (18 instead of 8).
+/// second junction via the north (20 cells instead of 12), and from the third junction via the south (18
+/// instead of 8).
 inline constexpr const char* kTwoRings = R"(+++
 name = "two rings"
 +++

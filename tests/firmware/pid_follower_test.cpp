@@ -48,7 +48,7 @@ TEST_P(PidFollower, ComesBackToTheLineAfterItWasPushedOff) {
   robot().run_for(100_ms);
   for (const char* sensor : {"S1", "S2", "S3", "S4", "S5"})
     robot().act("fault " + std::string(sensor) + " stuck 60 for 250ms");
-  robot().run_for(4_s);  // one millisecond changes the direction and number of swings
+  robot().run_for(4_s);  // a millisecond's difference changes how often and where the robot swings
   EXPECT_THAT(robot().run_for(2_s), Follows(line(), within(25_mm)));
 }
 

@@ -10,7 +10,8 @@ namespace tunable_follower_test {
 
 using namespace robosim::testing;
 
-/// millis() starts so that it wraps after two seconds. On a chip it wraps 49.7 days after power-on.
+/// First value of millis(), so that it wraps after two seconds. On a chip millis() wraps 49.7 days after
+/// power-on.
 constexpr Duration kAlmostWrapped = std::chrono::milliseconds((1LL << 32) - 2000);
 
 Trial trial_on(const std::string& target, Duration clock_start = {}) {

@@ -1,5 +1,5 @@
-// Reads arbitrary bytes as a checks.toml. Either the file is rejected with its name, or each check has a
-// unique name, runs, and expected verdicts.
+// Reads arbitrary bytes as a checks.toml. Either the file is rejected with a message that names it, or it is
+// valid: each check has a unique name, at least one run, and expected verdicts.
 #include <cstddef>
 #include <cstdint>
 #include <set>

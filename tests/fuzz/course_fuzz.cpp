@@ -1,5 +1,5 @@
-// Imports arbitrary bytes as a course of another tool. Either the file is rejected with its name, or it
-// becomes a map that can be written, read again and driven on.
+// Imports arbitrary bytes as a course of another tool. Either the file is rejected with a message that names
+// it, or it becomes a map: the map can be written, read again and driven on.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
-// Reads arbitrary bytes as a map file. Either the file is rejected with a place, or it is a valid map: it can
-// be written, read again, walked, and converted to a graph and to geometry.
+// Reads arbitrary bytes as a map file. Either the file is rejected with a message that names the place, or it
+// is a valid map: it can be written, read again, walked, and converted to a graph and to geometry.
 #include <algorithm>
 #include <cstdint>
 #include <string>

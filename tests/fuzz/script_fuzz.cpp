@@ -1,5 +1,5 @@
-// Reads arbitrary bytes as a script. Either the script is rejected with a line, or each of its steps is one
-// line.
+// Reads arbitrary bytes as a script. Either the script is rejected with a message that names the line, or
+// each of its steps is one line.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

@@ -253,7 +253,7 @@ std::string name_of(const testing::TestParamInfo<Param>& info) {
   return plain_name(info.param.mechanism + "_" + info.param.variant, info.index);
 }
 
-/// Compiles and runs an honest sketch on the same machine, and expects its right result.
+/// Compiles and runs an honest sketch on the same machine, and expects its correct result.
 void check_neighbour() {
   static int times = 0;
   const std::string text = fmt::format(

@@ -32,7 +32,7 @@ struct Input {
   std::string mechanism, variant;
   std::vector<Entry> entries;
   Target target = Target::both;
-  bool compiles = false;     ///< whether it compiles if not confined; otherwise the sketch tests nothing
+  bool compiles = false;     ///< whether it must compile: a sketch that does not compile tests nothing
   bool on_terminal = false;  ///< whether output goes to a terminal, including the serial text
 };
 

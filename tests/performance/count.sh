@@ -10,7 +10,7 @@ build=$(readlink -f "$2")
 work=$build/performance
 tolerance=2  # per cent
 
-# The counts are specific to this compiler, whose code partly uses AVX2. Counts of another compiler are not
+# The counts are of code by g++ 12, which partly uses AVX2. Counts of another compiler's code are not
 # comparable.
 if [[ $(uname -m) != x86_64 || $(g++ -dumpversion) != 12 ]] || ! grep -qw avx2 /proc/cpuinfo ||
   ! command -v valgrind >/dev/null; then
@@ -59,7 +59,7 @@ work_of() {  # NAME FEW MANY
   each "$(trace "$build/tests/performance/robosim_workload" "$1" "$2" | most robosim_workload)" \
     "$(trace "$build/tests/performance/robosim_workload" "$1" "$3" | most robosim_workload)" $(($3 - $2))
 }
-# Counts all processes. A fork starts with the runner's count, so its own count starts at this call.
+# Counts all processes. A fork inherits the runner's count, so SandboxProxy::enter() resets the count.
 swept() {  # SEEDS
   counted_from='robosim::runner::SandboxProxy::enter*' \
     trace $(robosim sweep PidFollower --map oval --robot uno5 --goal none --for 1ms --jobs 1 --seeds "1..$1") |

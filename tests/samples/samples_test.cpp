@@ -1,6 +1,6 @@
-// Runs the sketches of samples/ as their users do. Each folder has two tests. Its checks.toml passes on each
-// target that it names. For its first check, `robosim compare` finds no difference between host and AVR, or
-// the differences in differs.txt.
+// Runs the sketches of samples/ as their users do. Each folder has two tests. First, the folder's checks.toml
+// must pass on each target that the file names. Second, `robosim compare` runs the file's first check: it
+// must find no difference between host and AVR, or the differences in differs.txt.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

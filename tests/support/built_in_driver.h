@@ -1,6 +1,6 @@
 // Firmware without a compiler: a line follower written directly against the board. Its runs depend only on
-// Robosim, so they are bit-identical for every compiler and machine. A sketch's runs also depend on gcc's
-// image.
+// Robosim, so they are bit-identical for every compiler and machine. A sketch's runs also depend on the code
+// that gcc generates.
 #pragma once
 
 #include "hal/board/board_spec.h"

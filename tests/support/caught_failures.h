@@ -1,4 +1,4 @@
-// Helpers for tests of failing tests.
+// Helpers for tests that examine failing tests.
 #pragma once
 
 #include <gtest/gtest-spi.h>
@@ -10,7 +10,7 @@
 
 namespace robosim::test {
 
-/// Runs `body`, and returns the messages of its failures. They do not fail the calling test.
+/// Runs `body`, and returns the messages of its failures. These failures do not fail the calling test.
 inline std::vector<std::string> caught_failures(const std::function<void()>& body) {
   ::testing::TestPartResultArray results;
   {

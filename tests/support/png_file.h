@@ -1,4 +1,4 @@
-// Makes PNGs of all kinds for tests, by libpng.
+// Makes PNGs of all kinds for tests, with libpng.
 #pragma once
 
 #include <png.h>

@@ -43,8 +43,8 @@ struct Scan {
   int stations = 1;
 };
 
-/// Runs the third algorithm. The map must be a tree of three-way junctions, with at least one junction. The
-/// start must be a dead end, facing the line.
+/// Runs v1's third scan algorithm. The map must be a tree of three-way junctions, with at least one junction.
+/// The start must be a dead end, facing the line.
 Scan scan(Robot& robot);
 
 }  // namespace robosim::cells::v1

@@ -1,8 +1,8 @@
 // Tests the sketch AiNavigator on the robot uno5: the robot scans a map, and then drives to every requested
 // station.
 //
-// Compares its output with the world: the robot's position when it prints that it has arrived.
-// ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, including on the chip.
+// Compares the sketch's output with the robot's position in the world when the sketch prints that it has
+// arrived. ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, also on the chip.
 
 #include <cmath>
 

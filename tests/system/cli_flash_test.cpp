@@ -31,8 +31,8 @@ class CliFlash : public ::testing::Test {
   CliFlash() : path_(std::getenv("PATH")) { folder_.write("My/My.ino", kFlashed); }
   ~CliFlash() override { ::setenv("PATH", path_.c_str(), 1); }
 
-  /// Puts a fake avrdude first on PATH. It saves its arguments and a copy of its file, and ends with
-  /// `status`.
+  /// Puts a fake avrdude first on PATH. The script saves its arguments and a copy of the file to flash, and
+  /// ends with `status`.
   void fake_avrdude(int status) {
     const auto script = folder_.write(
         "bin/avrdude", "#!/bin/sh\n: > '" + words().string() + "'\nfor word; do echo \"$word\" >> '" +

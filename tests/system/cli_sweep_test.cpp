@@ -111,7 +111,7 @@ TEST(CliSweep, ResumeMakesOnlyTheRunsThatAreMissing) {
   std::replace(few.begin(), few.end(), std::string("1..8"), std::string("3..5"));
   robosim_command(few, folder.path());
   std::string text = read_file(folder / "a.csv");
-  // Makes a row as an older version wrote it, without a checksum, which is the last part of its inputs.
+  // Makes a row as older versions wrote it: without the checksum, the last part of the row's inputs.
   const auto row = text.find("host,4,"), end = text.find("\n", row);
   text.insert(end, " (as found)");
   const auto checksum = text.rfind('-', text.rfind(',', end));

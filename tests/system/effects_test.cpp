@@ -181,8 +181,8 @@ TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
   EXPECT_GT(result.metrics.distance_m, 2.0);
 }
 
-// A script switches a light of 0.6 over the whole floor. With calibration in the dark, black is still far
-// enough from white. A threshold at half scale is not reached.
+// A script switches on a light of level 0.6 over the whole floor. After a calibration in the dark, black
+// still differs enough from white. A threshold at half scale is no longer reached.
 TEST_F(Effects, OfALightThatIsSwitchedOnInTheRun) {
   const std::string lit = "[[light]]\nlevel = 0.6\n", off = "at 0s light all off\n";
   EXPECT_EQ(prints("", lit, 0.1, off).first, code(kBlack));

@@ -123,7 +123,7 @@ TEST_F(Served, FollowsNoLinkOut) {
   refuses("./Mine --map oval --robot ./link.toml");
   refuses("./Mine --map ./away/secret.map");
   refuses("./away/Theirs --map oval");
-  refuses("./Mine");  // the link is its only map
+  refuses("./Mine");  // the only map in Mine is a link
   fs::create_symlink("../../outside/secret.h", place_ / "served/Mine/secret.h");
   place_.write("served/Mine/Mine.ino", "#include \"secret.h\"\nvoid setup() {}\nvoid loop() {}\n");
   refuses("./Mine --map oval");

@@ -1,6 +1,6 @@
-// Tests that a sketch which forges the verdict “reached” does not get it. Sketches for the host are code of
-// this machine. sim/runner/sandbox_proxy.h describes how such a run reports to its runner. Firmware for a
-// chip is only data.
+// Tests that a sketch which forges the verdict “reached” does not receive it. Sketches for the host are
+// native code. sim/runner/sandbox_proxy.h describes how such a run reports to its runner. Firmware for a chip
+// is only data for the emulator.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ struct Attempt {
 std::ostream& operator<<(std::ostream& out, const Attempt& attempt) { return out << attempt.name; }
 std::string name_of_attempt(const testing::TestParamInfo<Attempt>& attempt) { return attempt.param.name; }
 
-/// Declarations for all attempts, which output LINES.
+/// Declarations that all attempts use. Each attempt outputs LINES.
 constexpr const char* kOfTheSystem = R"(
 extern "C" {
 typedef void (*Handler)(int);
@@ -209,7 +209,7 @@ TEST_P(OnTheHost, IsNeverSaidToHaveReachedItsGoal) {
 INSTANTIATE_TEST_SUITE_P(Forgery, OnTheHost, testing::ValuesIn(kOnTheHost), name_of_attempt);
 
 TEST(Forgery, FailsWithoutTheFilterOfSystemCallsToo) {
-  // Only these attempts are harmless without the filter.
+  // Only these attempts are harmless without the filter of system calls.
   for (const char* name :
        {"WritesToEveryDescriptorAndExits", "PrintsAndExits", "ClosesAllDescriptorsAndExits",
         "PutsThePipeInThePlaceOfItsStandardOutput", "GuessesTheToken"}) {

@@ -72,8 +72,8 @@ TEST_F(Hills, LiftSensorsOverACrest) {
     return std::atoi(serial.c_str() + serial.rfind('\n', serial.rfind("\r\n") - 2) + 1);
   };
   const auto code = [](double volts) { return static_cast<int>(volts / 5.0 * 1024.0); };
-  // The sensors are 70 mm ahead, and the first 30 mm lead up to the crest. The remaining 40 mm times the sine
-  // of 20 degrees is the sensors' extra height.
+  // The sensors are 70 mm ahead of the axle, and 40 mm beyond the crest. The sensors' extra height is 40 mm
+  // times the sine of 20 degrees.
   const double higher = 0.040 * 0.34202, light = 0.003 / (0.003 + higher);
   EXPECT_EQ(reads(""), code(0.4));
   EXPECT_NEAR(reads("[[hill]]\nalong = \"130 mm\"\nsize = [\"400 mm\", \"400 mm\"]\nslope = \"20 deg\"\n"
@@ -142,10 +142,9 @@ TEST_F(Hills, ThatEndHighAreFallenOff) {
   EXPECT_THAT(falls.why, testing::HasSubstr("The robot fell off an edge near column "));
 }
 
-// Runs the sample Robotracer at two speeds, 0.5 and 0.7 m/s, on its course dry and wet, without and with a
-// fan. In bends of 150 mm radius it slides if it is faster than
-// sqrt(grip * load / mass * g * 0.15 m / sqrt 2). The limit is 0.91 m/s when dry, 0.71 m/s when wet, and 1.27
-// m/s when wet with the fan.
+// Runs the sample Robotracer on its course, dry and wet, at 0.5 and 0.7 m/s, without and with a fan. In bends
+// of 150 mm radius it slides if it is faster than sqrt(grip * load / mass * g * 0.15 m / sqrt 2). The limit
+// is 0.91 m/s when dry, 0.71 m/s when wet, and 1.27 m/s when wet with the fan.
 class Wet : public testing::Test {
  protected:
   wire::RunResult run(int speed, bool wet, const std::string& fan, std::uint64_t seed) {

@@ -47,7 +47,7 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
   std::string way;  // from station 1 to station 2
   int kept = 0, lost = 0;
 
-  // The number of writes of the map, without the three bytes of the robot's place.
+  // The number of bytes that are written for the map, without the three bytes of the robot's place.
   const std::uint64_t record = run({.sketch = "AiNavigator",
                                     .map = plan.map,
                                     .goal = "none",

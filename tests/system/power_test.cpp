@@ -100,7 +100,7 @@ wire::RunResult pulses(const std::string& letter, const std::string& chip, const
   return runner_of(target).run(request, {});
 }
 
-// While EN is low, an L298N is open, and the winding's current quickly falls to zero.
+// While EN is low, the outputs of an L298N are open, and the winding's current quickly falls to zero.
 TEST(Windings, OnAnL298nLetShortPulsesDoNothing) {
   const double without = pulses("f", "l298n", "0 mH").metrics.distance_m;
   EXPECT_NEAR(without, pulses("s", "l298n", "0 mH").metrics.distance_m, 1e-6);

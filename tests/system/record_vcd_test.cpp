@@ -30,7 +30,7 @@ using Waves = std::map<std::string, std::vector<Change>>;  // by signal
 
 bool has_gtkwave() { return std::system("command -v vcd2fst fst2vcd >/dev/null 2>&1") == 0; }
 
-// Reads a file with GTKWave, through its own format.
+// Reads a file with GTKWave's converters: from VCD to FST, and back to VCD.
 Waves read_back(const Folder& folder, const std::string& vcd) {
   const std::string at = "cd '" + folder.path().string() + "' && ";
   const std::string convert = at + "vcd2fst " + vcd + " x.fst >/dev/null && fst2vcd x.fst >back.vcd";

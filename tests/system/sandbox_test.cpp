@@ -79,8 +79,8 @@ constexpr Refused kRefused[] = {
      "futex (time outside of the simulation)"},
 };
 
-/// Returns one sketch that can make each of these calls on command. Each call has a line of its own, from the
-/// fifth on.
+/// Returns one sketch that can make each of these calls on command. Each call is on its own line; the first
+/// call is on line 5.
 std::string does_all() {
   std::string text =
       fmt::format("#define EXIT {}\n#define FUTEX {}\nextern \"C\" {{", SYS_exit_group, SYS_futex);
@@ -213,7 +213,7 @@ TEST_F(Sandbox, LoadsNoImageWhoseCodeCanBeWrittenTo) {
   EXPECT_THAT(r.why, HasSubstr("the sandbox refuses a system call"));
 }
 
-// RLIMIT_DATA counts none of these pages. Some kernels give memory to pages that are only read.
+// RLIMIT_DATA counts none of these pages. Some kernels allocate memory for pages that are only read.
 TEST_F(Sandbox, LimitsThePagesThatASketchOnlyReads) {
   const auto r = run_text(
       "extern \"C\" void* mmap(void*, unsigned long, int, int, int, long);\n"

@@ -1,5 +1,5 @@
-// Tests that sketches behave correctly, and equal runs are bit-identical, on every target. Also tests faults
-// that only a chip reveals.
+// Tests that sketches behave correctly, and that equal runs are bit-identical, on every target. Also tests
+// faults that only a chip reveals.
 
 #include <algorithm>
 #include <cmath>

@@ -67,7 +67,7 @@ __attribute__((noinline)) static nav::Plan plan(uint8_t from, uint8_t to) {
 #endif
 }
 
-static uint8_t stations[kNodes];  // one bit per node would do, but RAM for stations is not measured
+static uint8_t stations[kNodes];  // not one bit per node: the RAM for stations is not measured
 
 static void readTree() {
   const uint8_t size = GPIOR1;
@@ -102,7 +102,7 @@ int main() {
   prepare();
   send16(sizeof(Table));
   send16(kWorkBytes);
-  GPIOR0 = 1;  // measures nothing: the overhead of the measurement itself
+  GPIOR0 = 1;  // an empty measurement: the overhead of measuring
   GPIOR0 = 2;
   for (uint8_t from = 0; from < table.size(); ++from) {
     for (uint8_t to = 0; to < table.size(); ++to) {

@@ -74,7 +74,7 @@ Bytes trueWay(const Bytes& parents, std::uint8_t from, std::uint8_t to) {
 class Session final {
  public:
   Session(const Bytes& image, const Bytes& parents) : input_(parents), bench_(kAtmega328p, image) {
-    input_[0] = static_cast<std::uint8_t>(parents.size());  // the root has no parent
+    input_[0] = static_cast<std::uint8_t>(parents.size());  // in the root's entry: the root has no parent
     avr::Cpu& cpu = bench_.chip.cpu();
     cpu.on_write<&Session::mark>(kGpior0, this);
     cpu.on_read<&Session::read>(kGpior1, this);

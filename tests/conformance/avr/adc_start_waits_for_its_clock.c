@@ -7,7 +7,7 @@
 #include "report.h"
 
 // ADEN is set at cycle 0. Rising edges are at 64 + 128 k, and the first conversion ends at 64 + 25 * 128 =
-// 3264. A conversion started after that begins at 3392 and ends at 3392 + 13 * 128 = 5056.
+// 3264. A conversion requested in the next 128 cycles begins at 3392 and ends at 3392 + 13 * 128 = 5056.
 #define CONTROL(start_at, read_at)                              \
   ({                                                            \
     ADCSRA = 0;                                                 \

@@ -4,8 +4,8 @@
 // Chips: atmega328p atmega2560
 #include "report.h"
 
-// A frame of the USART takes 160 cycles. The cycles between its start and the read of its status are: SBI 2,
-// SBI 2, halt 2, LDS 2.
+// A frame of the USART takes 160 cycles. Between the frame's start and the read of the status, the code takes
+// 8 cycles besides the delay: SBI 2, SBI 2, halt 2, LDS 2.
 #define STATUS_AFTER(cycles)                  \
   ({                                          \
     while (EECR & _BV(EEPE)) {                \

@@ -11,7 +11,7 @@ static uint8_t byte(void) {
   return EEDR;
 }
 
-// The processor is halted for 2 of these cycles; IN takes 1.
+// The processor is halted for 2 of the 28800 cycles; IN takes 1.
 #define WRITE(mode, data)               \
   ({                                    \
     EECR = (mode);                      \

@@ -5,7 +5,7 @@
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
-// The processor is halted for 2 of these cycles; IN takes 1.
+// The processor is halted for 2 of the cycles; IN takes 1.
 #define CONTROL_AFTER(cycles)                 \
   ({                                          \
     while (EECR & _BV(EEPE)) {                \

@@ -4,7 +4,7 @@
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
-// PB1 is an output. PB2 is an input with its pull-up, and nothing else is connected to it.
+// PB1 is an output. PB2 is an input that is connected only to its pull-up.
 int main(void) {
   DDRB = _BV(DDB1);
   PORTB = _BV(PORTB1) | _BV(PORTB2);

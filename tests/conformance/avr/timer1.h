@@ -1,12 +1,13 @@
-// Helpers for programs about an ATtiny85's timer 1. Its registers pass a synchroniser of a cycle or two
-// (2586Q, figure 12-2), so the programs sample in the middle of the timer's ticks.
+// Helpers for programs about an ATtiny85's timer 1. A synchroniser delays its registers by a cycle or two
+// (2586Q, figure 12-2). The programs therefore sample in the middle of the timer's ticks.
 #pragma once
 
 #include "report.h"
 
 #define CLOCK_BY_64 (_BV(CS12) | _BV(CS11) | _BV(CS10))
 
-/// Sets the prescaler to 0 and TCNT1 to `count`. Returns `from`, read slightly more than `cycles` later.
+/// Sets the prescaler to 0 and TCNT1 to `count`. Returns the register `from`, read slightly more than
+/// `cycles` cycles later.
 #define AFTER_CYCLES(count, cycles, from) \
   ({                                      \
     GTCCR |= _BV(PSR1);                   \
@@ -15,5 +16,5 @@
     uint8_t found_ = (from);              \
     found_;                               \
   })
-/// Returns `from`, read `halves` half ticks later; a tick has 64 cycles.
+/// Returns the register `from`, read `halves` half ticks later; a tick has 64 cycles.
 #define AFTER_HALF_TICKS(count, halves, from) AFTER_CYCLES(count, 32 * (halves), from)

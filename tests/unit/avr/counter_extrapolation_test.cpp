@@ -1,4 +1,5 @@
-// Tests that a counter within the window changes neither the branches nor the held results of a computation.
+// Tests the window of counter values that CounterExtrapolation finds. Within this window, a counter changes
+// neither the branches of a computation nor the results that are held.
 #include "sim/avr/counter_extrapolation.h"
 
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ class IdleChip {
   void write(Address address, std::uint8_t value) { bench.chip.cpu().store(address, value); }
   std::uint8_t read(Address address) { return bench.chip.cpu().load(address); }
   void run(Cycle cycles) { bench.run(cycles); }
-  /// Runs until exactly this cycle, if the loop's two cycles allow it.
+  /// Runs until exactly this cycle, if a pass of the loop, which takes two cycles, ends there.
   void run_to(Cycle cycle) { bench.chip.run_to(cycle); }
   Cycle now() { return bench.chip.cycle(); }
   int pin(char port, int bit) { return bench.chip.pins().at(port, bit); }

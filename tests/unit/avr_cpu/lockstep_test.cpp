@@ -46,7 +46,7 @@ class Referee {
     std::memset(avr_->flash, 0xFF, kAtmega328p.flash_bytes);
     std::memcpy(avr_->flash, flash.data(), flash.size());
     for (auto& io : avr_->io) io = {nullptr, {this, &Referee::read}, {this, &Referee::write}};
-    // libsimavr stores SREG bit by bit, so its own code must access SREG.
+    // libsimavr stores SREG bit by bit, so only its own code may access SREG.
     avr_->io[kSreg - kFirstIo] = {};
   }
   Referee(const Referee&) = delete;

@@ -1,5 +1,5 @@
-// Tests that executing the core's timer 0 handler in one step equals executing its instructions. Tests the
-// same for the read in millis().
+// Tests that executing the core's timer 0 handler in one step equals executing its instructions one by one.
+// Also tests this for the code in millis() that reads the time.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -105,7 +105,7 @@ TEST_F(CountsTime, AndStopsAtAMarkInTheMiddle) {
   }
 }
 
-// The same loop after a vector: sei; rjmp .-4; nop; nop; jmp 6.
+// A loop and a vector before the handler: sei; rjmp .-4; nop; nop; jmp 6.
 const std::vector<std::uint16_t> kVectorProgram = [] {
   std::vector<std::uint16_t> words{0x9478, 0xCFFE, 0, 0, 0x940C, 6};
   words.insert(words.end(), std::begin(kTimeProgram) + kTimeHandler, std::end(kTimeProgram));

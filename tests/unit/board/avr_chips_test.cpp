@@ -57,7 +57,8 @@ class Statements {
   std::string text_;
 };
 
-/// Adds assertions about a timer that shares registers. Their names and bits differ from an ATmega's.
+/// Adds assertions about a timer that shares registers. The names and bits of its registers differ from an
+/// ATmega's.
 void state_shared_timer(Statements& are, const TimerSpec& timer) {
   const std::string n = std::to_string(timer.number);
   are.equal("TCNT" + n, timer.count);
@@ -220,7 +221,7 @@ std::vector<Stop> stops_of(const ChipSpec& chip) {
   return stops;
 }
 
-/// Returns each chip of a board once.
+/// Returns each chip that a board uses, once.
 std::vector<const ChipSpec*> avr_chips() {
   std::vector<const ChipSpec*> chips;
   for (const BoardSpec* board : avr_boards())

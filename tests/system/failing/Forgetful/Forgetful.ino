@@ -1,4 +1,4 @@
-// Has a speed for each number of sensors on the line, and uses it even if no sensor is on the line.
+// Selects a speed by the number of sensors on the line. If there are none, reads through a null pointer.
 #include <LineKit.h>
 
 const uint8_t SENSOR_PINS[] = {A0, A1, A2};
