@@ -13,8 +13,8 @@
 // open. Here "forward" is the command's direction.
 //
 // A motor that is turned by its wheel delivers at most the energy that the wheel loses. Its torque per
-// ampere, against the motion, is therefore k_e if k_e exceeds k_t. Unlike k_e, k_t
-// includes the gear's losses during driving.
+// ampere, against the motion, is therefore the larger of two constants: k_e (volts per rate) and k_t (torque
+// per ampere). Unlike k_e, k_t includes the gear's losses during driving.
 //
 // Torque and the supply's current are linearised about the speed at the tick's beginning. The step can
 // therefore be implicit, as for the motors in body.h.

@@ -225,10 +225,10 @@ class Floor {
   PaintedLines lines_;
   RuntimePaint patches_;
   const double gloss_;
-  const bool alike_;        // only lines and marks: all alike, none worn or glossy
-  bool plain_;              // only lines, all like the map's: a faster path
-  bool marked_;             // only lines and marks, all like the map's: looked up together
-  const bool paints_only_;  // only lines and marks, not all alike
+  const bool alike_;        // only lines and marks, all with the usual paint, none worn or glossy
+  bool plain_;              // alike_, without marks and changes of paint: a faster path
+  bool marked_;             // alike_, with marks: lines and marks are looked up together
+  const bool paints_only_;  // only lines and marks, with several paints, worn or glossy
   NoiseStream noise_;
   double variation_ = 0.0;
   std::array<Kind, 98> kinds_;

@@ -4,13 +4,13 @@
 // then about the second. In the middle the wheel has sunk by
 //   h = r - sqrt(r^2 - (g/2)^2)                           for example 0.20 mm: r = 16 mm, g = 5 mm
 // The slope of its path changes at once from -tan(alpha) to tan(alpha), with sin(alpha) = g / 2r. The wheel
-// meets the second edge with v sin(2 alpha) across the edge. It loses this speed in an impact without
-// rebound.
+// meets the second edge with the speed v sin(2 alpha) towards that edge. The wheel loses this speed in an
+// impact without rebound.
 //
 // Above a speed of sqrt(G r), G = 9.8 m/s^2 (0.40 m/s for r = 16 mm), the wheel leaves the first edge and
 // falls. With V = v / sqrt(G r), the wheel touches the second edge when its axle is g / (1 + V) before that
 // edge. The wheel has then sunk by at most 4 / (1 + V)^2 h. If g is small compared to r, the wheel's speed
-// across the edge is sqrt(G r) g / r. A wheel that carries a mass m loses the kinetic energy
+// towards the edge is sqrt(G r) g / r. A wheel that carries a mass m loses the kinetic energy
 //   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              at most 4 m G h, at any speed
 //
 // A wheel that rolls obliquely, at the angle theta, reaches r |cos theta| along the gap's width. Its tread of
@@ -45,8 +45,8 @@ class FloorGaps {
   };
   /// Returns how far a roller with contact point p has sunk into a gap.
   Sunk sunk(Vec2 p, const Roller& roller) const;
-  /// Returns the sum of the roller's squared speeds across all edges that it meets between two points,
-  /// (m/s)^2. The points are those of successive ticks.
+  /// Returns the sum of the squared speeds, (m/s)^2, with which the roller meets edges between two points.
+  /// The points are those of successive ticks.
   double met2(Vec2 from, Vec2 to, const Roller& roller) const;
 
  private:

@@ -16,8 +16,8 @@
 //
 // A seesaw is a thin, even plank on a pivot at height p, with mass M and length L:
 //   (M L^2 / 12 + sum m s^2) d2(sine)/dt2 = - sum N s       m, N: mass and force at s from the pivot
-// It stops when an end touches the floor. Approximations: sine for angle; masses on the plank move slowly
-// along it.
+// The plank stops when an end touches the floor. Approximations: sine for angle; masses on the plank move
+// slowly along it.
 //
 // Not modelled: the distance that a wheel gains at a crest and loses at a foot; soft ground; overhangs.
 #pragma once
@@ -43,7 +43,7 @@ class Ground {
  public:
   explicit Ground(const grid::Map& map);
 
-  /// Returns whether the whole floor is one plane of one kind.
+  /// Returns whether the whole floor is one plane with one surface.
   bool plain() const {
     return hills_.empty() && surfaces_.empty() && surface_of_cell_.empty() && joints_.empty();
   }
@@ -84,7 +84,7 @@ class Ground {
   const std::vector<grid::Hill> hills_;
   const std::vector<grid::Surface> surfaces_;
   const FloorGaps joints_;
-  // The surfaces of the legend, as in grid::Map.
+  // The surfaces of the map's legend, as in grid::Map.
   const std::vector<Kind> legend_surfaces_;
   const std::vector<std::uint8_t> surface_of_cell_;
   const int columns_, rows_;

@@ -26,7 +26,7 @@ class NearStripe {
  public:
   /// Returns whether the result at p is known. It is unknown before the first search.
   bool holds(Vec2 p) const { return box_.holds(p); }
-  /// Returns whether no stripe comes near the footprint of the search. Valid where holds() is true.
+  /// Returns whether the footprint of the search reaches no stripe. Valid where holds() is true.
   bool is_clear() const { return kind_ == Kind::clear; }
   /// Returns the distance to the nearest stripe, m, bit for bit as grid::distance does. Valid where holds()
   /// is true and is_clear() is not.

@@ -42,9 +42,9 @@ class PaintedLines {
   }
 
   /// Returns the remaining share of paint at p, 0..1, if the share `worn` is gone. At each point of a 10 mm
-  /// lattice the paint is whole or gone. In between, the share is the smooth mean of four points. Its mean
-  /// over a long line is therefore 1 - worn. Paint that is gone at a small `worn` is also gone at a larger
-  /// `worn`.
+  /// lattice the paint is whole or gone. In between, the share is the smooth mean of four points. The mean
+  /// share over a long line is therefore 1 - worn. Paint that is gone at a small `worn` is also gone at a
+  /// larger `worn`.
   double left(Vec2 p, double worn) const;
 
  private:

@@ -20,7 +20,7 @@ class Separation {
  private:
   struct Room {
     Vec2 centre;
-    double radius, sight;  // m; circle that the body does not leave, and sight outside that circle
+    double radius, sight;  // m; of the circle that the body does not leave; sight beyond this circle
     std::size_t number;
   };
   std::vector<Room> rooms_;  // sorted from west to east; used only during a call

@@ -43,7 +43,7 @@ struct Disc {
 
 class Walls {
  public:
-  /// Largest gap, m, at which a contact is reported and counts as lasting.
+  /// Largest gap, m, at which a contact is reported, and an existing contact continues.
   static constexpr double kNear = 0.001;
 
   /// The map must outlive the walls.

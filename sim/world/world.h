@@ -28,7 +28,7 @@ class World {
   /// Calls Floor::vary.
   void vary_floor(const NoiseStream& noise, double share) { floor_.vary(noise, share); }
   void wear_lines(const NoiseStream& noise) { floor_.wear(noise); }
-  /// Returns the ground; null if the floor is a plane of one kind.
+  /// Returns the ground; null if the floor is a plane with one surface.
   const Ground* ground() const { return ground_.plain() ? nullptr : &ground_; }
   const Lighting& lighting() const { return lighting_; }
   /// Calls Lighting::draw_phases.

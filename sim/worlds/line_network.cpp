@@ -112,7 +112,7 @@ void add_folded(const LineNetwork& network, std::vector<LineNetwork>& found) {
   }
 }
 
-/// Adds free room around the network.
+/// Adds a free lattice column or row on each side of the network.
 LineNetwork padded(LineNetwork network) {
   for (std::vector<int>* widths : {&network.columns, &network.rows}) {
     widths->insert(widths->begin(), network.apart);

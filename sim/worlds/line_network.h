@@ -42,10 +42,10 @@ struct LineNetwork {
   /// each knot.
   bool is_sound() const;
 
-  /// Returns networks that are one step smaller. All are sound, and the smallest come first. Repeated calls
-  /// end after finitely many steps.
+  /// Returns networks that are one step smaller. All are sound, and the smallest come first. Shrinking a
+  /// result again and again ends after finitely many steps.
   std::vector<LineNetwork> smaller() const;
-  /// Returns the number of cells between lines and the map's edge, where a robot can turn round.
+  /// Returns the number of cells between lines and the map's edge: enough for a robot to turn round.
   int margin() const { return std::max(apart, 3); }
   /// The next two functions return the column, or row, of the map's cell at a knot.
   int column_of(int x) const;

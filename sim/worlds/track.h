@@ -15,12 +15,13 @@ struct Track {
   std::vector<Piece> gaps;         ///< pieces whose middle cell is not painted
   Piece start;                     ///< the piece with the start in its middle
 
-  /// Returns the loop as a network. Its start is meaningless.
+  /// Returns the loop as a network. The network's start is meaningless.
   LineNetwork outline() const;
   /// Returns whether the track is one loop whose start lies on it, and not in a gap.
   bool is_sound() const;
 
-  /// Returns tracks that are one step smaller, and sound. Repeated calls end after finitely many steps.
+  /// Returns tracks that are one step smaller, and sound. Shrinking a result again and again ends after
+  /// finitely many steps.
   std::vector<Track> smaller() const;
   /// Returns the grid of a map file, with `S` for the start, and `3` for gaps.
   std::string grid() const;

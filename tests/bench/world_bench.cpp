@@ -83,8 +83,8 @@ void floor_coverage_square(benchmark::State& state) { coverage(state, 0.0, false
 BENCHMARK(floor_coverage_square);
 void floor_coverage_round(benchmark::State& state) { coverage(state, 0.15, false); }
 BENCHMARK(floor_coverage_round);
-// Reads a 3.2 m x 2.2 m loop as a path. `paint` adds keys to one long side and two bends. `marks` is the
-// number of marks next to the line.
+// Reads a 3.2 m x 2.2 m loop as a path. `paint` contains keys of the map for one long side and two bends.
+// `marks` is the number of marks next to the line.
 void read_path(benchmark::State& state, const std::string& paint, int marks = 0) {
   const std::string bend = "{ radius = \"150 mm\", angle = \"90 deg\"";
   std::string beside;

@@ -1,5 +1,6 @@
-// Pins runs of sketches for each compiler, because the compiler decides where the basic blocks of a sketch
-// begin. Robosim itself may be built by any compiler, with or without optimisation.
+// Compares traces of sketches with stored hashes. Each compiler has its own hashes, because it decides where
+// the basic blocks of a sketch begin. Robosim itself may be built by any compiler, with or without
+// optimisation.
 
 #include <ostream>
 

@@ -154,7 +154,7 @@ TEST_F(Sandbox, LeavesNoDescriptorToReadOrWrite) {
   for (int fd = 0; fd < 12; ++fd) {
     SCOPED_TRACE(fd);
     const auto reads = ask('a' + fd), writes = ask('n' + fd);
-    if (fd <= 2 || fd == exec::kImageFd) {  // empty or closed
+    if (fd <= 2 || fd == exec::kImageFd) {  // reads no byte: empty or closed
       EXPECT_EQ(reads.serial, "r") << reads.why;
     } else {
       EXPECT_THAT(reads.why, AllOf(HasSubstr("read (descriptors)"), HasSubstr("Guest.ino:5")));

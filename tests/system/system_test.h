@@ -31,7 +31,7 @@ inline std::filesystem::path sketch_folder(const std::string& name) {
 struct Run {
   std::string sketch;
   std::string map = "oval";
-  std::string robot = "uno5";  ///< with the target's board instead of its own
+  std::string robot = "uno5";  ///< the target's board replaces the robot's
   std::string goal;
   std::string script;
   std::uint64_t seed = 1;

@@ -3,7 +3,7 @@
 //
 // Skips instructions that libsimavr 1.6 lacks or does not execute as the chip does: SPM, SLEEP and BREAK.
 // Also skips I/O, which is outside of the processor, and jumps out of flash. LPM into its own pointer is
-// skipped because the manual leaves it undefined.
+// skipped, because the manual leaves the result undefined.
 extern "C" {
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core.h>
