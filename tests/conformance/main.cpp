@@ -1,5 +1,5 @@
 // robosim_conformance [FILE]: runs each program on Robosim's core and on the referees, and prints the table.
-// With a file, writes it between the lines "<!-- table -->" and "<!-- end -->".
+// With FILE, writes the table into that file, between the lines "<!-- table -->" and "<!-- end -->".
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// Tests Shuttle, which measures distance by an interrupt.
+// Tests Shuttle, which measures distance in an interrupt handler.
 #include <robosim/testing.h>
 
 #include <regex>

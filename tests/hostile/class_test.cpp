@@ -1,6 +1,6 @@
-// Tests a class of thirty sketches on one machine, five of them hostile. The other sketches get their
-// verdicts. strace confirms that no process of the command reads or writes anything outside the class's
-// folder.
+// Tests a class of thirty sketches on one machine, five of them hostile. The other sketches must get the
+// correct verdicts. strace confirms that no process of the command reads or writes anything outside the
+// class's folder.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

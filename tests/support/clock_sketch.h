@@ -1,7 +1,7 @@
 // A sketch whose output depends on a board's clock and supply, for every target that runs it:
 //
 //   pin 12   high for 100 ms by delay(), low, then high while ten bytes are sent at 57600 baud
-//   prints   F_CPU in MHz, A7, microseconds of ten analogRead() and of a thousand digitalRead()
+//   prints   F_CPU in MHz, the reading of A7, us for ten analogRead(), and us for a thousand digitalRead()
 #pragma once
 
 #include <gtest/gtest.h>

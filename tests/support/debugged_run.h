@@ -1,8 +1,8 @@
 // Tests a debugger that steps backward in a run: where it halts, and that the run, its output and its result
 // equal those of a run without a debugger. The debugger's packets are sent in advance.
 //
-// Each test file is for one target. Before it includes this header, it declares in an anonymous namespace of
-// robosim::runner:
+// Each test file is for one target. Before the include of this header, the file declares in an anonymous
+// namespace of robosim::runner:
 //
 //   struct Target {
 //     using Executor = …;

@@ -3,8 +3,8 @@
 // runs have noise, and a script with all possible actions on the robot. ROBOSIM_TEST_MOMENTS=1000 tries more
 // moments, in longer runs.
 //
-// Each test file is for one target. Before it includes this header, it declares in an anonymous namespace of
-// robosim::run:
+// Each test file is for one target. Before the include of this header, the file declares in an anonymous
+// namespace of robosim::run:
 //
 //   struct Target {
 //     using Executor = …;

@@ -186,8 +186,8 @@ TEST(AiNavigatorsBumper, TurnsItBackWhenItStaysPressedAndThereIsNoOtherWay) {
   EXPECT_THAT(seen.arrivals, ElementsAre()) << seen.text;
 }
 
-// Presses the bumper at a node, soon after it, at bends, and before the next node. The robot may not see the
-// line while it turns.
+// Presses the bumper at a node, soon after it, at bends, and before the next node. At some of these places,
+// the robot sees no line while it turns.
 TEST(AiNavigatorsBumper, LeadsItBackWhereverOnTheWayItIsPressed) {
   for (int moment = 0; moment < 12; moment += 12 / rounds(12)) {
     const Seen seen = watch("d",

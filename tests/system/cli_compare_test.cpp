@@ -142,8 +142,8 @@ TEST_F(CliCompare, OurSketchesDoTheSameOnAllTargets) {
   }
 }
 
-// On each target, chance decides which way the robot turns at this corner: slightly different clocks reveal
-// it.
+// On each target, chance decides which way the robot turns at this corner. Runs with slightly different
+// clocks reveal this.
 TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
   auto result =
       first_on_the_edge({"compare", "RightPath", "--map", "tight", "--robot", "uno3", "--for", "14s"}, 1);

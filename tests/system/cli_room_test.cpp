@@ -52,7 +52,8 @@ TEST_F(CliRoom, SoManyNodesFitIntoAiNavigatorAsItsRunSays) {
   const int nodes = said(run);
   EXPECT_GT(nodes, 205) << run.out;
   EXPECT_LT(nodes, 253) << run.out;
-  // Not every run has an interrupt while the stack is deepest, so the test reserves memory for its frame.
+  // Not every run has an interrupt while the stack is deepest, so the test reserves memory for a handler's
+  // frame.
   constexpr int kNodesOfAHandler = 8;
   const Ended full = scan_with(nodes - kNodesOfAHandler, kBallast_bytes);
   EXPECT_EQ(full.status, 0) << full.out << full.err;

@@ -1,6 +1,6 @@
 // Tests effects of light, height, slow sensors, a noisy ADC, a weak battery and a shut door on a sketch. Each
-// test compares runs without and with an effect. A value changes as docs/explanation/models.md describes, or
-// only one of two ways to read sensors succeeds.
+// test compares runs without and with an effect. Either a value changes as docs/explanation/models.md
+// describes, or only one of two ways to read sensors succeeds.
 #include <fmt/format.h>
 
 #include <fstream>

@@ -1,5 +1,5 @@
 // Tests effects of a battery on a sketch, by pairs of runs with a full and a weak battery. Of two ways to
-// drive, one succeeds with the weak battery.
+// drive, only one succeeds with the weak battery.
 #include <fstream>
 
 #include "tests/support/temporary_folder.h"

@@ -1,6 +1,6 @@
-// Runs one planner of firmware/src/nav on the chip, over all pairs of stations of one tree. It is compiled
-// once per planner, which PLANNER selects. PLANNER_none compiles the program without a planner, once with
-// each kind of table (see TABLE_parents). A planner's flash is the difference in size from that program.
+// Runs one planner of firmware/src/nav on the chip, over all pairs of stations of one tree. This program is
+// compiled once per planner, which PLANNER selects. PLANNER_none compiles the program without a planner, once
+// with each kind of table (see TABLE_parents). A planner's flash is the difference in size from that program.
 //
 // The program exchanges data with planners.cpp through general-purpose registers. Each read of GPIOR1 returns
 // the next byte of the tree (size, then the parents of nodes 1, 2, …). Each write to GPIOR2 sends a byte of

@@ -70,7 +70,7 @@ Bytes trueWay(const Bytes& parents, std::uint8_t from, std::uint8_t to) {
 }
 
 /// Runs the chip, and exchanges data with it. The chip reads the tree from GPIOR1 and writes paths to GPIOR2.
-/// It writes 1 to GPIOR0 when a search begins, and 2 when the search ends.
+/// The chip writes 1 to GPIOR0 when a search begins, and 2 when the search ends.
 class Session final {
  public:
   Session(const Bytes& image, const Bytes& parents) : input_(parents), bench_(kAtmega328p, image) {

@@ -1,4 +1,4 @@
-// Keeps the line between two sensors of uno2, or between the outermost two of another robot.
+// Keeps the line between two sensors of uno2, or between the outermost two sensors of another robot.
 #include "steering.h"
 
 const int kCruise = 110;

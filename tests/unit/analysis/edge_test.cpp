@@ -1,4 +1,4 @@
-// Tests, on fictitious runs, how runs with a slightly wrong clock show whether two targets behave alike.
+// Tests, on fictitious runs, the comparison of two targets by means of runs with a slightly wrong clock.
 
 #include "sim/analysis/edge.h"
 

@@ -2,7 +2,7 @@
 const int LEFT_WHEEL = 9, RIGHT_WHEEL = 10;
 const int LEFT_SENSOR = A0, RIGHT_SENSOR = A2;
 
-// Sends one pulse to each servo in 20 ms. A longer pulse turns a servo counter-clockwise, seen from its side.
+// Sends one pulse to each servo in 20 ms. A longer pulse turns a servo counter-clockwise, seen from outside.
 void pulse(int left, int right) {
   digitalWrite(LEFT_WHEEL, HIGH);
   delayMicroseconds(1500 + left);

@@ -1,4 +1,4 @@
-// Divides signed and unsigned numbers of 8, 16, 32 and 64 bits at -O0, -Os and -O2: by zero, by -1, and normally.
+// Divides numbers of 8, 16, 32 and 64 bits, signed or not, at -O0, -Os and -O2: by zero, by -1, and normally.
 #include "Divisions.h"
 
 void setup() {

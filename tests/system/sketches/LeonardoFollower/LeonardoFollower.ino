@@ -1,5 +1,5 @@
 // Follows a line with pins that differ on a Leonardo: analog inputs on digital pins, PWM on 13 and 5,
-// encoders on 0 and 1, which are free since Serial is USB.
+// encoders on 0 and 1, which are free because Serial is USB.
 
 #include <LineKit.h>
 

@@ -1,4 +1,4 @@
-// Reads a pin every 50 us in a handler of timer 2, like a remote control's receiver, while loop() waits for the pin.
+// Reads a pin every 50 us in a handler of timer 2, as an infrared receiver does. loop() waits for the pin.
 volatile bool seen = false;
 volatile unsigned int times = 0;
 

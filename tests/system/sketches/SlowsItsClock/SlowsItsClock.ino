@@ -1,4 +1,4 @@
-// The host has no clock divisor, so a difference on the host says nothing about the sketch.
+// Sets the clock divisor. The host has none, so a difference on the host says nothing about the sketch.
 #include <avr/power.h>
 
 void setup() {

@@ -1,4 +1,4 @@
-// Follows a line until all sensors are dark, over a bar across the line. A letter on the serial line selects when:
+// Follows a line up to a bar that darkens all sensors. A letter on the serial line selects when it stops:
 //   o  at the first reading  b  after 30 ms of such readings
 const byte PIN[5] = {A0, A1, A2, A3, A4};
 char way;

@@ -1,4 +1,4 @@
-// A timer's interrupt does everything, a hundred times a second: it drives for three seconds, stops, and prints a line.
+// A timer interrupt at 100 Hz does everything: it drives for three seconds, stops, and prints a line.
 volatile int left = 300;
 
 ISR(TIMER1_COMPA_vect) {

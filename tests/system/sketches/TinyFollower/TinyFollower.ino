@@ -1,4 +1,4 @@
-// Follows a line with an ATtiny85: two sensors next to the line, a transistor for each motor, and no serial port.
+// Follows a line with an ATtiny85: two sensors next to the line, one transistor per motor, no serial port.
 
 const uint8_t LEFT_MOTOR = 0, RIGHT_MOTOR = 1, LEFT_SENSOR = 2, RIGHT_SENSOR = 4, LED = 3;
 const uint8_t SPEED = 200, SLOW = 20;

@@ -1,4 +1,4 @@
-// Follows a line to its end, turns back, and so on. Prints "boot" when it starts. A letter on the serial line selects:
+// Follows a line to and fro. Prints "boot" when it starts. A letter on the serial line selects how it drives:
 //   t  turns for a time that was measured at 7.4 V        s  turns until it sees the line again
 //   h  starts with full power immediately                 r  raises its power to full within half a second
 const byte PIN[3] = {A1, A2, A3};
