@@ -82,7 +82,7 @@ void Body::set_velocity(Vec2 velocity) {
   u_ = side_free_ = bounded(dot(velocity, left_of(pose_.heading)), kMaxSpeed);
 }
 
-// Adapts the treads' speeds to the body's speed after a contact, as far as the floor's grip allows in one
+// Adapts the treads' speeds to the body's speed after a contact. The floor's grip limits the change in a
 // tick. Ignores the treads' push on the body, because the wall takes it up.
 void Body::grip_after_contact() {
   const double ground[2] = {v_ - omega_ * half_track_, v_ + omega_ * half_track_};

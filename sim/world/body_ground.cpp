@@ -34,9 +34,9 @@
 // At the far edge of a gap between boards, each wheel and the caster lose kinetic energy in one tick
 // (floor_gaps.h). Inside a gap, gravity acts along the slope of the wheel's path.
 //
-// The body has also toppled if the ground under a wheel drops within a tick by more than the wheel's radius.
-// Ground that rises within a tick by more than three times a wheel's movement counts as a face: the body
-// stops there, as at a wall.
+// The body has also toppled if a wheel's ground drops within a tick by more than the wheel's radius. Ground
+// that rises within a tick by more than three times a wheel's movement counts as a face: the body stops
+// there, as at a wall.
 //
 // Not modelled: a step's upward push on the axle, which holds the caster down; the lift of a front caster by
 // the motors at a step; a tip about the caster (the wheels lose their grip instead); a chassis that sits on a

@@ -6,7 +6,7 @@
 // slides at s, the difference between tread speed and ground speed. The tyre's force is mu N against the
 // slide. The balance of moments about the body's middle gives
 //   s = omega L^2 / (2 B)
-// Wheels of radius r that turn at the rates w and -w therefore turn the body as if their track were
+// Wheels of radius r with the rates w and -w therefore turn the body as if their track were
 //   B_eff = 2 r w / omega = B + L^2 / B
 // at any grip and speed. The moment of the ground against the turn is
 //   M = mu m g (L / 2) / sqrt(1 + (L / B)^2)

@@ -21,9 +21,8 @@
 //                                        V + 2 V_d, and ends before the period does (discontinuous), unless
 //                                        D V - (1 - D) (V + 2 V_d) > E, for T << tau
 //   then, for T << tau:                  mean i = (V - E) D^2 T / (2 L) (1 + (V - E) / (V + 2 V_d + E))
-// If E > D V and the winding is shorted in between, the current flows back into the battery during the driven
-// phase: the motor recovers energy. If the winding is shorted throughout, the energy turns to heat in the
-// winding.
+// If E > D V and the winding is shorted in between, the driven phase returns current to the battery: the
+// motor recovers energy. If the winding is shorted throughout, the energy turns to heat in the winding.
 //
 // Not modelled: transients of a few tau after a change of duty cycle or speed (each tick is in its steady
 // state); saturation, iron losses, and a battery that does not accept current.

@@ -30,8 +30,8 @@ class PaintedLines {
   /// Returns the reflectance of a band, as a share of white's, in a square of side `footprint` about p.
   /// `below` is the reflectance under the lines. For each paint, in the order of their numbers,
   ///   r <- r + c t (r_paint - r)
-  /// c is the largest share of the footprint that one stripe or mark of that paint covers, as in
-  /// Floor::coverage. t is the remaining share of the paint there.
+  /// c is the largest share of the footprint that a stripe or mark of that paint covers (Floor::coverage). t
+  /// is the remaining share of the paint there.
   double over(double below, Band band, Vec2 p, double footprint, const PaintedMarks& marks) const {
     if (footprint > kLookedUpFootprint) return over_these(all_, below, band, p, footprint, marks);
     const double u = p.x * per_cell_, v = p.y * per_cell_;

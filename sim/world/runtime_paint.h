@@ -30,7 +30,7 @@ class RuntimePaint {
   void remove(int id);
 
   /// Returns the coverage or darkness of a square of side `footprint` about p. The value is `below` without
-  /// these patches, and `line` or `bare` if a patch of that kind covers the whole square.
+  /// these patches, and `line` or `bare` if such a patch covers the whole square.
   double over(double below, double line, double bare, Vec2 p, double footprint) const;
 
   const State& save() const { return state_; }

@@ -90,7 +90,8 @@ class Driver {
     call(session_ + "/url", {{"url", url}});
   }
   /// Runs the body of an async function, and returns its result. The body may use `$`, `key(name)`,
-  /// `until(is)` and `drawn()`, which waits until the page has been laid out and drawn again.
+  /// `until(is)` and `drawn()`. The function `drawn()` waits until the page has been laid out and drawn
+  /// again.
   nlohmann::json run(const std::string& body) {
     const std::string script =
         "const done = arguments[0]; const $ = (id) => document.getElementById(id);"

@@ -12,8 +12,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
-// Helpers of the page's tests: pass a file to the page, run a sketch, and wait until the page prints a
-// message or displays a run.
+// Helpers of the page's tests: pass a file to the page, run a sketch, and wait for a message or a displayed
+// run.
 constexpr const char* kTab = R"(
   const shown = () => $('replay').contentWindow?.robosim;
   const give = async (name, content) => {

@@ -95,8 +95,8 @@ ____________________________
 ____________________________
 )";
 
-/// Two routes from junction 1 to junction 2, as in kRing. Station 3 is to the left of junction 1, at the end
-/// of a line that leaves the junction sideways as seen from station 1.
+/// Two routes from junction 1 to junction 2, as in kRing. Station 3 is to the left of junction 1. Seen from
+/// station 1, its line leaves the junction sideways.
 inline constexpr const char* kRingOfThree = R"(+++
 name = "ring of three"
 +++

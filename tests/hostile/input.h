@@ -8,7 +8,7 @@
 
 namespace robosim::hostile {
 
-/// Placeholders in texts: kSecretHere for the absolute path of a file that no input may read, kPortHere for a
+/// Placeholders in texts. kSecretHere is the absolute path of a file that no input may read. kPortHere is a
 /// port that no input may reach.
 constexpr const char* kSecretHere = "@SECRET@";
 constexpr const char* kPortHere = "@PORT@";

@@ -1,4 +1,4 @@
-// Tests the free memory that is reported at the end of a run on the chip, with sketches that use it up.
+// Tests the report of free memory after a run on the chip, with sketches that use the memory up.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -44,7 +44,7 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "equal output each time";
 }
 
-// The sketch replaces core functions and looks for the end of RAM, as FreeRTOS does to place the stacks of
+// The sketch replaces core functions and looks for the end of RAM. FreeRTOS does so to place the stacks of
 // its tasks.
 TEST(CliSanitize, OnTheChipASketchMayTakeTheCoresPlaceAndFindsWhereRamEnds) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;

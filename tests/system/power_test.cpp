@@ -75,8 +75,7 @@ TEST_F(Power, ThatIsGoneIsWhatARobotStandsFor) {
   }
 }
 
-// Runs Pulses on an empty floor, with PWM on the enable pins of this driver, and with motors of this
-// inductance.
+// Runs Pulses on an empty floor, with PWM on this driver's enable pins, and with motors of this inductance.
 wire::RunResult pulses(const std::string& letter, const std::string& chip, const std::string& inductance,
                        const std::string& target = "host") {
   TemporaryFolder folder;

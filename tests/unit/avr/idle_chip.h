@@ -1,4 +1,4 @@
-// A chip whose processor waits in an endless loop at each vector, while a test writes its registers as
+// A chip whose processor waits in an endless loop at each vector. Meanwhile, a test writes its registers as
 // firmware would.
 #pragma once
 
