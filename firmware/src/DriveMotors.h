@@ -52,7 +52,7 @@ class DriveMotor {
   /// Switches the motor off and lets it coast. Stopping takes longer than with drive(0).
   void coast();
 
-  /// Returns the duty cycle for a speed of 0..255, see above.
+  /// Returns the duty cycle for a speed of 0..255, by the formula above.
   static uint8_t dutyFor(uint8_t speed, uint8_t smallest);
 
  private:
@@ -69,7 +69,7 @@ class DriveMotors {
       : left_(left), right_(right), standby_(standby) {}
 
   void begin();
-  /// Drives each motor at -255..255, see above. Equal speeds drive straight, opposite ones turn on the spot.
+  /// Drives each motor at -255..255. Equal speeds drive straight, opposite speeds turn on the spot.
   void drive(int16_t left, int16_t right) {
     left_.drive(left);
     right_.drive(right);

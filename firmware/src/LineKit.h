@@ -18,8 +18,8 @@
 //   nav/Navigator.h     drives to any node        plans around obstacles, with nav/NextPlanners.h
 //   nav/Plan.h          seven planners            from breadth-first search to Dijkstra's algorithm
 //
-// No function waits, except LineWalker, which drives until the robot has arrived, and sensor readings (a few
-// hundred microseconds). No function allocates memory.
+// No function waits, with two exceptions: LineWalker's functions return when the robot has arrived. Reading
+// analog sensors takes a few hundred microseconds, RC sensors up to 2.5 ms. No function allocates memory.
 #ifndef LINEKIT_H
 #define LINEKIT_H
 

@@ -101,7 +101,7 @@ void RcLineSensors::readRaw(uint16_t* raw) {
     digitalWrite(pins_[i], HIGH);
   }
   delayMicroseconds(10);
-  // The capacitors drain from here on. Write LOW after the mode change, because that switches pull-ups off.
+  // The capacitors drain from here on. In input mode, writing LOW switches the pull-ups off.
   const uint32_t start = micros();
   for (uint8_t i = 0; i < count_; ++i) {
     pinMode(pins_[i], INPUT);

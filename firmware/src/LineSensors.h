@@ -3,7 +3,7 @@
 // Each sensor is an infrared lamp and a phototransistor. A dark line reflects little. There are three kinds,
 // which differ in how the chip reads them:
 //
-//   AnalogLineSensors    a voltage, by analogRead. Shades of grey also locate the line between two
+//   AnalogLineSensors    a voltage, by analogRead. Shades of grey locate the line even between two
 //                        sensors.
 //   RcLineSensors        a time: the pin charges a small capacitor, then the phototransistor drains it,
 //                        quickly over white, slowly over black. Resolves shades of grey on any digital

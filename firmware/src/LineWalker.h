@@ -16,17 +16,17 @@
 // Landmarks.
 //   arm       an outer sensor gets dark while more of the row is dark than a line alone can cover.
 //             The sensor stays dark for the width of a line. The arm's centre line is halfway.
-//   ahead     whether a line is under the row once the row is past the arms.
+//   ahead     a line is still under the row when the row has passed the arms.
 //   bend      one arm and nothing ahead. The robot rolls on until its axle is over the corner, and turns.
 //   junction  two or more lines lead on. The robot rolls on until its axle is over the junction.
 //   end       no sensor is dark, and the line was not lost to a side. The robot rolls on until its axle is
 //             over the end. If a line reappears before that, the robot has crossed a gap.
 //   blocked   the bumper is pressed. The robot stops and waits. After patience_ms it backs up a little.
-//             Near the last landmark or corner, it backs up onto that place instead. If it turned where it
-//             is, its sensors would be past that place and find no line.
+//             Near the last landmark or corner, it backs up onto that place instead. Without this, the
+//             sensors would be past that place after a turn, and find no line.
 //
 // The robot follows smooth bends with a radius of 150 mm to 1 m. It treats tighter bends as corners, or
-// follows them. At about 130 mm it may confuse the two cases, and lose the line.
+// follows them. At a radius of about 130 mm it may mistake a bend for a corner, and lose the line.
 //
 // Position. The wheels measure the distance (ds) and the turn: (left - right) / track. The heading is stored
 // as quarter turns and a remaining angle. Lines run at multiples of a quarter turn, so a remaining angle of
@@ -60,12 +60,12 @@ struct LineWalkerSettings {
   static constexpr float periods = 154.35f;      ///< of an encoder's channel, for each turn of a wheel
   static constexpr float track = 98;             ///< between the wheels
   static constexpr float sensors_ahead = 70;     ///< of the axle
-  static constexpr float pitch = 9.525f;         ///< between two sensors
+  static constexpr float pitch = 9.525f;         ///< distance between two sensors
   static constexpr float line = 20;              ///< width of a line
-  static constexpr float duty_per_speed = 0.2f;  ///< of 255 per mm/s above the smallest duty: 255 / top speed
+  static constexpr float duty_per_speed = 0.2f;  ///< duty (above smallest_duty) per mm/s: 255 / top speed
   static constexpr uint8_t smallest_duty = 20;   ///< the duty at which the wheels just turn
 
-  // How it drives.
+  // Driving.
   static constexpr float cruise = 300;
   static constexpr float turning = 150;        ///< speed of the wheels when turning on the spot
   static constexpr float creeping = 60;        ///< speed at the end of a roll or a turn
@@ -74,7 +74,7 @@ struct LineWalkerSettings {
   static constexpr float slowing = 6;          ///< reduction in mm/s for each mm that the line is off
   static constexpr float duty_per_mm = 4;      ///< duty for each mm that a wheel lags
 
-  static constexpr uint16_t patience_ms = 4000;  ///< how long it waits for an obstacle to go away
+  static constexpr uint16_t patience_ms = 4000;  ///< time for which the robot waits for an obstacle to leave
 };
 
 template <class Settings>
@@ -100,7 +100,7 @@ class LineWalkerOf {
   enum class Roll : uint8_t { on_line, straight, off_line };
   enum class Passed : uint8_t { nothing, corner, landmark };
 
-  // Performs a step: drives at these wheel speeds, waits until it is due, reads sensors, updates the pose.
+  // Performs a step: drives at these wheel speeds, waits for the step's end, reads sensors, updates the pose.
   void step(float left, float right);
   void drive(float forward, float clockwise);
   void spin(float speed);
@@ -134,7 +134,7 @@ class LineWalkerOf {
   // Position and heading.
   nav::Heading heading_ = 0;
   float off_ = 0;                  ///< remaining angle, clockwise from heading_, rad
-  float x_ = 0, y_ = 0;            ///< mm, as nav::Place
+  float x_ = 0, y_ = 0;            ///< mm, in the coordinates of nav::Place
   float travelled_ = 0;            ///< mm, since follow() began
   float turned_ = 0;               ///< rad, clockwise, since the turn began
   bool fade_ = false;              ///< off_ decays, because the robot follows a line
@@ -143,7 +143,7 @@ class LineWalkerOf {
   float speed_ = 0;                           ///< speed reached by acceleration so far
   float behind_left_ = 0, behind_right_ = 0;  ///< lag of each wheel, mm
   bool blocked_ = false;
-  bool from_line_ = false;  ///< began in the middle of a line, and has met no landmark yet
+  bool from_line_ = false;  ///< the robot began in the middle of a line, and has met no landmark yet
   nav::Heading start_heading_ = 0;
   // Kind and position of the last landmark or corner. If blocked nearby, the robot backs up onto it.
   Passed passed_ = Passed::nothing;

@@ -1,5 +1,5 @@
-// Implements the driving of LineWalker.h, which includes this file: steps, odometry, turns. Template code
-// must be in a header.
+// Implements the steps, odometry and turns of LineWalker.h. That header includes this file, because template
+// code must be in a header.
 #ifndef LINEKIT_LINE_WALKER_DRIVING_H
 #define LINEKIT_LINE_WALKER_DRIVING_H
 

@@ -1,5 +1,5 @@
-// Implements the part of LineWalker.h, which includes this file, that drives from landmark to landmark and
-// recognises landmarks.
+// Implements the functions of LineWalker.h that drive from landmark to landmark, and recognise landmarks.
+// LineWalker.h includes this file.
 #ifndef LINEKIT_LINE_WALKER_LANDMARKS_H
 #define LINEKIT_LINE_WALKER_LANDMARKS_H
 

@@ -15,12 +15,12 @@ static constexpr float kArmNear = 0.35f;      // tolerance around a quarter turn
 static constexpr float kTurnedEarly = 0.05f;  // angle that the robot still turns while braking, rad
 static constexpr float kCreepFrom = 3;        // distance from the end of a roll at which creeping begins, mm
 static constexpr float kEndMm = 12;           // distance without a line after which the line may have ended
-static constexpr float kSideMm = 150;         // search distance for a line lost to a side
+static constexpr float kSideMm = 150;         // search distance for a line lost to a side, mm
 static constexpr float kBackUpMm = 35;
-static constexpr float kNearMm = 40;  // added to sensors_ahead; nearer, the robot backs up onto a landmark
+static constexpr float kNearMm = 40;  // a blocked robot backs up onto a place within sensors_ahead + kNearMm
 static constexpr float kLoopNear = 100, kLoopLeast = 500;  // tolerance and minimum length of a loop, mm
-static constexpr int16_t kTurnLead = 300;  // a turn brakes this far before the middle, 0.001 pitches
-// Sum of all sensor values. A line alone gives 2100, or 2700 at 38 degrees.
+static constexpr int16_t kTurnLead = 300;  // a turn brakes this near the array's middle, 0.001 pitches
+// An arm is present from this sum of all sensor values on. A line alone gives 2100, or 2700 at 38 degrees.
 static constexpr uint16_t kLineAndArm = 2700;
 static constexpr uint16_t kClearMs = 500;  // time with a free bumper before the robot continues
 static constexpr uint8_t kStillSteps = 4;

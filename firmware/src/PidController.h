@@ -8,7 +8,7 @@
 //        need little or none.
 //
 // Units: any for error and output; time in seconds. For an error in sensor pitches and an output in PWM
-// steps: kp is PWM steps per pitch; ki PWM steps per pitch and second; kd PWM steps per pitch per second.
+// steps: kp is PWM steps per pitch; ki PWM steps per (pitch x second); kd PWM steps per (pitch / second).
 //
 // Two details that a textbook formula omits and a robot needs:
 // - Wind-up. While the output is at its limit, the integral must not grow further in that direction.

@@ -1,4 +1,4 @@
-// Explores a network of lines, keeps a map of it, and drives to any station by the best way. Robot: uno5.
+// Explores a network of lines, stores its map, and drives to any station by the fastest path. Robot: uno5.
 //
 //   button          starts a scan from any line. The end of a line is a station; stations are numbered
 //                   in the order of discovery
@@ -6,7 +6,7 @@
 //                   Rejects anything else
 //   LEDs            pin 13: on a junction, A5: at a station
 //   buzzer          beeps briefly for success, and longer for an error
-//   bumper          stops the robot; if the obstacle stays, the robot goes back and takes another way
+//   bumper          stops the robot; if the obstacle stays, the robot goes back and takes another path
 //
 // The EEPROM stores the map and the node at which the robot stopped, so a power cycle requires no new scan.
 // If the robot was switched off between nodes, its position is unknown, and it must scan again.

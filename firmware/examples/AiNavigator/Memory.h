@@ -1,5 +1,5 @@
 // Stores the map, with version and checksum, at the start of the EEPROM. The last three bytes store the node
-// and heading at which the robot stopped.
+// at which the robot stopped, its heading, and a check byte.
 #ifndef MEMORY_H
 #define MEMORY_H
 

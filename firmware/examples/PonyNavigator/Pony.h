@@ -2,10 +2,10 @@
 // two motors, two digits, three LEDs and a buzzer.
 //
 // The motors are driven by slow PWM: on for some milliseconds of every period, then braked by the driver. A
-// duty is the on-time per kPeriod in ms; negative is backward. At 14 of 30 the robot drives about 12 cm/s.
+// duty is the on-time per kPeriod, in ms; negative is backward. A duty of 14 drives at about 12 cm/s.
 //
 // step() does all work: it switches the motors, waits until the next step is due, and reads the sensors.
-// While the collision sensor is pressed, it pauses for up to kPatienceMs. After that the robot is blocked.
+// While the collision sensor is pressed, step() waits, for up to kPatienceMs. blocked() is then true.
 #ifndef PONY_H
 #define PONY_H
 

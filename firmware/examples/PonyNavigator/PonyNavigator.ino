@@ -1,7 +1,7 @@
 // Explores a tree of lines, and then drives to any of its stations. Robot: pony, of the m-graph paper.
 //
 //   button 1            starts a scan; if a line ends at the robot, that end is station 1
-//   button 2            sets the position to station 1 of the map (EEPROM), after a manual move there
+//   button 2            sets the position to station 1 of the stored map; first put the robot there
 //   radio               accepts a destination: 8 bits, most significant first. A long beep reports any other
 //                       number of bits, or a station that does not exist
 //   digits              show the last station found during a scan, then the present station or destination

@@ -5,14 +5,14 @@
 //        .       |####|  .
 //
 //   under the sensors                  meaning
-//   L or R dark for about one width    an arm; its duration calibrates the following distances
-//   all white for a while              search a little on both sides: the line continues, or has ended
+//   L or R dark for about one width    an arm; the time in the dark calibrates the following distances
+//   all white for a while              the line has ended, unless a search on both sides finds it
 //
-// (The paper's robot steers by the side sensors, 110 and 011, so it cannot distinguish an arm on one side
-// from drifting off the line. It recognises only 111 as a junction.)
+// (The robot of the m-graph paper steers by the patterns 110 and 011 of L, M and R. So it cannot distinguish
+// an arm on one side from drifting off the line. It recognises only 111 as a junction.)
 //
 // After an arm the robot rolls on until its axle is over the arm, and searches for the line ahead. Two arms,
-// including the arm of arrival, are a bend, and more are a junction. Without any arm, the line has ended.
+// including the arm of arrival, make a bend; more make a junction. With only that arm, the line has ended.
 //
 // Times are in steps of Pony::kStepMs. A line is 20 mm wide, so the duration of an arm is the time for 20 mm.
 // The motor speed is stable enough to use this time for the next distances. The first full turn on the spot
@@ -52,7 +52,7 @@ class PonyWalker {
   bool lookAhead();
   /// Turns on the spot for at most `steps`; `dir` is 1 to the right, -1 to the left. Returns true at a line.
   bool turnToLine(int8_t dir, uint16_t steps);
-  /// Turns on the spot to the `count`-th line, `quarters` away. Returns false if that line is missing.
+  /// Turns on the spot to the `count`-th line, `quarters` quarter turns away. Returns false if it is missing.
   bool turn(int8_t dir, uint8_t quarters, uint8_t count);
   void spin(int8_t dir, uint8_t duty) {
     pony_.step(static_cast<int8_t>(dir * duty), static_cast<int8_t>(-dir * duty));

@@ -13,9 +13,9 @@
 // The scan can begin anywhere. If it begins at the end of a line, that end is station 1 and the root of the
 // graph. Elsewhere the first node that the robot meets is the root, and its arm of arrival is explored last.
 //
-// An obstacle is recorded beyond an arm. If the robot also meets it from the other side, it is recorded
-// beyond an arm of that side's node, too. The line between the two arms stays unknown. If the robot later
-// arrives at a blocked arm along its line, the arm is open again.
+// An obstacle is recorded at the arm that leads to it. If the robot also meets the obstacle from the other
+// side, it is recorded at the arm there, too. The line between the two arms stays unknown. If the robot later
+// arrives by a blocked arm, that arm is open again.
 //
 //   nav::Explorer<MyWalker, MyNetwork> explorer(walker, network);
 //   while (explorer.step()) showProgress();
@@ -98,7 +98,7 @@ class Explorer : public Pilot<Walker, Network> {
     lose();
   }
 
-  // Begins on a junction. Slot 0, explored last, is the last existing arm of right, straight, left, back.
+  // Begins on a junction. Slot 0, explored last, is the last of right, straight, left and back that exists.
   void addRoot(const Landmark& at) {
     Heading last = opposite(heading_);
     while (!hasArm(at.arms, last)) last = static_cast<Heading>((last + 1) & 3);
@@ -200,8 +200,8 @@ class Explorer : public Pilot<Walker, Network> {
     retreat(from, slot);
   }
 
-  /// Goes back to `from` along the line at its `slot`. If a new obstacle blocks that line, the robot returns
-  /// to the node ahead, if there is a known one.
+  /// Goes back to `from` along the line at its `slot`. If a new obstacle blocks that line, the robot turns
+  /// round again, and drives to the node at the other end, if that node is known.
   void retreat(Id from, uint8_t slot) {
     const Id ahead = network_.link(from, slot);
     turnBack();

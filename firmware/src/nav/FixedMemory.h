@@ -3,8 +3,8 @@
 //   MapMemory   places of junctions, lines that close cycles, costs: for robots with odometry
 //   TreeMemory  blocked arms only: for robots without odometry, whose networks must be trees
 //
-// A "side line" is a line at an arm that is not an edge of the depth-first tree: a line that closed a cycle,
-// or an obstacle with nothing known beyond it.
+// A "side line" is a line that is not an edge of the depth-first tree: a line that closed a cycle, or an arm
+// with an obstacle and nothing known beyond it.
 #ifndef LINEKIT_NAV_FIXED_MEMORY_H
 #define LINEKIT_NAV_FIXED_MEMORY_H
 
@@ -42,7 +42,7 @@ static constexpr uint8_t kBlockedArm = 0xFE;
 /// Two junctions less than `kTolerance` apart, both in x and in y, count as one.
 ///
 /// Costs are stored for lines between the first `kCosts` junctions. Only networks with cycles need costs, and
-/// such networks have no more junctions than that.
+/// such networks have at most `kCosts` junctions.
 template <uint8_t kCosts, uint8_t kCells, uint16_t kTolerance>
 class MapMemory {
  public:

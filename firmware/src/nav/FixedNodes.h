@@ -84,7 +84,7 @@ class FixedNodes {
   Id addStation(Id from, uint8_t, uint8_t arms, Heading entry, uint32_t) {
     return size_ < kNodes ? add(from, shapeOf(arms, entry)) : Id(kNone);
   }
-  /// Also refuses a place beyond ±32767.
+  /// Also returns kNone for a place beyond ±32767.
   Id addJunction(Id from, uint8_t, uint8_t arms, Heading entry, const Place& at, uint32_t cost) {
     if (size_ >= kNodes || (!isTree() && junctions_ >= kCyclicJunctions) || !memory_.addPlace(at))
       return kNone;

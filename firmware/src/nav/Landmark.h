@@ -20,7 +20,7 @@
 // outward; `blocked` in front of an obstacle, facing it. It returns `loop` if the robot is back at its start
 // without a landmark on the way. `lost` means that its position is unknown.
 //
-// After `end` and `blocked` the only turn is Turn::back. At a junction it leads back along the same line.
+// After `end` and `blocked` the only turn is Turn::back. At a junction, Turn::back faces the line of arrival.
 #ifndef LINEKIT_NAV_LANDMARK_H
 #define LINEKIT_NAV_LANDMARK_H
 

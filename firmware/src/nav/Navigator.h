@@ -8,7 +8,7 @@
 //
 // If the robot meets an obstacle on a line, the navigator records it in the network. Then it goes back to the
 // last node, and plans another path. If there is no other path, it reports no_way and stays at that node.
-// goTo() another node is then still possible.
+// goTo() may then name another node.
 //
 // At a station the robot turns to face along the line, ready to leave. At a junction it keeps its heading.
 //

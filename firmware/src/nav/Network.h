@@ -13,11 +13,11 @@
 //   uint8_t arms(Id) const            as in Landmark; a station has one arm, or none if it stands alone
 //   Heading entry(Id) const           heading on first entry; slots are counted from there (Landmark.h)
 //   Place place(Id) const             of a junction
-//   Id parent(Id) const               the node from which this node was first entered; beyond slot 0
+//   Id parent(Id) const               the node from which this node was first entered, beyond slot 0
 //   Id link(Id, uint8_t slot) const   the node beyond that arm, or kNone, or kBlocked
 //   uint8_t backSlot(Id, uint8_t slot) const    the slot at which this line arrives at link()
-//   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost; a network without
-//                                               memory for it may return 1 for a line to a station
+//   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost; may be 1 for a line to a
+//                                               station, because such a cost influences no path
 //   Id find(const Place&) const       the junction there, or kNone
 //   bool isAt(Id junction, const Place&) const   find(place) == junction
 //   bool isTree() const               whether every line belongs to the depth-first walk

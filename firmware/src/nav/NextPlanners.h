@@ -17,7 +17,7 @@ struct ClimbPlanner {
   void forget() {}
 };
 
-/// Plans on any FixedNetwork, again at each node, with 137 bytes of memory.
+/// Plans on any FixedNetwork, at each node again, with 137 bytes of memory for 64 junctions.
 template <uint8_t kJunctions = kCyclicJunctions>
 class DijkstraPlanner {
  public:

@@ -28,7 +28,7 @@
 // Work memory is any type with
 //   Id* room(count)    as above
 //   Cost, and Cost* costs(count)    for dijkstra only
-// On a host they may grow.
+// On a host both may grow.
 #ifndef LINEKIT_NAV_PLAN_H
 #define LINEKIT_NAV_PLAN_H
 
@@ -70,7 +70,7 @@ class FixedWork {
   uint8_t ids_[kIds];
 };
 
-/// Returns whether an arm of `node` leads over an open line to another node, `behind`.
+/// Returns whether `behind`, the link of an arm of `node`, is another node at the end of an open line.
 template <class Network>
 bool isOpen(const Network&, typename Network::Id node, typename Network::Id behind) {
   return behind != Network::kNone && behind != Network::kBlocked && behind != node;

@@ -7,7 +7,7 @@
 //
 // With any other numbering, most paths would be missed silently. So pruned() checks whether the ids are in
 // preorder, and refuses others. The check takes longer than the search. A caller that has checked once
-// (isPreorder() in Plan.h) can call prunedSearch().
+// (isPreorder() in Plan.h) can call prunedSearch() instead.
 #ifndef LINEKIT_NAV_PRUNED_BFS_H
 #define LINEKIT_NAV_PRUNED_BFS_H
 

@@ -1,6 +1,6 @@
 // Reads and writes a record of bytes and bits with a checksum (CRC-16, polynomial 0x1021, most significant
 // bit first, as in CCITT). The sink is any type with put(uint8_t), the source any type with uint8_t get().
-// Bits are packed from the lowest up; the next byte begins after them. A damaged byte is always detected.
+// Bits are packed from the lowest up; put() then begins a new byte. A single damaged byte is always detected.
 #ifndef LINEKIT_NAV_RECORD_H
 #define LINEKIT_NAV_RECORD_H
 

@@ -8,7 +8,7 @@ namespace nav {
 
 namespace detail {
 
-// allOpen() of a network returns whether no line to a parent is blocked. It makes planners faster.
+// A network may define allOpen(): true if no line to a parent is blocked. Planners are then faster.
 template <class Network>
 auto allOpen(const Network& network, int) -> decltype(network.allOpen()) {
   return network.allOpen();
@@ -42,8 +42,8 @@ bool isOpenWay(const Network& network, const typename Network::Id* way, typename
 /// parent's id is less than its children's ids.
 ///
 /// The path up from `from` grows at the front of the path's memory. The path up from `to` grows from the back
-/// downwards. In the end the second part is moved to the end of the first. (The loops test at their end,
-/// which saves two of some twenty cycles per node on an ATmega.)
+/// downwards. In the end the part at the back moves next to the part at the front. (The loops test at their
+/// end, which saves two of some twenty cycles per node on an ATmega.)
 template <class Network, class Path>
 Plan climb(const Network& network, typename Network::Id from, typename Network::Id to, Path& path) {
   typedef typename Network::Id Id;
@@ -119,7 +119,7 @@ Plan intervals(const Network& network, typename Network::Id* end) {
   return Plan::found;
 }
 
-/// Interval routing: goes up until the destination is a descendant, then down through its ancestors.
+/// Interval routing: goes up to an ancestor of the destination, then down through the nodes between the two.
 /// `end` is the result of intervals().
 template <class Network, class Path>
 Plan intervalWay(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
@@ -132,7 +132,7 @@ Plan intervalWay(const Network& network, typename Network::Id from, typename Net
   *out++ = from;
   while (to < from || to > end[from]) *out++ = from = network.parent(from);
   while (from != to) {
-    ++from;  // the first child; the next child follows its interval
+    ++from;  // the first child; the next child's id follows this child's interval
     while (end[from] < to) from = static_cast<Id>(end[from] + 1);
     *out++ = from;
   }
