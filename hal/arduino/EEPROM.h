@@ -88,7 +88,7 @@ struct EEPROMClass {
 
   template <typename T>
   T& get(int address, T& value) {
-    uint8_t* bytes = (uint8_t*)&value;  // also drops volatile
+    uint8_t* bytes = (uint8_t*)&value;  // the cast also removes volatile
     for (unsigned i = 0; i < sizeof value; ++i) bytes[i] = read(address + static_cast<int>(i));
     return value;
   }

@@ -39,7 +39,7 @@
 
 class HardwareSerial : public Stream {
  public:
-  /// Creates a port; `connected` means connected to the computer. Serial1 and further ports are not.
+  /// Creates a port; `connected` means connected to the computer, as only Serial is.
   explicit HardwareSerial(bool connected = true) : connected_(connected) {}
   void begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint8_t config);
@@ -77,7 +77,7 @@ extern HardwareSerial Serial3;
 #define HAVE_HWSERIAL3
 #endif
 
-/// Handles received bytes, if the sketch defines it. It is called after each loop() in which bytes arrived.
+/// Handles received bytes, if the sketch defines it. Called after each loop() if unread bytes are available.
 extern void serialEvent() __attribute__((weak));
 extern void serialEventRun() __attribute__((weak));
 

@@ -1,7 +1,7 @@
 #include <avr/eeprom.h>
 
 extern "C" {
-// The linker's bounds of the section of EEMEM variables, or null.
+// The bounds of the section of EEMEM variables, set by the linker; null without such variables.
 extern const uint8_t __start_robosim_eeprom[] __attribute__((weak, visibility("hidden")));
 extern const uint8_t __stop_robosim_eeprom[] __attribute__((weak, visibility("hidden")));
 }

@@ -1,2 +1,2 @@
-// Is included before the first line of each source. gcc then loads no precompiled header (Foo.h.gch) from a
-// sketch's or library's folder. Such a file would be an image of the compiler's memory.
+// Is the first header of each source. gcc loads a precompiled header (Foo.h.gch) only for the first header,
+// so it loads none from a sketch's or library's folder. Such a file is an image of the compiler's memory.

@@ -25,7 +25,7 @@ char* ultoa(unsigned long value, char* text, int radix) {
 
 char* utoa(unsigned int value, char* text, int radix) { return ultoa(value, text, radix); }
 
-// Base 10 prints a sign. Every other base prints the bits as an unsigned number of the type's width.
+// Prints a sign in base 10. In every other base, prints the bits as an unsigned number of the type's width.
 char* ltoa(long value, char* text, int radix) {
   const bool negative = radix == 10 && value < 0;
   if (negative) text[0] = '-';

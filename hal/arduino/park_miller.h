@@ -5,7 +5,7 @@
 
 namespace robosim_hal {
 
-/// Returns 7^5 x mod (2^31 - 1) by Schrage's method (Park & Miller, CACM 31(10), 1988). Replaces a seed of 0.
+/// Sets a seed x to 7^5 x mod (2^31 - 1), by Schrage's method (Park & Miller, CACM 31(10), 1988). Returns it.
 inline long next_random(unsigned long& seed) {
   auto x = static_cast<int32_t>(seed);
   if (x == 0) x = 123459876;

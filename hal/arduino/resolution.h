@@ -4,8 +4,8 @@
 
 namespace robosim_hal {
 
-extern int read_bits;   ///< of analogRead's result
-extern int write_bits;  ///< of analogWrite's value
+extern int read_bits;   ///< number of bits in analogRead's result
+extern int write_bits;  ///< number of bits in analogWrite's value
 
 /// Converts a non-negative value from one number of bits to another, rounding down.
 inline int with_bits(int value, int from_bits, int to_bits) {

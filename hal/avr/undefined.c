@@ -1,6 +1,6 @@
 /* The handlers of gcc's UndefinedBehaviorSanitizer for an AVR. A sketch built with checks calls them when a
- * check fails. They execute an instruction that no AVR has, so the emulator stops and examines the check. The
- * failed check's data and values are in the registers r25 to r20, as they were passed.
+ * check fails. A handler executes an instruction that no AVR has, so the emulator stops. The emulator then
+ * examines the check: the handler's arguments (data and values) are still in the registers r25 to r20.
  *
  * The file is compiled with the genuine core. Only images built with checks contain it. */
 #include <stdint.h>
@@ -38,7 +38,7 @@ __attribute__((naked, used, externally_visible)) void __ubsan_handle_shift_out_o
 static unsigned bits(const struct Type* type) { return 1u << (type->info >> 1); }
 
 /* gcc defines the result of << for negative numbers, and for bits that are shifted out at the top. So only
- * the distance can be a fault. */
+ * the shift distance can be invalid. */
 __attribute__((used, externally_visible)) void __ubsan_handle_shift_out_of_bounds(
     const struct ShiftData* data, uintptr_t value, uintptr_t distance) {
   /* A value wider than a pointer is passed by its address. */

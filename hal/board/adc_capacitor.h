@@ -13,7 +13,7 @@ namespace robosim {
 
 constexpr double kAdcFarads = 14e-12, kAdcOhms = 10e3;
 
-/// Returns e^-x for x >= 0, within 1e-5.
+/// Returns e^-x for a small x = `part` >= 0. Its 16th power, adc_decay(), is accurate within 1e-5.
 constexpr double adc_decay_16(double part) {
   return 1.0 / (1.0 + part * (1.0 + part / 2.0 * (1.0 + part / 3.0 * (1.0 + part / 4.0))));
 }

@@ -90,7 +90,7 @@ constexpr TimerSpec kTimers[] = {
     timer16(5, 0x120, 47, kPrr1),
 };
 
-// 22
+// section 22
 constexpr UartSpec kUarts[] = {{0, 0xC0, 0xC4, 0xC6, 25, "PE0", "PE1", kPrr0, 1},
                                {1, 0xC8, 0xCC, 0xCE, 36, "PD2", "PD3", kPrr1, 0},
                                {2, 0xD0, 0xD4, 0xD6, 51, "PH0", "PH1", kPrr1, 1},

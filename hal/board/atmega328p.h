@@ -33,7 +33,7 @@ constexpr TimerSpec kTimers[] = {
     {2, 8, 0xB0, 0xB2, {0xB3, 0xB4}, 0, 0x70, {0, 1, 8, 32, 64, 128, 256, 1024}, 7, 0x37, true, 0x64, 6},
 };
 
-// 20
+// section 20
 constexpr UartSpec kUarts[] = {{0, 0xC0, 0xC4, 0xC6, 18, "PD0", "PD1", 0x64, 1}};
 
 }  // namespace atmega328p

@@ -57,7 +57,7 @@ constexpr TimerSpec kTimers[] = {
     {4, kHighSpeedBits, 0xC0, 0xBE, {0xCF, 0xD0}, 0, 0x72, {}, 38, 0x39, false, kPrr1, 4},
 };
 
-// 18
+// section 18
 constexpr UartSpec kUarts[] = {{1, 0xC8, 0xCC, 0xCE, 25, "PD2", "PD3", kPrr1, 0}};
 
 }  // namespace atmega32u4

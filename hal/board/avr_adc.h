@@ -1,9 +1,9 @@
 // Registers of an AVR's analog-digital converter (ATmega328P, data sheet DS40002061B, chapter 24). The host
 // target and the emulated chip share them. avr_adc_sample.h samples a board's pins.
 //
-// A conversion takes 13 ADC clocks and samples after 1.5. The first conversion after switching on takes 12
-// clocks more, and samples 12 later (table 24-1). The references are the supply, at AVCC and at an unwired
-// AREF, and the bandgap. The temperature sensor and the differential channels of some chips read 0.
+// A conversion takes 13 ADC clocks, and samples after 1.5 clocks. The first one after switching on takes 12
+// clocks more, and samples 12 clocks later (table 24-1). The references are the supply (AVCC, and AREF, which
+// is not wired) and the bandgap. The temperature sensor and the differential channels of some chips read 0.
 #pragma once
 
 #include <stdint.h>
@@ -13,7 +13,7 @@
 namespace robosim {
 namespace avr {
 
-/// Returns the processor cycles per ADC clock, by ADCSRA: table 24-5.
+/// Returns the processor cycles per ADC clock that ADCSRA selects (table 24-5).
 constexpr int adc_prescaler(uint8_t control) { return (control & 7) == 0 ? 2 : 1 << (control & 7); }
 
 /// Return the ADC half clocks from a conversion's start to its sample, and the ADC clocks to its end.
@@ -61,7 +61,7 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
 /// Returns the code of the input that ADMUX and ADCSRB select. `pin_volts(channel)` returns the volts at an
 /// analog input, scaled as if the supply were nominal. So these volts match a reference that drops
 /// with the supply. For a constant reference they are multiplied by `supply_share()`. `held` receives the
-/// volts on the converter's capacitor, at the same scale.
+/// volts on the converter's capacitor, scaled like those of `pin_volts`.
 template <typename SupplyShare, typename PinVolts>
 uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,
                     SupplyShare supply_share, PinVolts pin_volts, double& held) {

@@ -7,8 +7,8 @@
 //   fast PWM            high for OCR + 1 of TOP + 1 ticks
 //   phase correct PWM   high for OCR of TOP ticks
 //   COM = 1             toggles at each match: high half the time, one match per period. In PWM modes,
-//                       only OCnA toggles. TOP must be OCRnA, or with a single slope it may be
-//                       ICRn
+//                       only OCnA toggles, and only if TOP is OCRnA, or ICRn in a mode with a
+//                       single slope
 #pragma once
 
 #include <stdint.h>
@@ -77,7 +77,7 @@ constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t c
                           : kOfByte[(control_a & 3) | (control_b >> 1 & 4)];
 }
 
-/// Returns the end of the count, given OCRnA and (for a 16-bit timer) ICRn.
+/// Returns TOP, given OCRnA and (for a 16-bit timer) ICRn.
 constexpr int64_t top_of(const Counting& how, uint16_t compare_a, uint16_t capture) {
   return how.top == Counting::Top::compare_a ? compare_a
          : how.top == Counting::Top::capture ? capture

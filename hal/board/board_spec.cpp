@@ -37,7 +37,7 @@ constexpr PinTable<kCount> pins_of(const ChipSpec& chip, const PinEntry (&entrie
   for (int i = 0; i < kCount; ++i) {
     const ChipPin* pin = chip.pins;
     while (!equal(pin->name, entries[i].chip_name)) ++pin;
-    int first = 0;  // PWM is on the pin's lowest number, as in Arduino's tables
+    int first = 0;  // if a pin has several numbers, the lowest has PWM, as in Arduino's tables
     while (!equal(entries[first].chip_name, entries[i].chip_name)) ++first;
     table.pins[i] = {entries[i].name,
                      entries[i].chip_name,
@@ -233,7 +233,7 @@ constexpr BoardSpec leonardo(const char* name, const char* fqbn, const char* pla
 }
 
 // Boards with an ATtiny85. avrdude cannot write to them by a serial port, because they have no boot loader,
-// or a different kind. A fuse sets the chip's reset threshold of 2.7 V, as on the other boards.
+// or one of another kind. A fuse sets the chip's reset threshold of 2.7 V, as on the other boards.
 constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* platformio, const char* macro,
                              uint32_t clock_hz, double supply_volts, uint32_t flash_bytes) {
   BoardSpec board = kUno;
@@ -260,7 +260,7 @@ constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* pla
 }
 
 // The Blue Pill at 72 MHz by its crystal, or at 8 MHz as after a reset. The last 4 KB of flash store the
-// EEPROM. The regulator is assumed to equal the Uno's. The chip has no brown-out detector. It has a
+// EEPROM. The regulator is assumed to equal the Uno's. The chip has no brown-out detector, but a
 // power-down reset at 1.88 V, 1.80 to 1.96 V (DS5319, embedded reset and power control block, V POR/PDR).
 constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
   return {

@@ -45,11 +45,11 @@ struct BoardSpec {
   const char* variant;    ///< the folder of its pins in the genuine core; null = Robosim's own core
   const char* pin_names;  ///< Robosim's header with further names of pins, on the target host; null = none
   const char* upload_protocol;   ///< avrdude's programmer; null = avrdude cannot write to the board
-  uint32_t upload_baud;          ///< of the boot loader
-  uint32_t upload_baud_old;      ///< of older boards' boot loader; 0 = the same
+  uint32_t upload_baud;          ///< the boot loader's baud rate
+  uint32_t upload_baud_old;      ///< the baud rate of older boards' boot loader; 0 = upload_baud
   bool upload_by_touch = false;  ///< the boot loader starts when the port is opened with 1200 baud and closed
 
-  uint8_t serial_line = 0;            ///< to the computer: the index of a UART, or one past the last for USB
+  uint8_t serial_line = 0;            ///< line to the computer: a UART's index; for USB the number of UARTs
   const char* usb_product = nullptr;  ///< the core's name of the product, if the chip has USB
   uint16_t usb_id = 0;                ///< product id; the vendor id is 0x2341, Arduino
 };

@@ -169,12 +169,12 @@ struct ChipSpec {
   const char* avrdude_name;   ///< null = avrdude does not support the chip
   uint8_t signature[3];       ///< read by programmers; zeros = none
 
-  uint32_t flash_address;  ///< in the address space of flash, if it has one of its own
+  uint32_t flash_address;  ///< in flash's own address space, if the chip has one
   uint32_t flash_bytes;    ///< including the boot loader
   uint32_t ram_address;
   uint32_t ram_bytes;
   uint16_t eeprom_bytes;         ///< 0 = the core emulates an EEPROM in flash
-  uint8_t return_address_bytes;  ///< number of bytes that a call pushes onto the stack; 0 = into a register
+  uint8_t return_address_bytes;  ///< number of bytes that a call pushes; 0 = a register stores the address
 
   uint8_t vectors;          ///< number of interrupt vectors, including reset
   uint8_t external_vector;  ///< of INT0, followed by the others

@@ -1,5 +1,5 @@
-// Converts a number of clock cycles to whole nanoseconds, rounded down. The absolute number is converted, so
-// that no error accumulates.
+// Converts a number of clock cycles to whole nanoseconds, rounded down. Pass the number of cycles since the
+// start, not increments, so that no rounding error accumulates.
 #pragma once
 
 #include <stdint.h>

@@ -23,8 +23,8 @@ class FirmwarePort {
   virtual double convert(Pin pin, double /*before*/, SimTime /*from*/, SimTime t) {
     return read_volts(pin, t);
   }
-  /// Returns the board's supply as a share of spec().supply_volts. Volts on pins are returned as if the
-  /// supply had not dropped: increased by the factor by which a reference from the supply has decreased.
+  /// Returns the board's supply as a share of spec().supply_volts. Volts on pins are returned divided by this
+  /// share. A reference that equals the supply then counts as nominal.
   virtual double supply_share() { return 1.0; }
   virtual void send_byte(uint8_t byte, SimTime t) = 0;
   /// Sends a START and an address byte on the two-wire bus (I2C), which end at `t`. The byte has a seven-bit

@@ -98,7 +98,7 @@ class RobotPort {
   virtual void connect(Pin pin, PinSource& source) = 0;
   /// Connects a device. If several have the same address, the first answers.
   virtual void connect(TwoWireDevice& device) = 0;
-  /// Sets the board's supply to this share of the nominal supply. The variable must outlive the board's use.
+  /// Makes the board's supply follow `share` (of the nominal supply). `share` must outlive the board's use.
   virtual void feed(const double& /*share*/) {}
   /// Adds a watcher. Several watchers of a pin are called in the order in which they were added.
   virtual void watch(Pin pin, PinWatcher& watcher) = 0;
@@ -109,8 +109,8 @@ class RobotPort {
   virtual void watch_adc(AdcWatcher& /*watcher*/) {}
   /// Sets the only watcher, which does not influence the run.
   virtual void watch_inputs(InputWatcher& watcher) = 0;
-  /// Schedules an edge: `pin` has `level` from `at` on, a time within the next tick. Interrupts and polling
-  /// emulators detect the edge. The pin's source must return the same level. Per pin, times must not
+  /// Schedules an edge: `pin` has `level` from `at` on, a time within the next tick. Interrupts and emulators
+  /// that poll detect the edge. The pin's source must return the same level. Per pin, times must not
   /// decrease. There is no edge if the pin already has that level.
   virtual void schedule_edge(Pin pin, bool level, SimTime at) = 0;
   /// Returns whether an edge on `pin` would be noticed without a read (an interrupt is attached, or a chip's

@@ -5,8 +5,8 @@
 
 namespace robosim {
 
-/// Simulated time in nanoseconds since the world's power-on. CPU cycles are converted from their absolute
-/// count, so that no error accumulates; 2^63 ns are 292 years.
+/// Simulated time in nanoseconds since the world's power-on; 2^63 ns are 292 years. CPU cycles are converted
+/// as a total since power-on, not in increments, so that no rounding error accumulates.
 using SimTime = int64_t;
 
 constexpr SimTime kNanosecond = 1;

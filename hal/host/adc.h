@@ -38,9 +38,9 @@ class Adc {
     return clock_began_ + (past + clock - 1) / clock * clock;
   }
   bool on() const { return control_ & 0x80; }
-  /// Returns whether a conversion that starts now is the first one after ADEN, which takes longer (24.4). In
-  /// analogRead(), a conversion after init()'s ADEN takes the usual time: the traces of all sketches depend
-  /// on that.
+  /// Returns whether a conversion that starts now is the first one after ADEN, which takes longer (24.4). If
+  /// init() has set ADEN, the first analogRead() takes the usual time. A longer time would change the traces
+  /// of all sketches.
   bool take_first(bool of_analog_read) {
     const bool first = of_analog_read ? first_ == First::by_sketch : first_ != First::over;
     first_ = First::over;
@@ -74,7 +74,7 @@ class Adc {
 
   uint8_t multiplexer_ = 0, control_ = 0, control_b_ = 0;
   bool converting_ = false, locked_ = false;
-  enum class First : uint8_t { over, by_init, by_sketch } first_ = First::over;  ///< who set ADEN last
+  enum class First : uint8_t { over, by_init, by_sketch } first_ = First::over;  ///< what set ADEN last
   uint16_t code_ = 0, result_ = 0;
   SimTime ready_ = 0;
   double held_ = 0.0;          ///< voltage of the converter's capacitor, V

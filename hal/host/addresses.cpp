@@ -43,7 +43,7 @@ __attribute__((noinline, noreturn)) void report(uintptr_t address, size_t bytes,
   access.write = write;
   access.first = first;
   if (is_ours(first)) {
-    // A mark of 1..7 means that an object ends within these 8 bytes. The following mark has its kind.
+    // A mark of 1..7 means that an object ends within these 8 bytes. The next mark has the object's kind.
     const uint8_t* mark = shadow_of(first);
     access.mark = *mark < kGrain ? mark[1] : *mark;
   }
@@ -71,13 +71,13 @@ uintptr_t first_forbidden(uintptr_t address, size_t bytes) {
 inline void check(uintptr_t address, size_t bytes, bool write, const void* where) {
   const uintptr_t first = first_forbidden(address, bytes);
   if (first == kNone) return;
-  // The processor itself reports more about a null pointer, and immediately.
+  // Ignores null pointers: the processor's fault follows immediately, and its report has more details.
   constexpr uintptr_t kNullPage = 4096;
   if (first < kNullPage) return;
   report(address, bytes, write, first, where);
 }
 
-/// Checks an access by a function that the executor calls with its own memory, too.
+/// Checks an access by a function that the executor also calls, with memory outside of the image.
 void check_ours(const void* begin, size_t bytes, bool write, const void* where) {
   const auto address = reinterpret_cast<uintptr_t>(begin);
   if (bytes > 0 && is_ours(address)) check(address, bytes, write, where);
@@ -93,7 +93,7 @@ size_t length(const char* text, size_t most = SIZE_MAX) {
 
 }  // namespace
 
-// Writes the shadow byte by byte (volatile). Otherwise memset() would check it if Robosim runs under ASan.
+// Writes the shadow byte by byte (volatile). memset() would check these writes if Robosim runs under ASan.
 void allow(const void* begin, size_t bytes) {
   volatile uint8_t* shadow = shadow_of(reinterpret_cast<uintptr_t>(begin));
   for (; bytes >= kGrain; bytes -= kGrain) *shadow++ = 0;

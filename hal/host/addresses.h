@@ -1,6 +1,6 @@
 // Checks which bytes of an image may be accessed. gcc's AddressSanitizer calls functions in addresses.cpp
 // before every access of the sketch, its libraries and the core. gcc's own runtime is not used, since it must
-// be the process's first library and ends the process.
+// be the process's first library, and ends the process at a finding.
 //
 // One shadow byte describes 8 bytes of memory: 0 = all are accessible, n = 1..7 = only the first n, 0x80 and
 // above = none (the value is the reason). The shadow lies where gcc expects it, since instrumented functions
@@ -23,7 +23,7 @@ constexpr uintptr_t kShadow = uintptr_t{1} << 36;
 constexpr uintptr_t kShadow = uintptr_t{1} << 29;
 #endif
 
-// The marks that we set, and those that gcc's code sets for a frame. Values are those of LLVM's compiler-rt.
+// Marks that Robosim sets, or gcc's code for a frame. Values are those of LLVM's compiler-rt.
 constexpr uint8_t kStackBefore = 0xF1;
 constexpr uint8_t kStackBetween = 0xF2;
 constexpr uint8_t kStackBehind = 0xF3;
@@ -39,12 +39,12 @@ struct HeapBlock {
   uintptr_t begin;
   size_t bytes;
 };
-/// Returns the last block that begins at or before the address, in use or freed, or all zero.
+/// Returns the last block, in use or freed, that begins at or before the address; all zero if there is none.
 HeapBlock block_around(uintptr_t address);
 
 #ifdef ROBOSIM_SANITIZE
 /// Allows access to `bytes` from `begin`, a multiple of 8. If fewer than 8 bytes remain at the end, their
-/// mark is their number.
+/// number becomes their mark.
 void allow(const void* begin, size_t bytes);
 /// Forbids access. `begin` and `bytes` are multiples of 8.
 void forbid(const void* begin, size_t bytes, uint8_t mark);

@@ -29,8 +29,8 @@ __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, 
   if (!in_handler()) note_arguments(name, pin, arguments, first, second);
 }
 
-/// Records a call that only spends time, with spend_asking(). Its result may depend only on the sketch, on
-/// `polling.clock`, and on levels passed to note_level().
+/// Records a call whose only effect is time, spent by spend_asking(). Its result may depend only on the
+/// sketch, on `polling.clock`, and on levels passed to note_level().
 __attribute__((always_inline)) inline void note_question(const char* name, Pin pin, int8_t arguments,
                                                          int32_t first = 0) {
   if (__builtin_expect(unsettled != nullptr, 0) && !polling.on) unsettled();

@@ -161,8 +161,8 @@ __attribute__((noinline)) void block_is_due() {
   begin_look();
 }
 
-// The comparison includes the frame of this function. The frame must therefore have no state and no gaps,
-// only a frame pointer.
+// Comparisons of the firmware's state include the frame of this function. The frame must therefore have no
+// state and no gaps, only a frame pointer.
 __attribute__((noinline)) void block_in_look() {
   __asm__ volatile("" : : "r"(__builtin_frame_address(0)));
   if (look_wants_state()) {
@@ -264,8 +264,8 @@ void stop_for_ever(const char* how) {
 }  // namespace host
 }  // namespace robosim
 
-/// Replaces the jump of an endless loop without a body. gcc does not instrument `for (;;);`, so no time would
-/// pass in it. sim/build replaces that jump by a call of this function.
+/// Lets time pass in an endless loop without a body, `for (;;);`. gcc does not instrument such a loop. So
+/// sim/build replaces the loop's jump by a call of this function.
 #if defined(__x86_64__) || defined(__i386__)
 #define ROBOSIM_ALIGN_STACK __attribute__((force_align_arg_pointer))
 #else

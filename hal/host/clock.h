@@ -65,7 +65,7 @@ inline void be_late_if_due() {
 }
 
 /// Waits until `time`, and serves interrupts at their exact times. Ends later only if a handler takes longer.
-/// The cost of this call does not depend on the duration.
+/// The host's effort does not depend on the duration.
 void wait_long(SimTime time);
 inline void wait_until(SimTime time) {
   if (time >= deadline) return wait_long(time);

@@ -1,8 +1,8 @@
 // The cost of every Arduino API call on an ATmega328P, in CPU cycles. No other file has these values.
 //
 // Measured (M): Debian's arduino-core-avr 1.8.7 by gcc-avr 5.4, -Os -flto, run by libsimavr 1.6. A cost is
-// the number of cycles between two writes of GPIOR0 around the call, less that of an empty pair. The calls'
-// arguments are not constants.
+// the number of cycles between two writes of GPIOR0 around the call, minus the number without a call. The
+// calls' arguments are not constants.
 #pragma once
 
 #include <stdint.h>
@@ -20,11 +20,11 @@ constexpr SimTime cycles(int64_t count) { return kCycles.of(count); }
 
 namespace cost {
 
-// The cost of each basic block of the firmware (gcc -O1 on the host). M: five bodies of line followers'
-// loops, cycles in simavr / blocks on the host: 7.9 (three sensors, if-else), 19.2 (shortening a maze's
-// path), 19.3 (calibration of five sensors), 276 (weighted position with five long divisions), 1421 (PID in
-// floats, one block). The value is the median, rounded. It is about right for decisions and loops, but too
-// low for long divisions and floats: they take 45 us and 10 us on a chip at 16 MHz.
+// The cost of each basic block of the firmware (gcc -O1 on the host). M: cycles in simavr per block on the
+// host, in five loops of line followers: 7.9 (three sensors, if-else), 19.2 (shortening a maze's path), 19.3
+// (calibration of five sensors), 276 (weighted position with five long divisions), 1421 (PID in floats, one
+// block). The value is the median, rounded. It is about right for decisions and loops, but too low for long
+// divisions and floats: they take 45 us and 10 us on a chip at 16 MHz.
 constexpr int kBlock = 20;
 constexpr int kLoop = 10;  ///< from one loop() to the next; M: an empty loop() takes 16 with its own body
 constexpr int kInit = 60;  ///< init() in wiring.c, counted in its disassembly
@@ -34,13 +34,13 @@ constexpr int kPinMode = 73;       ///< 70 output, 77 input
 constexpr int kDigitalWrite = 73;  ///< 93 on a pin with PWM
 constexpr int kDigitalRead = 74;   ///< 94 on a pin with PWM
 constexpr int kTimerPin = 20;      ///< added to digitalWrite() and digitalRead() on a pin with PWM
-constexpr int kShiftOutBit = 170;  ///< per bit: M 244, less one digitalWrite
-constexpr int kShiftInBit = 104;   ///< per bit: M 251, less one digitalWrite and one digitalRead
+constexpr int kShiftOutBit = 170;  ///< per bit: M 244, minus one digitalWrite
+constexpr int kShiftInBit = 104;   ///< per bit: M 251, minus one digitalWrite and one digitalRead
 
 // Analog pins.
 constexpr int kAnalogWrite = 128;         ///< M, with PWM
 constexpr int kAnalogWriteDigital = 192;  ///< M, for values 0 and 255, and for pins without PWM
-/// M: 1706 cycles, less 13 ADC clocks of 128 cycles. The wait for the ADC's next clock is added, so
+/// M: 1706 cycles, minus 13 ADC clocks of 128 cycles. The wait for the ADC's next clock is added, so
 /// consecutive reads take 14 ADC clocks, as on real boards (112 us at 16 MHz).
 constexpr int kAnalogRead = 42;
 
@@ -67,7 +67,7 @@ constexpr int kRandomBelow = 590;  ///< added for random(below)
 constexpr int kSerialBegin = 161;
 constexpr int kSerialWrite = 88;
 constexpr int kSerialTransmitHandler = 122;
-constexpr int kSerialReceiveHandler = 45;  ///< counted in the handler's disassembly, less kInterrupt
+constexpr int kSerialReceiveHandler = 45;  ///< counted in the handler's disassembly, minus kInterrupt
 constexpr int kSerialNumber = 130;         ///< print(number): once per call,
 constexpr int kSerialDigit = 615;  ///< and per digit, in addition to its write(): print(10000L) took 3765
 constexpr int kSerialRead = 32;

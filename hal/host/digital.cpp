@@ -114,7 +114,7 @@ ROBOSIM_FREQUENT int analogRead(uint8_t pin) {
   const uint8_t before = host::adc.multiplexer();
   host::adc.set_multiplexer(static_cast<uint8_t>(reference << 6 | channel));
   host::spend(cost::kAnalogRead);
-  // Charges from now on, since the core writes ADMUX last.
+  // The capacitor charges from now on, since the core writes ADMUX last.
   if (host::adc.multiplexer() != before) host::adc.charge();
   if (!host::adc.on()) return 0;
   const robosim::SimTime clock = host::adc.clock();

@@ -35,7 +35,7 @@ namespace robosim {
 namespace host {
 namespace {
 
-/// Returns ADPS2 to ADPS0 for an ADC clock of 50 to 200 kHz, if possible. The largest value is 7, for 128.
+/// Returns ADPS2 to ADPS0 for an ADC clock of 50 to 200 kHz, if possible. The largest value is 7: clock/128.
 constexpr int adc_prescaler() {
   int bits = 7;
   for (int64_t hz = 16000000; kClockHz < hz && bits > 1; hz /= 2) --bits;

@@ -59,13 +59,13 @@ class Host {
  public:
   /// Suspends firmware that has reached its limit. Returns when it may continue, with a later limit.
   virtual void yield() = 0;
-  /// Reports the beginning of a basic block while FirmwareState::watched. All state of the running functions
-  /// is on the stack from `stack` on, and in the image's variables.
+  /// Reports the beginning of a basic block while FirmwareState::watched is set. All state of the running
+  /// functions is on the stack from `stack` on, and in the image's variables.
   virtual void block_begins(const uint8_t* stack) = 0;
   /// Store variables, heap and stack as in block_begins(); return whether they equal the stored state.
   virtual void take_state(const uint8_t* stack) = 0;
   virtual bool has_state(const uint8_t* stack) = 0;
-  /// Returns the time before which reads of `pin` surely equal the present one; `now` = unknown.
+  /// Returns the time before which reads of `pin` surely give the present level; `now` = unknown.
   virtual SimTime same_until(Pin pin, SimTime now) = 0;
   /// Stores the earliest input at or before `until` in `input`. Returns false without one. Updates
   /// FirmwareState::next_input.

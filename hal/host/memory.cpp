@@ -1,5 +1,5 @@
-// Implements malloc() and free() on an arena in the image. A sketch that overruns its heap reaches guard
-// pages. Like avr-libc, uses first fit over blocks in address order, and joins neighbours that are free.
+// Implements malloc() and free() on the arena FirmwareState::heap. A sketch that overruns its heap reaches
+// guard pages. Like avr-libc, uses first fit over blocks in address order, and joins free neighbours.
 #include <stdlib.h>
 #include <string.h>
 

@@ -14,9 +14,9 @@ ROBOSIM_CLOCKWORK Polling polling;
 namespace {
 
 constexpr int kPatience = 6;
-constexpr int kMostBlocks = 300, kMostVisits = 70;  // blocks in a look, visits to its place
+constexpr int kMostBlocks = 300, kMostVisits = 70;  // limits of a look: blocks, visits to its place
 constexpr int kFarAway = 32;                        // blocks after which this must be another loop
-constexpr int kLongestWait = 64;                    // deadlines; there are about two per millisecond
+constexpr int kLongestWait = 64;                    // in deadlines, of which there are about two per ms
 
 SimTime earlier(SimTime a, SimTime b) { return a < b ? a : b; }
 
@@ -62,10 +62,10 @@ void begin_round() {
   polling.points = polling.reads = 0;
 }
 
-/// Passes Timer 0's overflow within a round, if the round does not read its effects. The handler runs at the
-/// first point after the overflow, and delays the rest of the round. `next` is the time of the next other
-/// event. Returns false and changes nothing unless the overflow is the only event in the round that begins
-/// now. `shift` is how much more the end of the round is delayed than its last call.
+/// Runs Timer 0's overflow handler in the round that begins now, at the first point after the overflow. The
+/// handler delays the rest of the round. Returns false, without any change, if the round reads the handler's
+/// counts after the overflow, or if another event is due in the round; the next one is at `next`. `shift`
+/// receives the handler's time if the round's last call is before the handler, else 0.
 bool pass_overflow(SimTime next, SimTime& shift) {
   int point = polling.reads;
   while (point < polling.points && state.now + polling.at[point] < timer0.due()) ++point;
@@ -97,7 +97,7 @@ bool skip() {
     // The world may change at each tick.
     if (polling.pins || state.called_up) end = earlier(end, state.limit);
     SimTime rounds = end > state.now ? (end - 1 - state.now) / polling.length : 0;
-    // The board records the time of the last read.
+    // Runs the last round, because the board records the time of the last read.
     if (polling.pins && rounds > 0) --rounds;
     const SimTime last = state.now + rounds * polling.length;
     if (last < state.limit) {

@@ -3,9 +3,9 @@
 // repeats the same round with the same length. All rounds that certainly fit into this time are skipped,
 // except the last; the result is the same as running them.
 //
-// A look begins at a deadline: from then on each basic block calls look_at_block(). The look ends when
-// rounds have been skipped, when it takes too long, or at a call without note_question(). Looks become rarer
-// while they skip nothing.
+// A look (a search for such a place) begins at a deadline: from then on each basic block calls
+// look_at_block(). The look ends when rounds have been skipped, when it takes too long, or at a call without
+// note_question(). Looks become rarer while they skip nothing.
 #pragma once
 
 #include <stdint.h>
@@ -44,7 +44,7 @@ struct Polling {
   // round reads the counts of Timer 0's interrupt only before the point at[reads].
   SimTime at[kMostPoints] = {};
   int points = 0, reads = 0;
-  SimTime promised = kNever;  ///< until when pins surely keep their values
+  SimTime promised = kNever;  ///< time until which pins surely keep their values
   uint64_t millis = 0;        ///< in the round of `length`: the count that millis() returns
   PinSet high, low;           ///< in that round: pins that were read as high, and as low
 };

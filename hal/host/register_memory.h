@@ -2,8 +2,8 @@
 // portOutputRegister(…)`.
 //
 // An image with such code is compiled with ROBOSIM_REGISTER_MEMORY (sim/build/target.cpp). A register is then
-// a byte of robosim_register_memory, at its address in the chip's data space. gcc inserts calls of our
-// functions before accesses to non-local memory (-fsanitize=thread, without its library).
+// a byte of robosim_register_memory, at its address in the chip's data space. gcc inserts calls of functions
+// in register_memory.cpp before accesses to non-local memory (-fsanitize=thread, without its library).
 //
 // Before a read, the register's value is copied to the byte. A written value is known only after the access.
 // It takes effect before the next access, call or basic block, but with the time of the write.

@@ -30,7 +30,7 @@ unsigned long read_micros() {
   return static_cast<unsigned long>((overflows << 8) + count) * kMicrosPerTick;
 }
 
-/// Returns whether micros() continues to advance. It stops while interrupts are off.
+/// Returns whether micros() continues to advance. micros() stops while interrupts are off.
 bool micros_goes_on() {
   return host::interrupts_enabled() && host::timer0.enabled() & host::Timer::overflow &&
          host::timer0.counts_bytes();

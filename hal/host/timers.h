@@ -57,8 +57,8 @@ class Timer {
   ROBOSIM_RARE void set_enabled(uint8_t mask);
   void clear_flags(uint8_t mask);
 
-  /// Simulates init(), which lets the timer count by 8 for a moment before PWM (CS11, then CS10, then WGM10).
-  /// The count most likely reaches 1. This raises the matches, but no overflow before the next BOTTOM.
+  /// Simulates init(), in which the timer has prescaler 8 for a moment before PWM (CS11, then CS10, WGM10).
+  /// The count most likely reaches 1. This raises flags of matches with 0, but no overflow until BOTTOM.
   ROBOSIM_RARE void leave_bottom();
 
   /// Raises the enabled flags that are due now.

@@ -17,7 +17,7 @@ using robosim::SimTime;
 namespace {
 
 Pin sounding = kNoPin;
-// The pin toggles with this period in cycles, from the time `began` and the level `level_then` on.
+// The pin toggles every `half_period` cycles from the time `began` on, when its level was `level_then`.
 int64_t half_period = 1;
 SimTime began = 0;
 bool level_then = false;

@@ -36,7 +36,7 @@ class Uart {
 
   /// Handles an incoming byte.
   void receive(uint8_t byte);
-  /// Removes and returns the receiver's oldest byte (UDR0). If there is none, returns the last one again.
+  /// Removes and returns the receiver's oldest byte (UDR0). Without a new byte, returns the last one again.
   uint8_t take();
   bool has_byte() const { return waiting_ > 0; }
 

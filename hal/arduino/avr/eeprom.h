@@ -1,5 +1,5 @@
 // Accesses the EEPROM by address, with avr-libc's interface. An EEMEM variable's address is its offset in its
-// section. Its initial value is not loaded; Arduino's upload does not load it either.
+// section. Initial values of such variables are not loaded; Arduino's upload does not load them either.
 #pragma once
 
 #include <avr/io.h>

@@ -68,8 +68,8 @@ class Register8 {
   constexpr RegisterPointer operator&() const;
 
  private:
-  /// Returns whether only written ones act on a register: PINx, TIFRn, PCIFR and EIFR. If the compiler knows
-  /// register and bit, `|=` of one bit is the instruction SBI, which writes only that bit.
+  /// Returns whether a register reacts only to bits written as 1: PINx, TIFRn, PCIFR, EIFR. If the compiler
+  /// knows register and bit, `|=` of one bit becomes the instruction SBI, which writes only that bit.
   static constexpr bool is_set_by_ones(robosim_register address) {
     return address == 0x23 || address == 0x26 || address == 0x29 || (address >= 0x35 && address <= 0x37) ||
            address == 0x3B || address == 0x3C;
@@ -102,8 +102,8 @@ constexpr RegisterPointer Register8::operator&() const { return RegisterPointer(
 
 #define ROBOSIM_INLINE __attribute__((always_inline)) inline
 
-/// A register whose reading has side effects. Programs read it by a bare statement: `(void)UDR0;`, `SPSR;`. A
-/// register that the statement has not used otherwise is read when the statement ends.
+/// A register whose reading has side effects. Programs read it by a bare statement: `(void)UDR0;`, `SPSR;`.
+/// If the statement has not used the register otherwise, the register is read when the statement ends.
 class ReadRegister8 {
  public:
   ROBOSIM_INLINE explicit ReadRegister8(robosim_register address) : register_(address) {}

@@ -10,7 +10,7 @@ extern "C" {
 
 typedef uint32_t time_t;
 
-/// Returns the seconds since 1 January 2000, 0:00, as set and advanced. Also stores them in *seconds, unless
+/// Returns the clock's value: seconds since 1 January 2000, 0:00. Also stores the value in *seconds, unless
 /// `seconds` is null.
 time_t time(time_t* seconds);
 int32_t difftime(time_t later, time_t earlier);
