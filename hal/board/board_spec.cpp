@@ -50,7 +50,7 @@ constexpr PinTable<kCount> pins_of(const ChipSpec& chip, const PinEntry (&entrie
   return table;
 }
 
-// variants/eightanaloginputs/pins_arduino.h. The Uno is the same chip in a package without ADC6 and ADC7.
+// variants/eightanaloginputs/pins_arduino.h. The Uno has the same chip in a package without ADC6 and ADC7.
 constexpr PinEntry kNanoEntries[] = {
     {"D0", "PD0", -1},  {"D1", "PD1", -1},  {"D2", "PD2", 0},   {"D3", "PD3", 1},   {"D4", "PD4", -1},
     {"D5", "PD5", -1},  {"D6", "PD6", -1},  {"D7", "PD7", -1},  {"D8", "PB0", -1},  {"D9", "PB1", -1},

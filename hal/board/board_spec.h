@@ -1,5 +1,5 @@
-// Boards and their pins, as data. A new board is one entry in board_spec.cpp, and a table of pins there
-// unless another board has the same pins. A variant of a board lists only the differences.
+// Boards and their pins, as data. To add a board, add one entry in board_spec.cpp, and a table of its pins
+// unless another board has the same. A variant of a board lists only the differences.
 #pragma once
 
 #include <stdint.h>

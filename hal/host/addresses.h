@@ -1,6 +1,6 @@
 // Checks which bytes of an image may be accessed. gcc's AddressSanitizer calls functions in addresses.cpp
-// before every access of the sketch, its libraries and the core. gcc's own runtime is not used, since it must
-// be the process's first library, and ends the process at a finding.
+// before every access of the sketch, its libraries and the core. gcc's own runtime is not used: it must be
+// the process's first library, and ends the process at a finding.
 //
 // One shadow byte describes 8 bytes of memory: 0 = all are accessible, n = 1..7 = only the first n, 0x80 and
 // above = none (the value is the reason). The shadow lies where gcc expects it, since instrumented functions

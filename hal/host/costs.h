@@ -1,8 +1,8 @@
 // The cost of every Arduino API call on an ATmega328P, in CPU cycles. No other file has these values.
 //
 // Measured (M): Debian's arduino-core-avr 1.8.7 by gcc-avr 5.4, -Os -flto, run by libsimavr 1.6. A cost is
-// the number of cycles between two writes of GPIOR0 around the call, minus the number without a call. The
-// calls' arguments are not constants.
+// the number of cycles between two writes of GPIOR0 around the call, minus that without a call. The calls'
+// arguments are not constants.
 #pragma once
 
 #include <stdint.h>

@@ -64,8 +64,8 @@ void begin_round() {
 
 /// Runs Timer 0's overflow handler in the round that begins now, at the first point after the overflow. The
 /// handler delays the rest of the round. Returns false, without any change, if the round reads the handler's
-/// counts after the overflow, or if another event is due in the round; the next one is at `next`. `shift`
-/// receives the handler's time if the round's last call is before the handler, else 0.
+/// counts after the overflow. It does so, too, if another event is due in the round; the next is at `next`.
+/// `shift` receives the handler's time if the round's last call is before the handler, else 0.
 bool pass_overflow(SimTime next, SimTime& shift) {
   int point = polling.reads;
   while (point < polling.points && state.now + polling.at[point] < timer0.due()) ++point;

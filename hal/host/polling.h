@@ -1,7 +1,7 @@
-// Skips firmware that only waits by polling. Such firmware returns to a place with unchanged variables, heap,
-// stack and registers. All its queries are certain to have the same answers for some time. Until then, it
-// repeats the same round with the same length. All rounds that certainly fit into this time are skipped,
-// except the last; the result is the same as running them.
+// Skips rounds of firmware that only waits by polling. Such firmware returns to a place in its code with
+// unchanged variables, heap, stack and registers. All its queries are certain to have the same answers for
+// some time. During this time it repeats the same round, which always has the same length. All rounds that
+// certainly fit into this time are skipped, except the last; the result is the same as running them.
 //
 // A look (a search for such a place) begins at a deadline: from then on each basic block calls
 // look_at_block(). The look ends when rounds have been skipped, when it takes too long, or at a call without

@@ -4,8 +4,8 @@
 //   dual slope (phase correct PWM):        period 2 TOP ticks,   count = position, then 2 TOP - position
 //
 // A tick is `prescaler` CPU cycles. With PWM, a new compare value takes effect with the tick that leaves TOP
-// (BOTTOM in frequency correct modes). If TOP changes, or drops below the count, the counter runs differently
-// up to a turn: see timer_turns.cpp. timer_capture.cpp captures edges of ICP1.
+// (BOTTOM in frequency correct modes). If TOP changes, or drops below the count, the counter deviates until a
+// "turn", when it restarts: see timer_turns.cpp. timer_capture.cpp captures edges of ICP1.
 #pragma once
 
 #include <stdint.h>
@@ -172,10 +172,10 @@ class Timer {
   /// Returns the position at which the overflow flag is raised. With dual slope this is one tick after
   /// BOTTOM, so that a counter that starts at BOTTOM raises the flag at once.
   int64_t overflows_at() const { return counting_.dual_slope ? 1 % period_ : 0; }
-  /// Returns the number of positions at which a match with `value` is detected, 0..2.
+  /// Stores in `at` the positions at which a match with `value` is detected. Returns their number, 0..2.
   ROBOSIM_RARE int matches(int64_t value, int64_t (&at)[2]) const;
-  /// Returns the number of positions at which the counter raises flag 0..3: overflow, match A, match B, and
-  /// ICFn at TOP. Matches use the last written value.
+  /// Stores in `at` the positions at which the counter raises flag 0..3: overflow, match A, match B, and ICFn
+  /// at TOP. Returns their number. Matches use the last written value.
   int raises(int flag, int64_t (&at)[2]) const;
   static constexpr uint8_t bit_of(int flag) { return flag == 3 ? captured : static_cast<uint8_t>(1 << flag); }
   /// Requests edges of ICPn from now on, since the sketch uses captures.
@@ -211,10 +211,10 @@ class Timer {
   SimTime base_ = 0;
   int64_t base_tick_ = 0;
   int64_t overflows_seen_ = 0;  ///< tick up to which take_overflows() has counted
-  int64_t disabled_seen_ = 0;   ///< tick up to which disabled flags are up to date: they are not scheduled
+  int64_t disabled_seen_ = 0;   ///< tick up to which disabled flags, which are not scheduled, are up to date
   SimTime due_of_[4] = {kNever, kNever, kNever, kNever};  ///< due times of flags 0..3; kNever if not enabled
   SimTime due_ = kNever, due_to_match_ = kNever;
-  // Levels of the pins. Without PWM: the level after the last match, at a tick. With PWM: the value that a
+  // Levels of the pins. Without PWM: the level after the last match, and its tick. With PWM: the value that a
   // write replaced, and the time of the write.
   bool toggled_[2] = {false, false};
   int64_t toggled_at_[2] = {0, 0};

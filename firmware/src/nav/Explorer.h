@@ -201,7 +201,7 @@ class Explorer : public Pilot<Walker, Network> {
   }
 
   /// Goes back to `from` along the line at its `slot`. If a new obstacle blocks that line, the robot turns
-  /// round again, and drives to the node at the other end, if that node is known.
+  /// round again. It then drives to the node at the other end, if that node is known.
   void retreat(Id from, uint8_t slot) {
     const Id ahead = network_.link(from, slot);
     turnBack();
