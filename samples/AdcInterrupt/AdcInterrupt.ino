@@ -1,14 +1,14 @@
-// The ADC runs freely, its interrupt goes round the channels; loop() only reads what is there.
+// The ADC converts continuously. Its interrupt handler cycles through the channels; loop() reads the samples.
 volatile uint8_t sample[5];
 volatile uint8_t channel = 0, rounds = 0;
 
 ISR(ADC_vect) {
   static uint8_t settle = 0;
-  if (settle) {                 // the first conversion after a change is still of the old channel
+  if (settle) {                 // the first conversion after a change still uses the old channel
     settle--;
     return;
   }
-  sample[channel] = ADCH;       // left adjusted: 8 bits
+  sample[channel] = ADCH;       // left-adjusted: the upper 8 bits
   if (++channel == 5) {
     channel = 0;
     rounds++;

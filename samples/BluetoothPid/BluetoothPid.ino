@@ -1,7 +1,7 @@
 #include <SoftwareSerial.h>
 
-// PID racer of our club. HC-05 on 10/11. Commands from the phone (Serial Bluetooth Terminal):
-//   g = go, s = stop, p12 / i0 / d80 = constants in tenths, ? = show
+// Club racer with PD control, and an HC-05 on pins 10/11. Commands from a phone (Serial Bluetooth Terminal):
+//   g = go, s = stop, p80 = Kp in thousandths, d60 = Kd in hundredths, ? = show
 SoftwareSerial BT(10, 11);  // RX, TX
 
 #define AIN1 7
@@ -26,7 +26,7 @@ void calibrate() {
     maximo[i] = 0;
   }
   for (int n = 0; n < 200; n++) {
-    // turn left, right, left over the line
+    // turns left, right and left again over the line
     if (n < 50 || n >= 150) motors(-60, 60);
     else motors(60, -60);
     for (int i = 0; i < 6; i++) {

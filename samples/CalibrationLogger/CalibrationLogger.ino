@@ -1,14 +1,14 @@
 /*
- * Writes what robosim calibrate reads: what the sensors see while the robot turns slowly on a tape, and how
- * its wheels start and roll out. docs/howto/calibrating.md says how to use it.
+ * Writes a log for `robosim calibrate`: sensor readings while the robot turns slowly on a tape, and encoder
+ * counts while the wheels start and coast. docs/howto/calibrating.md explains the procedure.
  *
- * Put the robot on a straight tape, its axle on the middle of it, with 1.5 m of free floor around.
- * Adapt the constants, flash, and save the serial monitor's text (115200 baud) as log.csv.
+ * Put the robot on a straight tape, with the axle over the middle of the tape, and 1.5 m of free floor.
+ * Adapt the constants, flash the sketch, and save the serial monitor's text (115200 baud) as log.csv.
  */
 const bool HAS_ENCODERS = true;
 const byte SENSORS = 5;
 const byte SENSOR_PINS[SENSORS] = {A0, A1, A2, A3, A4};
-const char SENSOR_NAMES[] = "S1,S2,S3,S4,S5";   // as in robot.toml
+const char SENSOR_NAMES[] = "S1,S2,S3,S4,S5";   // names as in robot.toml
 const bool RC_SENSORS = false;                  // true: QTR-RC, timed in microseconds
 const unsigned int RC_TIMEOUT_US = 8000;
 
@@ -16,14 +16,14 @@ const byte EN_L = 5, IN1_L = 7, IN2_L = 8;
 const byte EN_R = 6, IN1_R = 9, IN2_R = 10;
 const byte ENC_L = 2, ENC_R = 3;
 
-const int SWEEP_PWM = 60;              // without encoders: as slow as it turns without stopping
-const unsigned long SWEEP_MS = 12000;  // without encoders: each way round, more than a turn
-const long SWEEP_COUNTS = 3800;        // of both wheels together: two turns
-const int FAST = 255, SLOW = 140;      // PWM of the steps
+const int SWEEP_PWM = 60;              // without encoders: the lowest PWM that keeps the robot turning
+const unsigned long SWEEP_MS = 12000;  // without encoders: time in each direction, for more than a turn
+const long SWEEP_COUNTS = 3800;        // sum of both wheels' counts: two turns of the robot
+const int FAST = 255, SLOW = 140;      // PWM of the drives from rest
 const unsigned long FAST_MS = 300, SLOW_MS = 500, ROLL_MS = 700;
 
 volatile long countL = 0, countR = 0;
-volatile int signL = 1, signR = 1;     // one channel does not tell the direction
+volatile int signL = 1, signR = 1;     // commanded direction: a single channel does not show it
 unsigned long began;
 
 void edgeL() { countL += signL; }
@@ -32,7 +32,7 @@ void edgeR() { countR += signR; }
 void motor(byte en, byte in1, byte in2, int pwm) {
   digitalWrite(in1, pwm > 0 ? HIGH : LOW);
   digitalWrite(in2, pwm < 0 ? HIGH : LOW);
-  analogWrite(en, abs(pwm));           // all low: the motor rolls out
+  analogWrite(en, abs(pwm));           // with all pins low, the motor coasts
 }
 
 void drive(int left, int right) {
@@ -49,7 +49,7 @@ long counted(volatile long &count) {
   return copy;
 }
 
-unsigned long polls;                    // of RC sensors: how often their pins were looked at
+unsigned long polls;                    // number of times that an RC sensor's pin was still HIGH
 
 unsigned int readSensor(byte pin) {
   if (!RC_SENSORS) return analogRead(pin);
@@ -68,7 +68,7 @@ void begin() {
   began = micros();
 }
 
-// A row: the time, what the motors are told from here on (in drives), counts, readings (in sweeps).
+// Prints a row: time, motor commands from now on (in drives only), counts, readings (in sweeps only).
 void row(bool sweep, int left, int right) {
   unsigned long t = micros() - began;
   long l = counted(countL), r = counted(countR);
@@ -92,7 +92,7 @@ void row(bool sweep, int left, int right) {
   Serial.println();
 }
 
-// Waits until no wheel has turned for half a second; without encoders, for half a second.
+// Waits until no wheel has turned for half a second. Without encoders, waits for half a second.
 void rest() {
   long before;
   do {
@@ -101,7 +101,7 @@ void rest() {
   } while (counted(countL) + 31 * counted(countR) != before);
 }
 
-// Slowly to the left (1) or right (-1): as fast as the wheels keep turning once they have started.
+// Turns slowly to the left (1) or right (-1). With encoders, uses 7/8 of the PWM at which the wheels start.
 void sweep(int way) {
   int left = SWEEP_PWM, right = SWEEP_PWM;
   rest();
@@ -134,7 +134,7 @@ void sweep(int way) {
   drive(0, 0);
 }
 
-// A step from rest, and how it rolls out.
+// Drives from rest for `ms` milliseconds, then coasts. Prints a row every 5 ms.
 void step(int left, int right, unsigned long ms) {
   rest();
   Serial.println(HAS_ENCODERS ? "t_us,left,right,count_left,count_right" : "t_us,left,right");
@@ -168,17 +168,17 @@ void setup() {
   }
   Serial.begin(115200);
   Serial.println("# robosim calibration log");
-  Serial.println("# counts_per_period = 2");       // both edges of one channel
-  if (RC_SENSORS) {                                // how finely their times are known
+  Serial.println("# counts_per_period = 2");       // both edges of one channel count
+  if (RC_SENSORS) {                                // mean time between two reads of a pin
     unsigned long sum = 0;
     for (byte i = 0; i < SENSORS; i++) sum += readSensor(SENSOR_PINS[i]);
     Serial.print("# timing_step_us = ");
     Serial.println((float)sum / polls);
   }
-  delay(3000);                                     // hands off
+  delay(3000);                                     // time for the user to step back
   sweep(1);
   sweep(-1);
-  if (HAS_ENCODERS) {                              // else: docs/howto/calibrating.md, by stopwatch
+  if (HAS_ENCODERS) {                              // otherwise a stopwatch is needed (calibrating.md)
     step(FAST, FAST, FAST_MS);
     step(-FAST, -FAST, FAST_MS);
     step(SLOW, SLOW, SLOW_MS);

@@ -1,6 +1,6 @@
 #include "Robot.h"
 
-// Sensors and strategies as objects; the line is followed by whichever strategy the robot has been given.
+// Sensors and strategies are objects. The robot follows the line by the strategy that use() has set.
 SensorBar<5> bar({A0, A1, A2, A3, A4});
 Wheel left(5, 7, 8), right(6, 9, 10);
 Proportional gentle(0.05f);

@@ -1,5 +1,5 @@
 #include <Wire.h>
-// TCS34725 under the nose: follow the line's left edge by the clear channel.
+// Follows the line's left edge by the clear channel of a TCS34725 under the robot's front.
 #define TCS 0x29
 #define CMD 0x80
 const int enL = 5, inL1 = 7, inL2 = 8, enR = 6, inR1 = 9, inR2 = 10;
@@ -29,11 +29,11 @@ void setup() {
   Wire.begin();
   byte id = get8(0x12);
   Serial.print(F("id 0x")); Serial.println(id, HEX);
-  put(0x01, 0xFF);      // 2.4 ms
+  put(0x01, 0xFF);      // integration time 2.4 ms
   put(0x0F, 0x02);      // gain 16
-  put(0x00, 0x03);      // on
+  put(0x00, 0x03);      // power on, ADC on
   delay(10);
-  // look left and right for white and black
+  // turns left and right to find the readings of white and black
   white = 0; black = 65535;
   motors(-60, 60);
   for (int i = 0; i < 100; i++) { sample(); delay(3); }
@@ -50,7 +50,7 @@ void sample() {
   if (c < black) black = c;
 }
 void loop() {
-  // 0 = black ... 100 = white; half of it is the edge
+  // 0 = black ... 100 = white; 50 = at the edge
   long share = 100L * ((long)clear() - black) / ((long)white - black);
   int error = constrain(share, 0, 100) - 50;
   motors(70 + error, 70 - error);

@@ -1,5 +1,5 @@
-// Counts crossings on a 7-segment digit (common cathode), segments a..g on 2 3 4 5 6 7 8. Motors on transistors... no,
-// on a DRV8833: PWM on both inputs, 9/10 right, 11/12 left (12 has no PWM: backwards is all or nothing).
+// Shows the number of crossings on a 7-segment digit (common cathode), with segments a to g on pins 2 to 8.
+// A DRV8833 drives the motors: right on pins 9/10, left on 11/12. Only pin 12 has no PWM.
 const byte digits[10] = {B0111111, B0000110, B1011011, B1001111, B1100110,
                          B1101101, B1111101, B0000111, B1111111, B1101111};
 byte count = 0;
@@ -15,7 +15,7 @@ void setup() {
 
 void forward(byte pinA, byte pinB, byte speed) {
   if (speed) analogWrite(pinA, speed);
-  else digitalWrite(pinA, HIGH);      // both high: brake
+  else digitalWrite(pinA, HIGH);      // both inputs high: brake
   digitalWrite(pinB, speed ? LOW : HIGH);
 }
 

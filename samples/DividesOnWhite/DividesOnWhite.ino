@@ -1,4 +1,4 @@
-// Weighted average of the sensors. When none sees the line the sum is 0...
+// Steers by a weighted average of the sensors. Intentional bug: divides by 0 if no sensor sees the line.
 int values[5];
 void setup() {
   for (int i = 5; i <= 10; i++) pinMode(i, OUTPUT);

@@ -1,12 +1,12 @@
-// DPRG line following: black on white tiles of a foot, straights and curves of half a foot. Five sensors as bits, and
-// a table that says how to steer.
+// Follows a DPRG course: black lines on white tiles of 12 inches, with straights and curves of 6 inches.
+// Converts five sensors to bits, and looks up the steering in a table.
 const uint8_t EYES[5] PROGMEM = {A0, A1, A2, A3, A4};
 const uint8_t L_EN = 5, L_FWD = 7, L_REV = 8, R_EN = 6, R_FWD = 9, R_REV = 10;
 const uint8_t CRUISE = 80;
 
 struct Rule {
-  uint8_t seen;   // left to right, 1 = black
-  int8_t steer;   // to the right
+  uint8_t seen;   // one bit per sensor, left to right; 1 = black
+  int8_t steer;   // positive: to the right
 };
 
 const Rule RULES[] PROGMEM = {
@@ -37,7 +37,7 @@ void loop() {
   uint8_t seen = look();
   for (uint8_t i = 0; i < sizeof RULES / sizeof RULES[0]; i++)
     if (pgm_read_byte(&RULES[i].seen) == seen) steering = pgm_read_byte(&RULES[i].steer);
-  // Beside the line it goes on to turn to where it was.
+  // Next to the line no rule matches, and the last steering value stays.
   analogWrite(L_EN, constrain(CRUISE + steering, 0, 255));
   analogWrite(R_EN, constrain(CRUISE - steering, 0, 255));
   delay(2);

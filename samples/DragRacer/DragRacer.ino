@@ -1,12 +1,12 @@
-// Drag race: waits for the button, drives three metres along the line as fast as it can steer, and stops.
-// The distance is counted by the encoders: 51.45 * 3 periods a turn of a 32 mm wheel.
+// Drag race: waits for the button, drives three metres along a line at high speed, and stops.
+// Encoders measure the distance: 51.45 * 3 periods per turn of a 32 mm wheel.
 
 const int SENSORS[] = {A0, A1, A2, A3, A4};
 const int ENA = 5, IN1 = 7, IN2 = 8, ENB = 6, IN3 = 9, IN4 = 10;
 const int START = 4;
 
 const float MM_PER_COUNT = 32.0 * PI / (51.45 * 3);
-const float FINISH_MM = 3100 + 150;   // from where it stands to behind the finish line
+const float FINISH_MM = 3100 + 150;   // from the start position to a point after the finish line
 const int TOP = 230;
 
 volatile long countLeft = 0, countRight = 0;

@@ -1,6 +1,6 @@
 #include <EEPROM.h>
 
-// PD constants live in the EEPROM. Send  kp=9  or  kd=60  or  save  or  show; they survive the power switch.
+// Stores PD constants in the EEPROM, so that they survive a power cut. Commands: kp=9, kd=60, save, show.
 struct Settings {
   uint16_t magic;
   int16_t kp, kd;

@@ -8,7 +8,7 @@ void setup() {
   digitalWrite(7, 1); digitalWrite(8, 0);
   digitalWrite(9, 1); digitalWrite(10, 0);
   pinMode(13, OUTPUT);
-  for (int i = 0; i < 6; i++) {     // blink three times: 3 s
+  for (int i = 0; i < 6; i++) {     // blinks three times in 3 s
     digitalWrite(13, !digitalRead(13));
     DELAY(500);
   }

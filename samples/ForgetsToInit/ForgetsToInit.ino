@@ -1,4 +1,4 @@
-// lastSide is a local that nobody has initialised; before the first bend it is whatever was on the stack.
+// Intentional bug: the local variable lastSide is not initialised, so it may contain any value of the stack.
 int look() {
   int lastSide;
   bool l = digitalRead(A0), m = digitalRead(A1), r = digitalRead(A2);

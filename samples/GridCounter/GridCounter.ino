@@ -1,4 +1,4 @@
-// Grid follower: go 3 crossings up, turn right, go 2 crossings, stop. (robotics club, task 3)
+// Follows a grid: 3 crossings, right turn, 2 crossings, right turn, 1 crossing, stop (robotics club, task 3).
 const byte L_EYE = 2, C_EYE = 3, R_EYE = 4;   // 1 = black
 #define ENA 5
 #define IN1 8
@@ -29,9 +29,9 @@ bool onCrossing() {
 }
 
 void turnRight() {
-  motor(55, 55); delay(250);         // wheels onto the crossing
+  motor(55, 55); delay(250);         // moves the wheels onto the crossing
   motor(50, -50);
-  while (digitalRead(C_EYE)) ;          // away from the old line
+  while (digitalRead(C_EYE)) ;          // turns away from the old line
   delay(100);
   while (!digitalRead(C_EYE)) ;
   motor(0, 0); delay(200);
@@ -60,7 +60,7 @@ void loop() {
     }
     leg++;
   } else {
-    while (onCrossing()) follow();     // count it once
+    while (onCrossing()) follow();     // counts the crossing only once
     delay(50);
   }
 }

@@ -1,6 +1,6 @@
 #include <Wire.h>
 
-// MPU-6050 by its registers: turn 90 degrees four times, both ways.
+// Reads an MPU-6050 by its registers. Turns four times by 90 degrees, then once by -180 degrees.
 const int MPU = 0x68;
 float gyroZ, offsetZ = 0, angle = 0;
 unsigned long before;

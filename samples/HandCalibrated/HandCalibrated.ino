@@ -1,5 +1,5 @@
-// Club robot, 5 analog sensors, one button.
-// 1st press: 4 s to move it over the line by hand. 2nd press: put it at the start, it goes 2 s later.
+// Club robot with five analog sensors and one button. After the first press, move the robot over the line for
+// 4 s. Then put the robot at the start and press again. The robot drives 2 s later.
 const byte BTN = 4, LED = 13;
 const byte PIN[5] = {A0, A1, A2, A3, A4};
 int lo[5], hi[5];

@@ -1,4 +1,4 @@
-// Choose the programme on a 4x3 keypad: 1 follow the line, 2 turn on the spot, * stop. Scanned by ourselves.
+// Scans a 4x3 keypad without a library. Keys select a mode: 1 follow the line, 2 turn on the spot, * stop.
 const byte ROWS = 4, COLS = 3;
 const char keys[ROWS][COLS] = {{'1','2','3'},{'4','5','6'},{'7','8','9'},{'*','0','#'}};
 const byte rowPins[ROWS] = {A5, A4, A3, A2};

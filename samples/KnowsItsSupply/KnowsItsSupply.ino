@@ -1,13 +1,13 @@
 /*
-  Learns its supply from the chip's own 1.1 V, without a part for it: measures that against the supply, as in many
-  battery-powered projects ("secret voltmeter"). So it also knows what its battery's divider is worth when the supply
-  sinks with the battery; and it stops while there is still enough for its motors' driver to obey.
+  Measures the supply without extra parts: the ADC compares the chip's 1.1 V reference with the supply
+  ("secret voltmeter"). The measured supply scales the reading of the battery's divider: the supply may
+  sink with the battery. The robot stops before the battery is too low for the motor driver.
 */
 const byte EN_L = 5, IN1_L = 7, EN_R = 6, IN1_R = 9, BATTERY = A5;
 const long BANDGAP_MV = 1100;
 
 long supply_mv() {
-  ADMUX = _BV(REFS0) | _BV(MUX3) | _BV(MUX2) | _BV(MUX1);   // 1.1 V against the supply
+  ADMUX = _BV(REFS0) | _BV(MUX3) | _BV(MUX2) | _BV(MUX1);   // 1.1 V relative to the supply
   delay(2);
   ADCSRA |= _BV(ADSC);
   while (ADCSRA & _BV(ADSC)) ;
@@ -26,7 +26,7 @@ void setup() {
 
 void loop() {
   const long supply = supply_mv();
-  const long battery = 2L * analogRead(BATTERY) * supply / 1024;   // a divider by two
+  const long battery = 2L * analogRead(BATTERY) * supply / 1024;   // the divider halves the voltage
   Serial.print(F("supply "));
   Serial.print((supply + 50) / 100);
   Serial.print(F(" battery "));

@@ -41,7 +41,7 @@ void setup() {
 }
 
 void loop() {
-  int left = analogRead(A0), right = analogRead(A5);    // the shield leaves only A0 to A5 and 2, 13
+  int left = analogRead(A0), right = analogRead(A5);    // the shield leaves only A0 to A5, 2 and 13 free
   if (left > 500 && right < 500) {
     motor(M1_A, M1_B, PWM_M1, -120);
     motor(M2_A, M2_B, PWM_M2, 180);

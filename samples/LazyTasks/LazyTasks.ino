@@ -1,4 +1,4 @@
-// No delay() anywhere: a table of tasks, each with its period. Melody on the way, by tone().
+// Runs tasks from a table, each with its own period, without delay(). One task plays a melody by tone().
 typedef void (*TaskFunction)();
 struct Task { TaskFunction run; unsigned int period; unsigned long due; };
 

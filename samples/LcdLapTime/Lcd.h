@@ -1,4 +1,4 @@
-// A small driver of our own: LCD 1602 on I2C, 4 bits.
+// Drives an LCD 1602 over I2C in 4-bit mode, without a library.
 #pragma once
 #include <Arduino.h>
 #include <Wire.h>

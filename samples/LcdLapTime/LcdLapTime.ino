@@ -1,4 +1,4 @@
-// Lap timer on a 16x2 LCD with a PCF8574 backpack. Counts a lap at the black bar across the track.
+// Shows lap times on a 16x2 LCD with a PCF8574 backpack. Counts a lap at the black bar across the track.
 #include "Lcd.h"
 
 Lcd lcd(0x3F);
@@ -45,7 +45,7 @@ void loop() {
 }
 
 void bar() {
-  if (millis() - lastBar < 1000) return;     // still the same one
+  if (millis() - lastBar < 1000) return;     // still the same bar
   lastBar = millis();
   float t = (millis() - lapStart) / 1000.0;
   lapStart = millis();

@@ -1,4 +1,4 @@
-// Drives round; motors off when somebody picks it up and tilts it (MPU-6050), on again when it stands.
+// Drives in a circle. Stops the motors while an MPU-6050 reports a tilt, and for one second afterwards.
 #include <Wire.h>
 
 const byte MPU = 0x68;

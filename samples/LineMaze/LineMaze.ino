@@ -1,8 +1,8 @@
 /*
-  Line maze, two runs. First run: left hand on the wall. Dead ends are cut out of the path.
-  Second run: the short way, after the button.
+  Solves a line maze in two runs. The first run follows the left-hand rule, and cuts dead ends off its path.
+  The second run starts when the button is pressed, and drives the shortened path.
 
-  QTR-8RC read by hand: charge, then wait until the pin is LOW.
+  Reads a QTR-8RC without a library: charges each sensor, then measures the time until its pin is LOW.
 */
 #define NUM 6
 const unsigned char QTR[NUM] = {A0, A1, A2, A3, A4, A5};
@@ -79,7 +79,7 @@ void turn(char dir) {
   if (dir == 'S') return;
   int sign = dir == 'L' ? -1 : 1;
   set_motors(sign * 60, -sign * 60);
-  if (dir != 'B') {          // off the line that we stand on first
+  if (dir != 'B') {          // first turns off the line under the robot
     do read_sensors(); while (black(2) || black(3));
   } else {
     delay(150);
@@ -96,7 +96,7 @@ char select_turn(bool left, bool straight, bool right) {
   return 'B';
 }
 
-// xBx becomes one turn
+// Replaces the last three turns by one turn if the middle one is B, which means back at a dead end.
 void simplify_path() {
   if (path_length < 3 || path[path_length - 2] != 'B') return;
   int total = 0;
@@ -112,7 +112,7 @@ void simplify_path() {
   path_length -= 2;
 }
 
-// What is at the intersection, seen while driving a little on. True at the goal: all black for long.
+// Drives on a little to find the ways out of the intersection. Returns true at the goal, a large black area.
 bool look_around(bool &left, bool &straight, bool &right) {
   left = right = false;
   set_motors(60, 60);
@@ -125,7 +125,7 @@ bool look_around(bool &left, bool &straight, bool &right) {
   int dark = 0;
   for (int i = 0; i < NUM; i++) dark += black(i);
   bool goal = dark >= NUM - 1;
-  for (int i = 0; i < 16 && !goal; i++) {     // the wheels onto the intersection
+  for (int i = 0; i < 16 && !goal; i++) {     // moves the wheels onto the intersection
     read_sensors();
     delay(6);
   }
@@ -167,7 +167,7 @@ void loop() {
   Serial.print(F("path "));
   Serial.println(path);
 
-  // second runs
+  // second run, at each press of the button
   while (1) {
     digitalWrite(LED, HIGH);
     wait_button();

@@ -7,7 +7,7 @@
 enum Mode { MODE_STOP, MODE_SLOW, MODE_FAST };
 
 struct Reading {
-  byte black;        // how many see the line
+  byte black;        // number of sensors over the line
   float position;    // -1 left ... 1 right
   float lastSeen;
 };

@@ -1,4 +1,4 @@
-// Mega 2560: sensors on A8 to A12, telemetry on Serial1 (nothing listens), PORTA and PORTC for directions.
+// Mega 2560: sensors on A8 to A12, telemetry on Serial1 (without a listener), motor directions on PORTA.
 #define DIRECTIONS PORTA
 #define TELEMETRY Serial1
 const uint8_t ch[] = {A8, A9, A10, A11, A12};

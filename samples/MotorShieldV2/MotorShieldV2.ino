@@ -1,6 +1,6 @@
 #include <Wire.h>
 
-// Adafruit's motor shield v2 without its library: a PCA9685 at 0x60 drives two TB6612.
+// Uses Adafruit's motor shield v2 without its library: a PCA9685 at 0x60 drives two TB6612.
 // M1: PWM 8, IN2 9, IN1 10.  M2: PWM 13, IN2 12, IN1 11.
 #define SHIELD 0x60
 
@@ -44,14 +44,14 @@ void setup() {
   Wire.setClock(400000L);
   writeReg(0x00, 0x10);          // sleep, to set the prescaler
   writeReg(0xFE, 3);             // 1.6 kHz
-  writeReg(0x00, 0x20);          // wake up, auto increment
+  writeReg(0x00, 0x20);          // wake-up, auto-increment
   delay(5);
   left.run(0);
   right.run(0);
 }
 
 void loop() {
-  // A0 and A1 look at the line's edges
+  // the sensors on A0 and A1 are over the line's edges
   int error = analogRead(A0) - analogRead(A1);
   int turn = error / 8;
   left.run(constrain(90 - turn, -255, 255));

@@ -1,4 +1,4 @@
-// Nano with eight analog sensors (A6 and A7 too), TB6612, speed by the error: fast on straights.
+// Nano with eight analog sensors (A0 to A7) and a TB6612. Drives faster while the error is small (straights).
 #define NUM_SENSORS 8
 int sensorPin[NUM_SENSORS] = {0, 1, 2, 3, 4, 5, 6, 7};   // analogRead(0) is analogRead(A0)
 float Kp = 0.045, Kd = 0.35;
@@ -20,7 +20,7 @@ void loop() {
   unsigned long sumWeighted = 0;
   unsigned int sum = 0;
   for (int i = 0; i < NUM_SENSORS; i++) {
-    unsigned int v = 1023 - analogRead(sensorPin[i]);    // these modules give less over black
+    unsigned int v = 1023 - analogRead(sensorPin[i]);    // these modules read less over black
     if (v < 300) v = 0;
     sumWeighted += (unsigned long)v * i * 1000;
     sum += v;

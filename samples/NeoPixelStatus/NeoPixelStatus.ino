@@ -1,6 +1,6 @@
-// WS2812 on PB0 (pin 8), bits made by assembler with interrupts off: green follows, red lost. AVR at 16 MHz only.
+// Drives WS2812 LEDs on pin 8 (PB0) in assembler (16 MHz AVR only): green = straight, red = turning.
 #define LEDS 3
-uint8_t pixels[3 * LEDS];   // G R B
+uint8_t pixels[3 * LEDS];   // order: green, red, blue
 
 void show() {
   uint8_t* p = pixels;
@@ -46,7 +46,7 @@ void setup() {
 void loop() {
   static uint8_t shown = 255;
   bool l = digitalRead(A0), r = digitalRead(A2);
-  digitalWrite(7, !l); digitalWrite(2, l);     // a wheel whose sensor sees black turns back
+  digitalWrite(7, !l); digitalWrite(2, l);     // a wheel whose sensor sees black turns backward
   digitalWrite(9, !r); digitalWrite(10, r);
   analogWrite(5, l ? 80 : 115);
   analogWrite(6, r ? 80 : 115);

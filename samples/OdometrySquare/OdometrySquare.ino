@@ -1,6 +1,6 @@
 /*
- * Lab 4: dead reckoning. Drive a square of 50 cm with wheel encoders,
- * without looking at the floor.
+ * Lab 4: dead reckoning. Drives a square of 50 cm by wheel encoders,
+ * without floor sensors.
  */
 const byte PWM_L = 10, DIR_L = 12;
 const byte PWM_R = 11, DIR_R = 13;
@@ -32,7 +32,7 @@ void setMotors(int l, int r) {
   analogWrite(PWM_R, abs(r));
 }
 
-// Drives until both wheels have made the ticks; the one that is ahead gets less.
+// Drives until both wheels have turned by `ticks`. The wheel that is ahead gets less power.
 void drive(long ticks, int signL, int signR) {
   noInterrupts();
   ticksL = ticksR = 0;

@@ -1,7 +1,7 @@
 #include <Wire.h>
 #include "font.h"
 
-// 0.96" OLED (SSD1306) without a library: speed and time on the display while it drives.
+// Shows the time on a 0.96" OLED (SSD1306) while the robot drives, without a library.
 #define OLED 0x3C
 int leftPwm = 5, leftFwd = 7, leftBack = 8, rightPwm = 6, rightFwd = 9, rightBack = 10;
 

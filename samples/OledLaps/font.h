@@ -1,4 +1,4 @@
-// 5 x 7 letters, a byte a column, the lowest bit on top; ' ' to 'Z'.
+// Characters from ' ' to 'Z', 5 x 7 pixels: one byte per column, with the lowest bit at the top.
 #pragma once
 #include <avr/pgmspace.h>
 

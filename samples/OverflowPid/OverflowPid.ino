@@ -1,4 +1,4 @@
-// A PID that works on the bench and turns away at speed: where does 1000 * kp go?
+// PD control with an intentional bug: products overflow an Uno's 16-bit int, and the robot leaves the line.
 int kp = 30, kd = 200, last = 0;
 int read_position() {
   unsigned int weighted = 0, sum = 0;     // 16 bits on an Uno

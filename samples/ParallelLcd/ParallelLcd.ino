@@ -1,5 +1,5 @@
-/* Menu on a 16x2 display (HD44780, 4 bits, no library) with three buttons on one analog pin (a ladder of resistors is too
-   posh: one button each). SELECT starts the race, and the display shows the time. */
+/* Shows a menu on a 16x2 display (HD44780 in 4-bit mode, without a library). Three buttons have a pin each.
+   SELECT starts the race; the display then shows the time. */
 enum { RS = 12, EN = 11, D4 = A4, D5 = A3, D6 = A2, D7 = A1 };
 enum { UP = 2, DOWN = 3, SELECT = 4 };
 int speedLevel = 3;

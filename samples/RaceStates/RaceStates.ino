@@ -1,5 +1,5 @@
 // State machine for the school race: WAIT -> COUNTDOWN -> FOLLOW <-> SEARCH -> FINISHED
-// Three sensors, finish = black bar over all of them.
+// Three sensors; the finish is a black bar under all of them.
 
 enum class State : uint8_t { Wait, Countdown, Follow, Search, Finished };
 

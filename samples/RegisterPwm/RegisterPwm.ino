@@ -1,4 +1,4 @@
-// No Arduino functions for the hardware: ports, timer 2 and the ADC by their registers.
+// Accesses ports, timer 2 and the ADC by registers, without Arduino functions.
 // Motors on OC2A (PB3 = 11) and OC2B (PD3 = 3), directions on PD4..PD7, two sensors on ADC0 and ADC1.
 
 #define PWM_LEFT   OCR2A
@@ -21,8 +21,8 @@ void setup() {
   TCCR2B = (1 << CS22);
   PWM_LEFT = PWM_RIGHT = 0;
 
-  ADCSRA = (1 << ADEN) | (1 << ADPS2) | (1 << ADPS1);  // 250 kHz
-  PORTD = (PORTD & 0x0F) | B01010000;                  // both ahead
+  ADCSRA = (1 << ADEN) | (1 << ADPS2) | (1 << ADPS1);  // ADC clock 250 kHz
+  PORTD = (PORTD & 0x0F) | B01010000;                  // both motors forward
 }
 
 void loop() {

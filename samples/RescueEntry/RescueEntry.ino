@@ -1,26 +1,26 @@
 /*
-  RoboCupJunior Rescue Line Entry: gaps, speed bumps, a ramp, an obstacle, debris, and a sharp corner, to the strip of
-  silver tape before the evacuation zone. There it stops: it has nothing to carry cans with.
+  RoboCupJunior Rescue Line Entry: gaps, speed bumps, a ramp, an obstacle, debris and a sharp corner. The
+  robot stops at the silver tape before the evacuation zone, because it cannot carry cans.
 
-  The speed is kept by the encoders, with an integral term. Silver is brighter than white by infra-red, by so little that
-  all five sensors are asked together, against the white that the outer ones have seen lately.
+  Encoders control the speed, with an integral term. In infrared, silver is only slightly brighter than white.
+  The sum of all five sensors is therefore compared with recent readings of the outer two over white.
 */
 const byte S[5] = {A0, A1, A2, A3, A6};
 const byte EN_L = 5, IN1_L = 7, IN2_L = 8, EN_R = 6, IN1_R = 9, IN2_R = 10;
 const byte BUMPER = 12;
 
-const float MM = 0.651;            // a count
+const float MM = 0.651;            // mm per count
 const int SPEED = 150;             // mm/s
-const int POWER = 50;              // about what that takes on plane floor
+const int POWER = 50;              // approximate PWM for SPEED on level floor
 const int TRACK = 98;              // mm
 const int GAP_MM = 200;
-const float SILVER = 0.3;          // it reads less than that of white
+const float SILVER = 0.3;          // silver reads less than this share of white
 
-int white[5], black;               // readings
+int white[5], black;               // readings over white (per sensor) and black
 int raw[5];
 int level[5];                      // 0 white to 100 black
 volatile long left_counts, right_counts;
-long straight, line_at;            // ahead(), and mm, when the line was last seen
+long straight, line_at;            // ahead() and driven() when the line was last seen
 float power = POWER, sum = 0;
 
 void count_left() { left_counts++; }
@@ -33,11 +33,11 @@ long counts(bool difference) {
   return difference ? left - right : left + right;
 }
 
-long ahead() { return counts(true); }              // by which the left wheel has turned farther
-long driven() { return counts(false) / 2 * MM; }   // mm, in any direction
+long ahead() { return counts(true); }              // counts of the left wheel minus the right wheel
+long driven() { return counts(false) / 2 * MM; }   // mm, forward or backward
 
 void drive(int left, int right) {
-  digitalWrite(IN1_L, left >= 0);   // both high: the motor brakes
+  digitalWrite(IN1_L, left >= 0);   // both inputs high: the motor brakes
   digitalWrite(IN2_L, left <= 0);
   digitalWrite(IN1_R, right >= 0);
   digitalWrite(IN2_R, right <= 0);
@@ -64,7 +64,7 @@ bool any_dark() {
   return false;
 }
 
-// Each 20 ms: the power that the speed takes.
+// Adjusts the power every 20 ms, so that the robot drives at SPEED.
 void keep_speed() {
   static unsigned long looked = 0;
   static long before = 0;
@@ -74,12 +74,12 @@ void keep_speed() {
   const long now = counts(false);
   const float error = SPEED - (now - before) / 2 * MM / seconds;
   before = now;
-  if (seconds > 0.1) return;        // it has done something else meanwhile
+  if (seconds > 0.1) return;        // another manoeuvre has taken this time
   sum = constrain(sum + error * seconds * 1.5, -60, 120);
   power = constrain(POWER + 0.1 * error + sum, 0, 220);
 }
 
-// Straight ahead, or back, until the way is driven, or a line is met.
+// Drives straight ahead (speed > 0) or back for `mm`. With `to_line`, also stops at a line.
 void go(int mm, int speed, bool to_line = false) {
   long to = driven() + mm, before = ahead();
   do {
@@ -90,7 +90,7 @@ void go(int mm, int speed, bool to_line = false) {
   } while (driven() < to && !(to_line && any_dark()));
 }
 
-// On the spot, degrees to the right.
+// Turns on the spot by `degrees` to the right.
 void turn(int degrees) {
   long to = driven() + abs(degrees) * (PI / 360) * TRACK;
   int speed = degrees > 0 ? POWER : -POWER;
@@ -99,9 +99,9 @@ void turn(int degrees) {
   stop();
 }
 
-// Where the line ends in silver tape, 25 mm along the way and wider than the array.
+// Returns true at the line's end in silver tape, which is 25 mm long and wider than the sensor array.
 bool sees_silver() {
-  static float usual = 0;           // what the outer two read over white
+  static float usual = 0;           // mean reading of the outer two sensors over white
   static byte times = 0;
   int sum = 0;
   for (byte i = 0; i < 5; i++) sum += raw[i];
@@ -135,7 +135,7 @@ void around() {
   line_at = driven();
 }
 
-// A line that one side has seen, and that ends: it goes on at a right angle there.
+// Turns at a right-angled corner, where an outer sensor saw the line on one side before the line ended.
 void corner(int side) {
   stop();
   go(40, POWER);
@@ -157,7 +157,7 @@ void setup() {
   attachInterrupt(digitalPinToInterrupt(2), count_left, RISING);
   attachInterrupt(digitalPinToInterrupt(3), count_right, RISING);
   delay(1000);
-  // It stands on the line: the middle is black, the outer two are white.
+  // The robot stands on the line: the middle sensor is over black, the outer two are over white.
   long readings[5] = {};
   for (byte n = 0; n < 16; n++)
     for (byte i = 0; i < 5; i++) readings[i] += analogRead(S[i]);

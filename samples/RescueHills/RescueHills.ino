@@ -1,8 +1,8 @@
 /*
-  RoboCupJunior Rescue Line, uphill and downhill: bumps, a ramp of 25 degrees, a seesaw, a step, and an obstacle.
+  RoboCupJunior Rescue Line with hills: bumps, a ramp of 25 degrees, a seesaw, a step and an obstacle.
 
-  The speed is kept by the encoders, with an integral term: uphill it takes more power than on plane floor, downhill less.
-  Over a crest the sensors are so high that all is dark; then it goes on as straight as it went.
+  Encoders control the speed, with an integral term: uphill needs more power than level floor, downhill less.
+  Over a crest, the sensors are so high that all of them read dark. The robot then keeps its direction.
 */
 #include <Wire.h>
 
@@ -10,16 +10,16 @@ const byte S[5] = {A0, A1, A2, A3, A6};
 const byte EN_L = 5, IN1_L = 7, IN2_L = 8, EN_R = 6, IN1_R = 9, IN2_R = 10;
 const byte BUMPER = 12, TCS = 0x29;
 
-const float MM = 0.651;            // a count
+const float MM = 0.651;            // mm per count
 const int SPEED = 150;             // mm/s
-const int POWER = 50;              // about what that takes on plane floor
+const int POWER = 50;              // approximate PWM for SPEED on level floor
 const int TRACK = 98;              // mm
 const int GAP_MM = 300;
 
-int white[5], black;               // readings
+int white[5], black;               // readings over white (per sensor) and black
 int level[5];                      // 0 white to 100 black
 volatile long left_counts, right_counts;
-long straight, line_at;            // ahead(), and mm, when the line was last seen
+long straight, line_at;            // ahead() and driven() when the line was last seen
 float power = POWER, sum = 0;
 
 void count_left() { left_counts++; }
@@ -32,11 +32,11 @@ long counts(bool difference) {
   return difference ? left - right : left + right;
 }
 
-long ahead() { return counts(true); }              // by which the left wheel has turned farther
-long driven() { return counts(false) / 2 * MM; }   // mm, in any direction
+long ahead() { return counts(true); }              // counts of the left wheel minus the right wheel
+long driven() { return counts(false) / 2 * MM; }   // mm, forward or backward
 
 void drive(int left, int right) {
-  digitalWrite(IN1_L, left >= 0);   // both high: the motor brakes
+  digitalWrite(IN1_L, left >= 0);   // both inputs high: the motor brakes
   digitalWrite(IN2_L, left <= 0);
   digitalWrite(IN1_R, right >= 0);
   digitalWrite(IN2_R, right <= 0);
@@ -60,7 +60,7 @@ bool any_dark() {
   return false;
 }
 
-// Each 20 ms: the power that the speed takes.
+// Adjusts the power every 20 ms, so that the robot drives at SPEED.
 void keep_speed() {
   static unsigned long looked = 0;
   static long before = 0;
@@ -70,12 +70,12 @@ void keep_speed() {
   const long now = counts(false);
   const float error = SPEED - (now - before) / 2 * MM / seconds;
   before = now;
-  if (seconds > 0.1) return;        // it has done something else meanwhile
+  if (seconds > 0.1) return;        // another manoeuvre has taken this time
   sum = constrain(sum + error * seconds * 1.5, -60, 120);
   power = constrain(POWER + 0.1 * error + sum, 0, 220);
 }
 
-// Straight ahead, or back, until the way is driven, or a line is met.
+// Drives straight ahead (speed > 0) or back for `mm`. With `to_line`, also stops at a line.
 void go(int mm, int speed, bool to_line = false) {
   long to = driven() + mm, before = ahead();
   do {
@@ -86,7 +86,7 @@ void go(int mm, int speed, bool to_line = false) {
   } while (driven() < to && !(to_line && any_dark()));
 }
 
-// On the spot, degrees to the right.
+// Turns on the spot by `degrees` to the right.
 void turn(int degrees) {
   long to = driven() + abs(degrees) * (PI / 360) * TRACK;
   int speed = degrees > 0 ? POWER : -POWER;
@@ -143,8 +143,8 @@ void around() {
 void setup() {
   Serial.begin(115200);
   Wire.begin();
-  set_colour(0x01, 0xF6);          // 24 ms
-  set_colour(0x0F, 0x02);          // 16 times
+  set_colour(0x01, 0xF6);          // integration time 24 ms
+  set_colour(0x0F, 0x02);          // gain 16
   set_colour(0x00, 0x03);
   const byte outputs[] = {EN_L, IN1_L, IN2_L, EN_R, IN1_R, IN2_R};
   for (byte pin : outputs) pinMode(pin, OUTPUT);
@@ -152,7 +152,7 @@ void setup() {
   attachInterrupt(digitalPinToInterrupt(2), count_left, RISING);
   attachInterrupt(digitalPinToInterrupt(3), count_right, RISING);
   delay(1000);
-  // It stands on the line: the middle is black, the outer two are white.
+  // The robot stands on the line: the middle sensor is over black, the outer two are over white.
   long readings[5] = {};
   for (byte n = 0; n < 16; n++)
     for (byte i = 0; i < 5; i++) readings[i] += analogRead(S[i]);

@@ -1,8 +1,8 @@
 /*
-  RoboCupJunior Rescue Line: gaps, intersections with green squares, an obstacle, and the red bar of the end.
+  RoboCupJunior Rescue Line: gaps, intersections with green squares, an obstacle, and the red bar at the end.
 
-  The outer two of five infrared sensors look for green: by infrared it is between white and black. A colour sensor
-  in the middle looks for red. Distances come from the encoders, 0.65 mm a count.
+  The outer two of five infrared sensors detect green, which is between white and black in infrared. A colour
+  sensor in the middle detects red. The encoders measure distances, at 0.65 mm per count.
 */
 #include <Wire.h>
 
@@ -11,15 +11,15 @@ const byte EN_L = 5, IN1_L = 7, IN2_L = 8, EN_R = 6, IN1_R = 9, IN2_R = 10;
 const byte BUMPER = 12, TCS = 0x29;
 
 const int SPEED = 55;
-const float MM = 1 / 0.651;      // counts
+const float MM = 1 / 0.651;      // counts per mm
 const int TRACK = 98;            // mm
-const int GREEN_MM = 7;          // so long in between black and white
-const int KEEP_MM = 50;          // green counts for an intersection so far ahead
+const int GREEN_MM = 7;          // minimum length of a green square
+const int KEEP_MM = 50;          // maximum distance from a green square to its intersection
 const int GAP_MM = 230;
-const int SIDE_MM = 25;          // an outer sensor saw the line so far back: it has turned off there
-const int ROUND_MM = 165;        // the circle around an obstacle, from its middle to the axle's
+const int SIDE_MM = 25;          // maximum distance from a corner to the place where no sensor sees the line
+const int ROUND_MM = 165;        // radius of the circle around an obstacle, to the axle's centre
 
-int white[5], black;             // readings
+int white[5], black;             // readings over white (per sensor) and black
 int level[5];                    // 0 white to 100 black
 volatile long left_counts, right_counts;
 int last_error = 0;
@@ -29,14 +29,14 @@ bool in_green[2];
 void count_left() { left_counts++; }
 void count_right() { right_counts++; }
 
-long ahead() {                   // counts by which the left wheel has turned farther
+long ahead() {                   // counts of the left wheel minus the right wheel
   noInterrupts();
   long more = left_counts - right_counts;
   interrupts();
   return more;
 }
 
-long driven() {                  // mm, in any direction
+long driven() {                  // mm, forward or backward
   noInterrupts();
   long sum = left_counts + right_counts;
   interrupts();
@@ -44,7 +44,7 @@ long driven() {                  // mm, in any direction
 }
 
 void drive(int left, int right) {
-  digitalWrite(IN1_L, left >= 0);   // both high: the motor brakes
+  digitalWrite(IN1_L, left >= 0);   // both inputs high: the motor brakes
   digitalWrite(IN2_L, left <= 0);
   digitalWrite(IN1_R, right >= 0);
   digitalWrite(IN2_R, right <= 0);
@@ -68,7 +68,7 @@ bool on_line() {
 
 bool any_dark() { return on_line() || level[0] > 60 || level[4] > 60; }
 
-// Straight ahead, or back: the wheel that has turned farther gets less. Until the way is driven, or a line is met.
+// Drives straight ahead (speed > 0) or back for `mm`. With `to_line`, also stops at a line.
 void go(int mm, int speed, bool to_line = false) {
   long to = driven() + mm;
   long before = ahead();
@@ -80,7 +80,7 @@ void go(int mm, int speed, bool to_line = false) {
   } while (driven() < to && !(to_line && any_dark()));
 }
 
-// On the spot, degrees to the right.
+// Turns on the spot by `degrees` to the right.
 void turn(int degrees) {
   long to = driven() + abs(degrees) * (PI / 360) * TRACK;
   int speed = degrees > 0 ? SPEED : -SPEED;
@@ -88,7 +88,7 @@ void turn(int degrees) {
   while (driven() < to) ;
 }
 
-// On the spot until the middle sensor is on the line.
+// Turns on the spot until the middle sensor is on the line.
 void turn_to_line(int speed) {
   drive(speed, -speed);
   do look(); while (level[2] < 60);
@@ -129,7 +129,7 @@ void watch_green(byte side, int value) {
   }
 }
 
-// The line turns off sharply, where the sensors are: on until the axle is there, and round. -1 is left.
+// Turns at a sharp corner under the sensors: first moves the axle there, then turns left (-1) or right (1).
 void corner(int side) {
   go(45, SPEED);
   stop();
@@ -151,7 +151,7 @@ void intersection() {
     turn(sign * (left && right ? 140 : 45));
     turn_to_line(sign * 45);
   } else {
-    // Does the line go on? If not, and there is one way to go, this is a corner.
+    // If the line does not continue, and branches to one side only, this is a corner.
     bool ahead_is_line = false;
     long to = driven() + 28;
     while (driven() < to) {
@@ -175,7 +175,7 @@ void around() {
   stop();
   turn(90);
   stop();
-  // A circle to the left, back to the line: the wheels' ways are as their radii.
+  // Drives a circle to the left, back to the line. The wheels' distances are proportional to their radii.
   noInterrupts();
   long left_0 = left_counts, right_0 = right_counts;
   interrupts();
@@ -200,8 +200,8 @@ void around() {
 void setup() {
   Serial.begin(115200);
   Wire.begin();
-  set_colour(0x01, 0xFB);        // 12 ms
-  set_colour(0x0F, 0x03);        // 60 times
+  set_colour(0x01, 0xFB);        // integration time 12 ms
+  set_colour(0x0F, 0x03);        // gain 60
   set_colour(0x00, 0x03);
   const byte outputs[] = {EN_L, IN1_L, IN2_L, EN_R, IN1_R, IN2_R};
   for (byte pin : outputs) pinMode(pin, OUTPUT);
@@ -209,7 +209,7 @@ void setup() {
   attachInterrupt(digitalPinToInterrupt(2), count_left, RISING);
   attachInterrupt(digitalPinToInterrupt(3), count_right, RISING);
   delay(1000);
-  // It stands on the line: the middle is black, the outer two are white.
+  // The robot stands on the line: the middle sensor is over black, the outer two are over white.
   long sum[5] = {};
   for (byte n = 0; n < 16; n++)
     for (byte i = 0; i < 5; i++) sum[i] += analogRead(S[i]);
@@ -224,7 +224,7 @@ void loop() {
   static byte reds = 0;
   if (millis() - last_colour > 12) {
     last_colour = millis();
-    // Twice: red and green may be from before and behind an edge.
+    // Requires red twice: an edge may have passed between the reads of red and green.
     reds = sees_red() ? reds + 1 : 0;
     if (reds == 2) {
       Serial.println(F("red"));
@@ -242,7 +242,7 @@ void loop() {
   if (clear_road) {
     watch_green(0, level[0]);
     watch_green(1, level[4]);
-    // Wider than the line can be, on one side at least.
+    // On at least one side, the black area is wider than the line.
     if (level[2] > 60 && ((level[0] > 75 && level[1] > 60) || (level[4] > 75 && level[3] > 60))) {
       intersection();
       return;

@@ -1,5 +1,5 @@
-// A lap of Robotrace: a white line on black, marks beside it. The mark to the right says start, the next one goal;
-// marks to the left are corners; at a crossing both sides see the other line.
+// Drives a lap of Robotrace: a white line on black, with marks next to the line. On the right, the first mark
+// is the start, the second the goal. Left marks are corners. At a crossing, both sides see the other line.
 const byte LINE[5] = {A0, A1, A2, A3, A4};
 const byte LEFT_MARK = 4, RIGHT_MARK = 12, LAMP = 13;
 const byte LEFT_PWM = 5, LEFT_IN1 = 7, LEFT_IN2 = 8;
@@ -7,12 +7,12 @@ const byte RIGHT_PWM = 6, RIGHT_IN1 = 9, RIGHT_IN2 = 10;
 
 const int SPEED = 90;               // of 255
 const int KP = 13, KD = 60;         // per 100 units of position
-const int STOP_AFTER = 350;         // ms behind the goal, which is within the area
-const unsigned long CROSSING = 60;  // ms between the sides over one line
+const int STOP_AFTER = 350;         // ms after the goal mark; still within the goal area
+const unsigned long CROSSING = 60;  // maximum ms between the two mark sensors at a crossing
 
 int lastPosition = 0;
-byte marks = 0;      // to the right
-byte corners = 0;    // to the left
+byte marks = 0;      // on the right
+byte corners = 0;    // on the left
 bool wasLeft = false, wasRight = false, rightIsMark = false;
 unsigned long leftAt = 0, startAt = 0, goalAt = 0;
 
@@ -25,7 +25,7 @@ void drive(int left, int right) {
   analogWrite(RIGHT_PWM, constrain(abs(right), 0, 255));
 }
 
-// -200 (the line is under the left sensor) to 200; where it is gone, on the side where it was.
+// Returns -200 (line under the left sensor) to 200 (right). After a loss: -250 or 250, by the last side.
 int position() {
   long sum = 0, weighted = 0;
   for (byte i = 0; i < 5; i++) {
@@ -56,7 +56,7 @@ void onRightMark(unsigned long now) {
 
 void watchMarks() {
   unsigned long now = millis();
-  bool left = digitalRead(LEFT_MARK) == LOW, right = digitalRead(RIGHT_MARK) == LOW;  // LOW over white
+  bool left = digitalRead(LEFT_MARK) == LOW, right = digitalRead(RIGHT_MARK) == LOW;  // LOW = white
   if (left && !wasLeft) {
     leftAt = now;
     if (right) rightIsMark = false;

@@ -1,5 +1,5 @@
-// Remote control by the serial monitor: F 500 = forward for 500 ms, B, L, R; S = stop; V 0.8 = speed factor; D = distance
-// Echo of a sensor with pulseIn; everything blocks, and that is fine.
+// Remote control by the serial monitor: F 500 = forward for 500 ms (B, L, R likewise), V 0.8 = speed factor,
+// D = distance by an ultrasonic sensor. Every command blocks until it has finished.
 float factor = 1.0;
 #define echoPin 3
 #define trigPin 2
@@ -7,8 +7,8 @@ void setup() {
   Serial.begin(9600);
   Serial.setTimeout(50);
   pinMode(trigPin, OUTPUT); pinMode(echoPin, INPUT);
-  DDRB |= B00000110;          // 9, 10
-  DDRD |= B11100000;          // 5, 6, 7
+  DDRB |= B00000110;          // pins 9, 10
+  DDRD |= B11100000;          // pins 5, 6, 7
   pinMode(8, OUTPUT);
   while (!Serial) ;
   Serial.println("OK");

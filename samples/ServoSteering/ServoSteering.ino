@@ -1,14 +1,14 @@
 // A car with Ackermann steering: one motor drives the rear axle, a servo turns the front wheels.
-// Pulses for the servo are made by timer 1 on pin 9 (OC1A): 20 ms, 2 counts are a microsecond. This is what
-// the Servo library does there, with steering.attach(9) and steering.writeMicroseconds(us).
+// Timer 1 generates the servo's pulses on pin 9 (OC1A): one every 20 ms, with 2 counts per microsecond. The
+// Servo library has the same effect, by steering.attach(9) and steering.writeMicroseconds(us).
 #include <avr/io.h>
 
 const uint8_t MOTOR = 5, FORWARD = 7, BACKWARD = 8, SERVO = 9;
-const int MIDDLE = 1472;                // us: straight on
+const int MIDDLE = 1472;                // us: straight ahead
 const int eye[] = {A0, A1, A2, A3, A4};  // left to right
 int last = 0;
 
-void steer(int us) { OCR1A = 2 * (MIDDLE + us); }   // above 0: to the left
+void steer(int us) { OCR1A = 2 * (MIDDLE + us); }   // us > 0: to the left
 
 void setup() {
   pinMode(FORWARD, OUTPUT);
@@ -34,5 +34,5 @@ void loop() {
   int error = sum > 150 ? weighted / sum : (last > 0 ? 250 : -250);
   steer(constrain(error * 2 + (error - last) * 2, -460, 460));
   last = error;
-  delay(20);                            // the servo has a pulse every 20 ms
+  delay(20);                            // the servo gets a pulse every 20 ms
 }

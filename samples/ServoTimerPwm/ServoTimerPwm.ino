@@ -1,5 +1,5 @@
-// Two servos for continuous rotation as wheels, pulses made by timer 1 alone: OC1A = 9, OC1B = 10.
-// ICR1 = 39999 at 16 MHz / 8 is 20 ms; 2 counts are a microsecond.
+// Two continuous-rotation servos drive the wheels. Timer 1 generates their pulses: OC1A = 9, OC1B = 10.
+// ICR1 = 39999 gives a period of 20 ms at 16 MHz / 8, which is 2 counts per microsecond.
 #include <avr/io.h>
 
 #define STOP_L 3000

@@ -1,9 +1,9 @@
-// Motors wired to 2, 4 and 7, 12, which have no PWM: the pulses are made by hand, 100 Hz, in a busy loop.
+// The motors are on pins 2, 4, 7 and 12, which have no PWM. A busy loop generates pulses at 100 Hz.
 #define LF 2       // ENABLE of the left motor
 #define LPHASE 4
 #define RF 7
 #define RPHASE 12
-unsigned int dutyL, dutyR;            // of 10000 us
+unsigned int dutyL, dutyR;            // high time in us, of a period of 10000 us
 void pulse() {
   unsigned long t = micros() % 10000;
   digitalWrite(LF, t < dutyL);

@@ -1,4 +1,4 @@
-// Obstacle avoiding car with ultrasonic sensor on a servo. The servo is moved without a library.
+// Avoids obstacles by an ultrasonic sensor on a servo. Moves the servo without a library.
 #define TRIG A1
 #define ECHO A0
 #define SERVO 10

@@ -1,5 +1,5 @@
-// Pushes a box... or a wall. An ACS712-05B in the motors' supply tells when it stalls: stop, back off, turn, go on.
-// Battery by a divider 10k/5k6 on A7 (Nano).
+// Drives until a box or wall stalls the motors, then backs off and turns. An ACS712-05B measures the current.
+// A divider of 10k and 5k6 on A7 (Nano) measures the battery.
 const int CURRENT = A6, BATTERY = A7;
 const float VOLTS_PER_AMP = 0.185;
 int zero;
@@ -34,7 +34,7 @@ void setup() {
 
 void loop() {
   drive(180, 180);
-  delay(300);                       // the current of starting does not count
+  delay(300);                       // ignores the starting current
   while (amps() < 1.6) delay(10);
   drive(0, 0);
   Serial.println("stalled");

@@ -1,4 +1,4 @@
-// Follows the line and waits while something stands in its way. Buzzer (active) and headlights too.
+// Follows the line, and waits while something is in its way.
 #define trigPin 12
 #define echoPin 11
 const int ldrLeft = A0, ldrMid = A1, ldrRight = A2;
@@ -15,7 +15,7 @@ long measure() {
   digitalWrite(trigPin, LOW); delayMicroseconds(5);
   digitalWrite(trigPin, HIGH); delayMicroseconds(10);
   digitalWrite(trigPin, LOW);
-  return pulseIn(echoPin, HIGH, 4000) / 58;     // 4 ms are 69 cm; 0 = nothing
+  return pulseIn(echoPin, HIGH, 4000) / 58;     // timeout 4 ms = 69 cm; 0 = no echo
 }
 void loop() {
   if (millis() - lastPing > 60) {

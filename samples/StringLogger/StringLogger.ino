@@ -1,4 +1,4 @@
-// Logs everything, with Strings. (Yes, I know.)
+// Logs with String objects, whose heap fits an Uno.
 #define LED_PIN LED_BUILTIN
 String robotName = "Robi";
 String logLine;

@@ -1,4 +1,4 @@
-// Digispark (ATtiny85): two motors on transistors, two sensors, nothing else. 5 lines of logic.
+// Digispark (ATtiny85) with two motors on transistors, and two sensors.
 void setup() {
   pinMode(0, OUTPUT);
   pinMode(1, OUTPUT);

@@ -1,5 +1,5 @@
 // My first robot! Two IR sensor modules and a L298N board.
-// The ENA and ENB jumpers are on, so the speed is on the IN pins.
+// The ENA and ENB jumpers are set, so PWM on the IN pins controls the speed.
 
 #define sensorIzq 7
 #define sensorDer 8

@@ -1,7 +1,7 @@
 /*
- * UKMARS line follower: a white line of 10 mm on black, finish marker a little behind the start marker, both to the
- * right. Drives slowly where there was a corner marker to the left, faster on the next one, and so on: arcs and
- * straights alternate here.
+ * UKMARS line follower: a white line of 10 mm on black. The markers on the right are the start and, a little
+ * later, the finish. Markers on the left show corners. On this course, arcs and straights alternate. Each
+ * corner marker therefore switches between the slow and the fast speed.
  */
 #define LEFT_MARK 4
 #define RIGHT_MARK 12
@@ -32,7 +32,7 @@ Motor left(5, 7, 8), right(6, 9, 10);
 struct Marker {
   uint8_t pin;
   bool on;
-  bool passed() {  // true once, behind it
+  bool passed() {  // returns true once, just after the marker
     bool now = digitalRead(pin) == LOW;
     bool left_it = on && !now;
     on = now;

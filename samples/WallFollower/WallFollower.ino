@@ -1,4 +1,4 @@
-// Follows the right-hand wall with a Sharp GP2Y0A21 (A0, looks to the right) and an IR switch in front (pin 2).
+// Follows the right-hand wall by a Sharp GP2Y0A21 (A0), which points right. An IR switch (pin 2) is in front.
 #define PWM1 10
 #define DIR1 12
 #define PWM2 9
@@ -7,7 +7,7 @@ float distance() {
   int v = 0;
   for (byte i = 0; i < 4; i++) v += analogRead(A0);
   float volts = v / 4 * 5.0 / 1023.0;
-  return 27.728 * pow(volts, -1.2045);       // cm, from the forum
+  return 27.728 * pow(volts, -1.2045);       // cm; formula from a forum
 }
 void motors(int l, int r) {
   digitalWrite(DIR1, l < 0 ? LOW : HIGH);
@@ -21,7 +21,7 @@ void setup() {
   Serial.begin(9600);
 }
 void loop() {
-  if (digitalRead(2) == LOW) {               // wall ahead: turn left until it is not
+  if (digitalRead(2) == LOW) {               // turns left while a wall is ahead
     motors(-110, 110);
     delay(50);
     return;

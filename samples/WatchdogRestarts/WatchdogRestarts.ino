@@ -2,14 +2,14 @@
 #include <avr/sleep.h>
 #include <EEPROM.h>
 
-// Counts its restarts in the EEPROM. On purpose it hangs once, after 2 s: the watchdog gets it going again.
-// While it waits for the button it sleeps.
+// Counts restarts in the EEPROM. Hangs once, intentionally, after 2 s; the watchdog then restarts the chip.
+// Sleeps until the button is pressed.
 byte starts;
 
 ISR(INT0_vect) {}
 
 void sleepUntilPressed() {
-  EICRA = 0;                 // low level on INT0 (pin 2)
+  EICRA = 0;                 // low level on INT0 (pin 2) wakes the chip
   set_sleep_mode(SLEEP_MODE_PWR_DOWN);
   cli();
   sleep_enable();
@@ -23,7 +23,7 @@ void sleepUntilPressed() {
 void setup() {
   MCUSR = 0;
   wdt_disable();
-  starts = EEPROM.read(0) + 1;    // 0xFF at first
+  starts = EEPROM.read(0) + 1;    // an erased EEPROM contains 0xFF
   EEPROM.write(0, starts);
   Serial.begin(9600);
   Serial.print("start ");
@@ -43,6 +43,6 @@ void loop() {
   analogWrite(5, l ? 0 : 100);
   analogWrite(6, r ? 0 : 100);
   if (starts == 0 && millis() > 2000) {
-    for (;;) ;                    // the bug
+    for (;;) ;                    // the intentional hang
   }
 }
