@@ -1,6 +1,6 @@
-// Pins that the chip toggles without firmware: by PWM, by a timer's toggle mode, or by tone(). The board
-// receives a duty cycle or frequency. The levels that the sketch reads there, and the edges for its
-// interrupts, are computed on demand.
+// Handles pins that the chip toggles without firmware: by PWM, by a timer's toggle mode, or by tone(). The
+// board receives a duty cycle or frequency. The levels that the sketch reads at these pins, and the edges
+// that cause interrupts, are computed on demand.
 #pragma once
 
 #include "hal/board/board.h"
@@ -10,13 +10,13 @@
 namespace robosim {
 namespace host ROBOSIM_WITHIN {
 
-/// Return the level of such a pin, and how long it certainly stays; kNever if it never changes.
+/// Return the present level of a toggling pin, and the time of its next edge (kNever = no further edge).
 bool wave_level(Pin pin);
 SimTime wave_until(Pin pin);
 
-/// The time of the next edge on a followed pin.
+/// The time of the next edge on any pin in `followed`.
 extern SimTime wave_due;
-/// Reports all edges of followed pins until now. Call it before a change that moves such edges.
+/// Reports the edges of followed pins up to now. Call this before a change that moves their later edges.
 ROBOSIM_RARE void tell_waves();
 inline void sync_waves() {
   if (state.now >= wave_due) tell_waves();
@@ -24,7 +24,7 @@ inline void sync_waves() {
 /// Toggling pins whose edges have a listener.
 extern PinSet followed;
 void follow_anew();
-/// Updates the waves. Call it after a change that moves edges, or after a pin starts or stops toggling.
+/// Update all followed pins after a change that moves edges; or a pin that starts or stops toggling.
 inline void refresh_waves() {
   if (followed.any()) follow_anew();
 }

@@ -1,7 +1,7 @@
-// Registers of the STM32F103x8, and their bits, that hal/stm32 and the emulated chip use.
+// Defines those registers and bits of the STM32F103x8 that hal/stm32 and the emulated chip use.
 //
-// Sources: RM0008 rev. 21, the reference manual of the STM32F10xxx (each group names its section); for the
-// processor PM0056 rev. 6, the programming manual of the Cortex-M3.
+// Sources: RM0008 rev. 21, the reference manual of the STM32F10xxx (each group names its section), and
+// PM0056 rev. 6, the programming manual of the Cortex-M3, for the processor.
 //
 // C++14, no standard library: firmware includes this header.
 #pragma once
@@ -19,7 +19,7 @@ using Address = uint32_t;
 constexpr Address kFlash = kStm32f103c8.flash_address, kRam = kStm32f103c8.ram_address;
 constexpr uint32_t kFlashBytes = kStm32f103c8.flash_bytes, kRamBytes = kStm32f103c8.ram_bytes;
 constexpr uint32_t kPageBytes = 1024;  // a page of flash, the smallest unit of erasure (PM0075 1.2)
-/// The last pages of flash store the emulated EEPROM (eeprom.h), if a program uses it.
+/// Number of pages at the end of flash that store the emulated EEPROM (eeprom.h), if a program uses it.
 constexpr uint32_t kEepromPages = 4;
 constexpr Address kEepromFlash = kFlash + kFlashBytes - kEepromPages * kPageBytes;
 
@@ -38,7 +38,7 @@ constexpr Address kRccCr = kRcc + 0x00, kRccCfgr = kRcc + 0x04, kRccCir = kRcc +
 // 7.3.1
 constexpr uint32_t kHsiOn = 1u << 0, kHsiReady = 1u << 1, kHseOn = 1u << 16, kHseReady = 1u << 17,
                    kPllOn = 1u << 24, kPllReady = 1u << 25;
-// 7.3.2: SW selects a clock, and SWS confirms it two bits further up: 0 = HSI, 1 = HSE, 2 = PLL.
+// 7.3.2: SW selects a clock, and SWS, two bits higher, confirms the selection: 0 = HSI, 1 = HSE, 2 = PLL.
 constexpr uint32_t kSwMask = 3u << 0, kSwPll = 2u << 0, kSwsMask = 3u << 2, kSwsPll = 2u << 2,
                    kPpre1Half = 4u << 8, kAdcPreMask = 3u << 14, kAdcPre6 = 2u << 14, kPllSrcHse = 1u << 16,
                    kPllXtpre = 1u << 17, kPllMul9 = 7u << 18, kPllMulMask = 15u << 18;
@@ -47,8 +47,8 @@ constexpr uint32_t kDma1En = 1u << 0, kCrcUnitEn = 1u << 6;
 constexpr uint32_t kAfioEn = 1u << 0, kIopaEn = 1u << 2, kIopbEn = 1u << 3, kIopcEn = 1u << 4,
                    kAdc1En = 1u << 9, kTim1En = 1u << 11, kUsart1En = 1u << 14;
 constexpr uint32_t kTim2En = 1u << 0, kTim3En = 1u << 1, kTim4En = 1u << 2;
-/// clock_bit() returns a peripheral's bit in RCC_APBnENR and RCC_APBnRSTR (7.3.3, 7.3.4), where n is its bus:
-/// the peripheral's offset on the bus, in units of 0x400 bytes.
+/// Return whether a peripheral is on APB2, and its bit in RCC_APBnENR and RCC_APBnRSTR (7.3.3, 7.3.4; n is
+/// the bus). The bit's number is the peripheral's offset on the bus, in units of 0x400 bytes.
 constexpr bool behind_apb2(Address address) { return address >= 0x40010000; }
 constexpr uint32_t clock_bit(Address address) { return 1u << ((address & 0xFFFF) / 0x400); }
 
@@ -83,7 +83,7 @@ constexpr uint32_t kAnalog = 0x0, kFloating = 0x4, kPulled = 0x8, kPushPull = 0x
 // --- AFIO: alternate functions and external interrupts (RM0008 9.4)
 constexpr Address kAfio = 0x40010000;
 constexpr Address kAfioEvcr = kAfio + 0x00, kAfioMapr = kAfio + 0x04,
-                  kAfioExticr1 = kAfio + 0x08;  // to 4; four bits per line
+                  kAfioExticr1 = kAfio + 0x08;  // EXTICR1 of 4; four bits per line
 constexpr uint32_t kSwjMask = 7u << 24,
                    kSwjNoJtag = 2u << 24;  // 9.4.2: PA15, PB3 and PB4 become ordinary pins
 
@@ -92,7 +92,7 @@ constexpr Address kExti = 0x40010400;
 constexpr Address kExtiImr = kExti + 0x00, kExtiEmr = kExti + 0x04, kExtiRtsr = kExti + 0x08,
                   kExtiFtsr = kExti + 0x0C, kExtiSwier = kExti + 0x10, kExtiPr = kExti + 0x14;
 
-// --- ADC1 (RM0008 11.12); ADC2 has the same registers from its own address on
+// --- ADC1 (RM0008 11.12); ADC2 has the same registers at its own base address
 constexpr Address kAdc1 = 0x40012400, kAdc2 = 0x40012800;
 constexpr Address kAdcSr = kAdc1 + 0x00, kAdcCr1 = kAdc1 + 0x04, kAdcCr2 = kAdc1 + 0x08,
                   kAdcSmpr1 = kAdc1 + 0x0C, kAdcSmpr2 = kAdc1 + 0x10, kAdcSqr1 = kAdc1 + 0x2C,
@@ -110,10 +110,10 @@ constexpr Address kTimCr1 = 0x00, kTimCr2 = 0x04, kTimSmcr = 0x08, kTimDier = 0x
                   kTimPsc = 0x28, kTimArr = 0x2C, kTimRcr = 0x30, kTimCcr1 = 0x34, kTimBdtr = 0x44;
 constexpr uint32_t kCen = 1u << 0, kUrs = 1u << 2, kOpm = 1u << 3, kArpe = 1u << 7;  // TIM_CR1
 constexpr uint32_t kUie = 1u << 0, kUif = 1u << 0, kUg = 1u << 0;
-constexpr uint32_t kPwmMode1 = 6u << 4, kPreload = 1u << 3;  // TIM_CCMR; of an even channel 8 bits further up
+constexpr uint32_t kPwmMode1 = 6u << 4, kPreload = 1u << 3;  // TIM_CCMR; 8 bits higher for an even channel
 constexpr uint32_t kMoe = 1u << 15;                          // TIM1_BDTR (14.4.18)
 
-// --- USART1 (RM0008 27.6); USART2 and USART3 have the same registers from their own addresses on
+// --- USART1 (RM0008 27.6); USART2 and USART3 have the same registers
 constexpr Address kUsart1 = kStm32f103c8.uarts[0].address;
 constexpr Address kUsartSr = kUsart1 + 0x00, kUsartDr = kUsart1 + 0x04, kUsartBrr = kUsart1 + 0x08,
                   kUsartCr1 = kUsart1 + 0x0C, kUsartCr2 = kUsart1 + 0x10, kUsartCr3 = kUsart1 + 0x14,

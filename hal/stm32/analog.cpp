@@ -9,8 +9,8 @@ using namespace robosim::stm32;
 
 namespace {
 
-// 28.5 cycles of sampling (RM0008 11.12.5): enough for a source of 10 kohm (DS5319, table 47: 25 kohm at
-// 14 MHz).
+// Samples for 28.5 cycles (RM0008 11.12.5). A source of 10 kohm is then allowed: the limit at 14 MHz is
+// 25 kohm (DS5319, table 47).
 constexpr uint32_t kSampleTime = 3;
 
 void start_adc() {
@@ -84,7 +84,7 @@ void analogWrite(uint8_t number, int given) {
   const Address timer = timer_base(pin->timer);
   const uint32_t compare = value > kPwmSteps ? kPwmSteps : value;
   const bool runs = configuration(*pin) == kAlternate;
-  if (!runs) start_pwm(*pin, timer);  // before the write, which a timer without clock ignores
+  if (!runs) start_pwm(*pin, timer);  // first: a timer without a clock ignores the write
   at(timer + kTimCcr1 + 4u * (pin->output - 1u)) = compare;
   if (!runs) configure(*pin, kAlternate);
 }

@@ -29,8 +29,8 @@ void start_systick() {
 
 void sleep_for(uint32_t us) {
   at(kRccApb1Enr) |= kTim2En;
-  // One pulse of `us` microseconds (RM0008 15.3.10). UG loads the prescaler; URS prevents the interrupt
-  // that UG would cause.
+  // Prepares one pulse of `us` microseconds (RM0008 15.3.10). UG loads the prescaler, and URS prevents the
+  // interrupt that UG would cause.
   at(kTim2 + kTimCr1) = kUrs | kOpm;
   at(kTim2 + kTimPsc) = kCyclesPerMicro - 1;
   at(kTim2 + kTimArr) = us;
@@ -39,7 +39,7 @@ void sleep_for(uint32_t us) {
   at(kTim2 + kTimDier) = kUie;
   enable_irq(kIrqTim2);
   {
-    // With interrupts off, an interrupt between this test and the sleep still ends the sleep.
+    // With interrupts off, the timer's interrupt ends the sleep even if it occurs before the sleep begins.
     const Quiet quiet;
     at(kTim2 + kTimCr1) = kUrs | kOpm | kCen;
     wait_for_interrupt();

@@ -1,4 +1,4 @@
-// The clock tree, SysTick's milliseconds, and the timer that ends a sleep.
+// Controls the clock tree, SysTick's millisecond interrupt, and the timer that ends a sleep.
 #pragma once
 
 #include "hal/stm32/registers.h"
@@ -8,7 +8,7 @@ namespace stm32 {
 
 /// Sets the chip's clock to F_CPU: 72 MHz by PLL from the 8 MHz crystal (RM0008 7.2), or 8 MHz from the
 /// internal oscillator, as after a reset. All buses run at F_CPU. Exception: at 72 MHz, APB1 runs at half
-/// of F_CPU, but its timers at F_CPU.
+/// of F_CPU, but its timers run at F_CPU.
 void start_clocks();
 /// Starts SysTick, which interrupts every millisecond (PM0056 4.5).
 void start_systick();

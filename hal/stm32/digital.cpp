@@ -1,4 +1,4 @@
-// pinMode, digitalWrite and digitalRead (RM0008 9), shiftOut and shiftIn.
+// Implements pinMode, digitalWrite and digitalRead (RM0008 9), shiftOut and shiftIn.
 #include <Arduino.h>
 
 #include "hal/stm32/pins.h"

@@ -15,14 +15,14 @@ bool complete(Address bank) { return load_half(bank) == kBankMark; }
 /// Returns the valid bank, or 0 before the first write.
 Address current_bank() {
   const bool first = complete(kBanks[0]), second = complete(kBanks[1]);
-  if (first && second)  // the numbers wrap around
+  if (first && second)  // compares modulo 65536: the numbers wrap around
     return kBanks[static_cast<uint16_t>(load_half(kBanks[1] + 2) - load_half(kBanks[0] + 2)) < 0x8000];
   return first ? kBanks[0] : second ? kBanks[1] : 0;
 }
 
 Address change(Address bank, uint32_t number) { return bank + kChangesAt + 4 * number; }
 
-/// Returns the number of used entries for changes. An entry is used if its first half is written.
+/// Returns the number of used entries for changes. An entry is used if its first half word is written.
 uint32_t changes_in(Address bank) {
   uint32_t low = 0, high = kChanges;
   while (low < high) {
@@ -49,7 +49,7 @@ uint8_t read(Address bank, uint16_t address, uint32_t changes) {
 
 void await_flash() { at(kFlashSr).await(kFlashBusy, 0); }
 
-/// Unlocks flash for writing during its lifetime (PM0075 2.3.2).
+/// Keeps flash unlocked for writing while the object exists (PM0075 2.3.2).
 class Unlocked {
  public:
   Unlocked() {
@@ -60,7 +60,7 @@ class Unlocked {
   ~Unlocked() { at(kFlashCr) = kFlashLock; }
 };
 
-// Programs a half-word of flash (PM0075 2.3.3).
+// Programs a half word of flash (PM0075 2.3.3).
 void program(Address address, uint16_t value) {
   at(kFlashCr) = kFlashPg;
   store_half(address, value);
@@ -77,7 +77,7 @@ void erase_page(Address page) {
   at(kFlashCr) = 0;
 }
 
-/// Copies `from` with its changes to the other bank, and returns that bank.
+/// Copies the bank `from`, with its changes applied, to the other bank. Returns the other bank.
 Address renew(Address from, uint32_t changes) {
   const Address to = from == kBanks[0] ? kBanks[1] : kBanks[0];
   erase_page(to);
@@ -110,7 +110,7 @@ void robosim_eeprom_write(uint16_t address, uint8_t value) {
     bank = renew(bank, changes);
     changes = 0;
   }
-  // Write the address last, since it makes the change valid.
+  // Write the address last, because it makes the change valid.
   program(change(bank, changes), static_cast<uint16_t>(kChangeMark | value));
   program(change(bank, changes) + 2, address);
 }

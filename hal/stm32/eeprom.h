@@ -1,14 +1,14 @@
-// An EEPROM of 1024 bytes in the last four pages of flash (PM0075 2: a page of 1 KB is erased at once, half
-// words are programmed one at a time).
+// Emulates an EEPROM of 1024 bytes in the last four pages of flash. Flash is erased by pages of 1 KB, and
+// programmed by half words (PM0075 2).
 //
-// Two banks of two pages alternate. A bank:
+// Two banks of two pages alternate. Layout of a bank:
 //
-//   0x000  0x5AA5 once the bank is complete; its number, one more than the previous bank's
-//   0x004  1024 bytes: the EEPROM's content when the bank was made
-//   0x404  up to 255 later changes: the byte's value | 0xA500, its address
+//   0x000  two half words: 0x5AA5 once the bank is complete, and the bank's number (the previous one + 1)
+//   0x004  1024 bytes: the EEPROM's content when the bank was written
+//   0x404  up to 255 later changes, two half words each: the byte's value | 0xA500, and the byte's address
 //
-// The bank with the higher number is valid. A change counts only if both halves are present, so a power-off
-// during a change does no harm. A bank without its mark is ignored.
+// The bank with the higher number is valid. A change counts only if both half words are present, so a
+// power-off during a change does no harm. A bank without 0x5AA5 is ignored.
 #pragma once
 
 #include <stdint.h>

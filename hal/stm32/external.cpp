@@ -1,4 +1,4 @@
-// attachInterrupt on any pin (RM0008 10.2, 9.4.3). A line belongs to one port: that of the pin attached last.
+// Implements attachInterrupt() for any pin (RM0008 10.2, 9.4.3). An EXTI line serves the last attached port.
 #include <Arduino.h>
 
 #include "hal/stm32/pins.h"

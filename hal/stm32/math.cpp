@@ -1,4 +1,4 @@
-// Random numbers, the same as on an Uno, and WMath.cpp of the Arduino core.
+// Provides the functions of the Arduino core's WMath.cpp, and the same random numbers as on an Uno.
 #include <Arduino.h>
 
 #include "hal/arduino/park_miller.h"

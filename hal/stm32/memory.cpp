@@ -1,4 +1,4 @@
-// System calls that the C library (newlib) requires: memory for malloc, and a function to end the program.
+// Provides the system calls that the C library (newlib) requires: memory for malloc, and the program's end.
 #include <assert.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -1,5 +1,5 @@
-// strfromd() of the C standard for "%.Nf", "%.Ne" and "%.NE", which newlib lacks. It uses newlib's exact
-// conversion.
+// Implements the C standard's strfromd(), which newlib lacks, for "%.Nf", "%.Ne" and "%.NE". Uses newlib's
+// exact conversion.
 #include <stddef.h>
 #include <stdlib.h>
 

@@ -28,7 +28,7 @@ const PinMap* pin_at(uint8_t number) { return number < kPins ? &kPinMap[number] 
 uint32_t configuration(const PinMap& pin) { return load(configuration_register(pin)) >> shift_of(pin) & 15u; }
 
 void configure(const PinMap& pin, uint32_t configuration) {
-  const Quiet quiet;  // a handler may configure a neighbouring pin
+  const Quiet quiet;  // a handler may configure another pin of this register
   at(configuration_register(pin)).set(15u << shift_of(pin), configuration << shift_of(pin));
 }
 

@@ -1,5 +1,5 @@
 // Maps Arduino's pin numbers to the chip's pins and their other functions (DS5319, table 5).
-// hal/board/board_spec.cpp has the same assignment, and its reasons.
+// hal/board/board_spec.cpp contains the same assignment, and explains it.
 #pragma once
 
 #include "hal/stm32/registers.h"
@@ -9,8 +9,8 @@ namespace stm32 {
 
 struct PinMap {
   uint8_t port;    ///< 0 = A, 1 = B, 2 = C
-  uint8_t bit;     ///< 0 to 15: also its EXTI line
-  int8_t channel;  ///< of ADC1; -1 = none
+  uint8_t bit;     ///< 0 to 15; also the number of the pin's EXTI line
+  int8_t channel;  ///< channel of ADC1; -1 = none
   uint8_t timer;   ///< the timer that can drive it by PWM: 1, 3 or 4; 0 = none
   uint8_t output;  ///< channel of that timer, 1 to 4
 };
@@ -36,7 +36,7 @@ inline bool read_pin(const PinMap& pin) { return load(bit_band(port_of(pin) + kI
 
 /// Clocks ports A to C and AFIO, and frees PA15, PB3 and PB4 from JTAG (RM0008 9.3.5). SWD stays enabled.
 void start_pins();
-/// Changes one bit of the pin's port without reading it first.
+/// Inverts the pin's output level without changing other pins of the port.
 void toggle_pin(const PinMap& pin);
 
 }  // namespace stm32

@@ -1,4 +1,4 @@
-// Pins of the Blue Pill: Arduino's numbers 0 to 19 with their functions on an Uno, then the rest.
+// Numbers the pins of the Blue Pill: 0 to 19 have the functions of an Uno's pins 0 to 19; the rest follow.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h
@@ -37,8 +37,8 @@ static const uint8_t A7 = PIN_A7;
 #define digitalPinHasPWM(p)                                                                            \
   ((p) == 0 || (p) == 1 || (p) == 3 || (p) == 5 || (p) == 6 || ((p) >= 9 && (p) <= 12) || (p) == 20 || \
    (p) == 21 || (p) == 28)
-/// Every pin can interrupt. Two pins with the same number in different ports (PB8 and PA8) cannot do so at
-/// the same time.
+/// Every pin can have an interrupt. Two pins with the same number in different ports, such as PA8 and PB8,
+/// cannot have interrupts at the same time.
 #define digitalPinToInterrupt(p) ((p) < NUM_DIGITAL_PINS ? (p) : NOT_AN_INTERRUPT)
 
 #endif  // Pins_Arduino_h

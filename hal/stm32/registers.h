@@ -1,5 +1,5 @@
-// Register access for firmware, and the few instructions that C++ cannot express. Tests on a PC replace both
-// by a model of the chip.
+// Provides register access for firmware, and the few instructions that C++ cannot express. In tests on a PC,
+// a model of the chip replaces both.
 //
 //   at(kRccCr) |= kHseOn;
 #pragma once
@@ -26,7 +26,7 @@ inline uint16_t load_half(Address address) { return *reinterpret_cast<volatile u
 inline void store_half(Address address, uint16_t value) {
   *reinterpret_cast<volatile uint16_t*>(address) = value;
 }
-/// Disables interrupts, and returns whether they were on.
+/// Disables interrupts, and returns whether they were enabled.
 inline bool disable_interrupts() {
   uint32_t masked;
   __asm__ volatile("mrs %0, primask\n\tcpsid i" : "=r"(masked)::"memory");
@@ -35,7 +35,7 @@ inline bool disable_interrupts() {
 inline void restore_interrupts(bool enabled) {
   if (enabled) __asm__ volatile("cpsie i" ::: "memory");
 }
-/// Returns whether interrupts are on and no handler runs. Otherwise a sleep may not end.
+/// Returns whether interrupts are on and no handler runs. Otherwise a sleep might never end.
 inline bool takes_interrupts() {
   uint32_t masked, handler;
   __asm__ volatile("mrs %0, primask\n\tmrs %1, ipsr" : "=r"(masked), "=r"(handler));
@@ -66,7 +66,7 @@ class Register {
 
 constexpr Register at(Address address) { return Register(address); }
 
-/// Keeps interrupts off during its lifetime.
+/// Keeps interrupts off while the object exists.
 class Quiet {
  public:
   Quiet() : were_on_(disable_interrupts()) {}

@@ -1,4 +1,4 @@
-// Serial: USART1 on PA9 (TX, pin 1) and PA10 (RX, pin 0), with buffers of 64 bytes as on an Uno
+// Implements Serial: USART1 on PA9 (TX, pin 1) and PA10 (RX, pin 0), with buffers of 64 bytes as on an Uno
 // (RM0008 27.3).
 #include <Arduino.h>
 
@@ -35,7 +35,7 @@ bool started;
 void serve() {
   const uint32_t status = load(kUsartSr);
   if (status & (kRxne | kOre)) {
-    const auto byte = static_cast<uint8_t>(load(kUsartDr));  // clears RXNE and, as SR was read, ORE (27.6.1)
+    const auto byte = static_cast<uint8_t>(load(kUsartDr));  // after SR: clears RXNE and ORE (27.6.1)
     if (status & kRxne && !received.full()) received.put(byte);
   }
   if (status & kTxe && load(kUsartCr1) & kTxeie) {
@@ -54,8 +54,8 @@ void HardwareSerial::begin(unsigned long baud, uint8_t config) {
   configure(*pin_at(0), kFloating);
   if (baud == 0) baud = 1;
   at(kUsartBrr) = (F_CPU + baud / 2) / baud;
-  // SERIAL_8N1 and other formats use an AVR's bits: parity in 4 and 5, stop bits in 3. Here parity is the 9th
-  // bit.
+  // Formats such as SERIAL_8N1 use an AVR's bits: bits 4 and 5 for parity, bit 3 for stop bits. USART1 sends
+  // the parity as a ninth data bit.
   const bool parity = config & 0x20;
   at(kUsartCr2) = config & 0x08 ? kStop2 : 0;
   at(kUsartCr1) = kUe | kTe | kRe | kRxneie | (parity ? kM | kPce : 0) | (parity && config & 0x10 ? kPs : 0);
@@ -78,7 +78,7 @@ int HardwareSerial::availableForWrite() { return kMask - waiting.size(); }
 void HardwareSerial::flush() {
   if (!started) return;
   while (!waiting.empty() || !(load(kUsartSr) & kTc)) {
-    const Quiet quiet;  // works even if the caller has disabled interrupts
+    const Quiet quiet;  // the loop works even with interrupts already disabled
     serve();
   }
 }

@@ -147,7 +147,7 @@ __attribute__((section(".isr_vector"), used)) const Vector robosim_vectors[16 + 
     USBWakeUp_IRQHandler,
 };
 
-// A sketch may define its own main(), which calls init() itself, as on an AVR.
+// As on an AVR, a sketch may define its own main(), which must call init().
 __attribute__((weak)) int main() {
   init();
   setup();

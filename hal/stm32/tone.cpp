@@ -1,4 +1,4 @@
-// tone(): timer 1 interrupts at every edge. During a tone, analogWrite does nothing on pins 0, 1, 3 and 28.
+// Implements tone(): timer 1 interrupts at each edge. Meanwhile analogWrite does nothing on pins 0, 1, 3, 28.
 #include <Arduino.h>
 
 #include "hal/stm32/clock.h"
@@ -25,7 +25,7 @@ void stop() {
 void tone(uint8_t number, unsigned int frequency, unsigned long duration) {
   const PinMap* pin = pin_at(number);
   if (!pin || frequency == 0) return;
-  if (sounding && sounding != pin) return;  // one at a time, as on an Uno
+  if (sounding && sounding != pin) return;  // only one tone at a time, as on an Uno
   at(kRccApb2Enr) |= kTim1En;
   stop();
   if (configuration(*pin) != kPushPull) pinMode(number, OUTPUT);

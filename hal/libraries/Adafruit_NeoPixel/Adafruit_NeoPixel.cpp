@@ -4,7 +4,7 @@ namespace {
 
 const unsigned long kQuiet_us = 300;
 
-// 255 (x / 255)^2.6
+// kGamma[x] = 255 (x / 255)^2.6
 const uint8_t kGamma[256] = {
     0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,   0,
     0,   0,   0,   0,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   1,   2,   2,   2,   2,
@@ -21,7 +21,7 @@ const uint8_t kGamma[256] = {
     218, 220, 223, 225, 227, 230, 232, 235, 237, 240, 242, 245, 247, 250, 252, 255,
 };
 
-// 127.5 (1 + sin(x / 256 of a turn))
+// kSine[x] = 127.5 (1 + sin(2 pi x / 256))
 const uint8_t kSine[256] = {
     128, 131, 134, 137, 140, 143, 146, 149, 152, 155, 158, 162, 165, 167, 170, 173, 176, 179, 182, 185,
     188, 190, 193, 196, 198, 201, 203, 206, 208, 211, 213, 215, 218, 220, 222, 224, 226, 228, 230, 232,
@@ -96,7 +96,7 @@ bool Adafruit_NeoPixel::canShow() {
   return now - shown_ >= kQuiet_us;
 }
 
-// A bit takes 20 cycles at 16 MHz, of which 5 are high for a 0, and 13 for a 1.
+// A bit takes 20 cycles at 16 MHz. The pin is high for 5 cycles in a 0, and for 13 cycles in a 1.
 void Adafruit_NeoPixel::show() {
   if (!bytes_ || pin_ < 0) return;
   while (!canShow()) {

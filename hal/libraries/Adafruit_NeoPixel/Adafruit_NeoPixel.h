@@ -1,11 +1,11 @@
-// Drives strips of WS2812 LEDs. Bytes in memory have the strip's format. The brightness is applied to a
-// colour when the colour is set, and to all colours when the brightness changes.
+// Drives strips of WS2812 LEDs. The bytes in memory have the order in which they are sent. The brightness is
+// applied to a colour when the colour is set, and to all colours when the brightness changes.
 #pragma once
 
 #include <Arduino.h>
 
-// Encodes the order of an LED's bytes: two bits each for white, red, green, blue, from the top. If white has
-// the position of red, an LED has three bytes.
+// Encodes the order of an LED's bytes: the positions of white, red, green and blue, two bits each, white
+// highest. Equal positions of white and red mean three bytes per LED, without white.
 #define NEO_ORDER(w, r, g, b) ((w) << 6 | (r) << 4 | (g) << 2 | (b))
 #define NEO_RGB NEO_ORDER(0, 0, 1, 2)
 #define NEO_RBG NEO_ORDER(0, 0, 2, 1)
@@ -42,7 +42,7 @@ class Adafruit_NeoPixel {
 
   void setPixelColor(uint16_t n, uint8_t r, uint8_t g, uint8_t b, uint8_t w = 0);
   void setPixelColor(uint16_t n, uint32_t color);
-  /// Sets `count` LEDs from `first` on; 0 = up to the end.
+  /// Sets `count` LEDs from `first` on; a `count` of 0 = all up to the end.
   void fill(uint32_t color = 0, uint16_t first = 0, uint16_t count = 0);
   void clear();
   void rainbow(uint16_t first_hue = 0, int8_t times = 1, uint8_t saturation = 255, uint8_t brightness = 255,
@@ -76,6 +76,6 @@ class Adafruit_NeoPixel {
   neoPixelType type_ = NEO_GRB;
   int16_t pin_ = -1;
   bool begun_ = false;
-  uint8_t scale_ = 0;  ///< brightness + 1, in 256ths; 0 = 256
+  uint8_t scale_ = 0;  ///< brightness + 1; 256, full brightness, is stored as 0
   uint32_t shown_ = 0;
 };

@@ -1,7 +1,7 @@
-// Reads quadrature encoders: four counts per period, up while the second pin leads.
+// Reads quadrature encoders: four counts per period. The count rises while the second pin leads.
 //
-// Pins with interrupts are counted by interrupts. For other pins read() polls the level, as in the genuine
-// library.
+// If both pins have interrupts, handlers count the edges. Otherwise read() polls the levels, as in the
+// genuine library.
 #pragma once
 
 #include <Arduino.h>
@@ -11,7 +11,7 @@ class Encoder {
   Encoder(uint8_t pin1, uint8_t pin2) : pin1_(pin1), pin2_(pin2) {
     pinMode(pin1, INPUT_PULLUP);
     pinMode(pin2, INPUT_PULLUP);
-    delayMicroseconds(2000);  // as in the genuine library, which waits for filters
+    delayMicroseconds(2000);  // as in the genuine library: input filters settle
     levels_ = levels();
     const bool first = follow(pin1), second = follow(pin2);
     followed_ = first && second;
@@ -48,8 +48,8 @@ class Encoder {
   uint8_t levels() const { return static_cast<uint8_t>(level(pin1_) | level(pin2_) << 1); }
 
   void update() {
-    // Counts by the levels before (bits 0 and 1) and now (bits 2 and 3). If both levels have changed, an edge
-    // was missed: the count changes by two, in the direction that the second pin indicates.
+    // Changes of the count. Index: previous levels (bits 0, 1) and present levels (bits 2, 3). If both levels
+    // have changed, an edge was missed. The count then changes by two, as if the second pin had changed first.
     static const int8_t counts[16] = {0, 1, -1, 2, -1, 0, -2, 1, 1, -2, 0, -1, 2, -1, 1, 0};
     const uint8_t now = levels();
     count_ += counts[levels_ | now << 2];

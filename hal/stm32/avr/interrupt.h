@@ -1,4 +1,4 @@
-// Enables and disables all interrupts by PRIMASK. Handlers have other names here: void TIM3_IRQHandler().
+// Enables and disables all interrupts by PRIMASK. Handlers have STM32 names, such as void TIM3_IRQHandler().
 #pragma once
 
 #include <avr/io.h>

@@ -1,4 +1,4 @@
-// The part of avr-libc's <avr/io.h> that is independent of an AVR's registers.
+// Provides the part of avr-libc's <avr/io.h> that is independent of an AVR's registers.
 #pragma once
 
 #include <stdint.h>

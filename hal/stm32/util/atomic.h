@@ -1,4 +1,4 @@
-// ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { ... }: interrupts are off inside the block, and restored at every exit.
+// Defines ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { ... }: interrupts are off inside, and restored at every exit.
 #pragma once
 
 #include <avr/interrupt.h>

@@ -1,4 +1,4 @@
-// avr-libc's busy waits, in whole microseconds.
+// Implements avr-libc's busy waits, in whole microseconds.
 #pragma once
 
 #include <Arduino.h>
