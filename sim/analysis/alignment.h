@@ -1,4 +1,4 @@
-// Aligns the times of two histories.
+// Aligns the times of two histories by common events: places and lines that both contain (compare.h).
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace robosim::analysis {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
-constexpr std::int64_t kNear_ns = kSecond_ns;  ///< events no further apart count as simultaneous
-/// Share of the time to the nearest common event that is added to the tolerance. One board may be 0.5 % fast
+constexpr std::int64_t kNear_ns = kSecond_ns;  ///< maximum time between events that count as simultaneous
+/// The tolerance grows by this share of the time to the nearest common event. One board may be 0.5 % fast,
 /// and another of the same kind 0.5 % slow (an Uno's resonator, Murata CSTCE16M0V53).
 constexpr std::int64_t kApart_percent = 1;
 
@@ -27,13 +27,14 @@ class Clocks {
  public:
   using Pair = std::pair<std::int64_t, std::int64_t>;
 
-  /// Adds the times, in ns, of a common event. finish() adds the start.
+  /// Adds the times of a common event on the two sides, ns. finish() adds the start of the runs.
   void add(std::int64_t a, std::int64_t b) { pairs_.emplace_back(a, b); }
-  /// Prepares the queries; call it after the last event. Drops events whose order differs between the sides.
+  /// Prepares the queries; call this after the last event. Drops events whose order differs between the
+  /// sides.
   void finish();
   std::int64_t to_b(std::int64_t t) const { return map(t, &Pair::first, &Pair::second); }
   std::int64_t to_a(std::int64_t t) const { return map(t, &Pair::second, &Pair::first); }
-  /// Returns the tolerance for simultaneous events at time `t` of side 0 or 1.
+  /// Returns the tolerance, ns, for events that count as simultaneous at time `t` of side 0 or 1.
   std::int64_t near_ns(std::size_t side, std::int64_t t) const;
   const std::vector<Pair>& pairs() const { return pairs_; }
 

@@ -12,7 +12,7 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::int64_t kSlipping_ns = kSecond_ns;  // not compared: this time before a loss
+constexpr std::int64_t kSlipping_ns = kSecond_ns;  // time before a loss of the line that is not compared
 
 std::string came_to(const TimedText& place) {
   return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;
@@ -81,13 +81,14 @@ class Comparer {
       }
   }
 
-  /// Returns whether `other` ran long enough to show an event. `since_ns` is its last common event;
-  /// `after_ns` is the delay from there to the event.
+  /// Returns whether side `other` ran long enough to show an event that is due `after_ns` after `since_ns`,
+  /// the time of its last common event.
   bool had_time(std::size_t other, std::int64_t since_ns, std::int64_t after_ns) const {
     return seen_ns(*sides_[other]) >= since_ns + after_ns + tolerance_.time_for(after_ns);
   }
 
-  /// Reports the first mark that only one side has, after the common marks.
+  /// Compares two lists of places or lines whose first `common` elements match. Reports the next element if
+  /// only one side has one.
   template <typename Marks, typename Make>
   void compare_rest(const Marks& a, const Marks& b, std::size_t common, const Make& make) {
     if (a.size() == b.size()) return;
@@ -104,7 +105,8 @@ class Comparer {
     report(std::move(d));
   }
 
-  /// Reports a difference and returns false if the time since the previous mark differs too much.
+  /// Compares the times from the previous place or line to this one. If they differ too much, reports the
+  /// difference and returns false.
   bool same_time(const std::array<std::int64_t, 2>& t, const std::array<std::int64_t, 2>& before,
                  const std::string& what, std::array<std::optional<std::size_t>, 2> line,
                  std::array<std::optional<std::size_t>, 2> place = {}) {

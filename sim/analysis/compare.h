@@ -1,6 +1,6 @@
 // Compares the behaviour of two targets: two histories, aligned by events rather than by the clock.
-// Instructions take different times on each target, so the same robot turns a little later, and in a slightly
-// different place.
+// Instructions take different times on each target. The same robot therefore turns at a slightly different
+// time and place.
 //
 // docs/howto/comparing.md defines the differences; in short:
 //
@@ -8,14 +8,14 @@
 //   lines     their text and order, without numbers; a text that occurs more than 20 times, or 5 times in
 //             2 s, is a stream: both sides must send it at about the same rate and at about the same time
 //   numbers   in a line: within 10 % of each other
-//             in a stream: within 10 % of one of the other side's values in the second before and after, or
-//             within the range of these values, widened at both ends by half the range; by at least 1 if
-//             the stream's values span 10 or more
+//             in a stream: within 10 % of one of the other side's values in the second before or after, or
+//             within the range of these values. The range is widened at both ends by half its width, and
+//             by at least 1 if all values of the stream span 10 or more
 //   times     from one place or line to the next: within 0.5 s plus 25 %
-//   motors    a manoeuvre of 0.5 s requires 0.1 s of the same manoeuvre on the other side, within 1 s plus
-//             1 % of the time to the nearest common place or line;
-//             the mean command between two common events: within 0.25
-//   the end   the verdict
+//   motors    for a manoeuvre of 0.5 s or more, the other side makes the same manoeuvre for 0.1 s or more,
+//             within 1 s plus 1 % of the time to the nearest common place or line;
+//             the mean commands between two common places or lines are within 0.25 of full speed
+//   the end   equal verdicts
 #pragma once
 
 #include <algorithm>
@@ -50,12 +50,12 @@ struct Difference {
   std::array<std::optional<std::size_t>, 2> place{};    ///< index in History::places, if a place differs
   std::array<std::optional<std::size_t>, 2> stretch{};  ///< index in History::stretches, if a stretch differs
 
-  /// Returns the earlier of the two times: consequences of a difference may show earlier on the other side's
-  /// clock.
+  /// Returns the earlier of the two times, because a consequence of the difference may appear before the
+  /// later time.
   std::int64_t first_ns() const { return std::min(t_ns[0], t_ns[1]); }
 };
 
-/// A known difference that does not matter: the same value, printed differently.
+/// A harmless difference of a known kind: the same value, printed differently.
 struct KnownDifference {
   std::string what;
   std::array<std::string, 2> sides;

@@ -9,7 +9,7 @@ namespace robosim::analysis {
 namespace {
 
 constexpr std::size_t kStream = 20;    // a text with more occurrences is a stream
-constexpr std::size_t kStreamRow = 5;  // as is a text that occurs this often within kStreamTime_ns
+constexpr std::size_t kStreamRow = 5;  // so is a text that occurs this often within kStreamTime_ns
 constexpr std::int64_t kStreamTime_ns = 2 * kSecond_ns;
 constexpr std::size_t kMissedRow = 10;  // consecutive missing lines that count as a difference …
 constexpr std::int64_t kMissedTime_ns = 5 * kSecond_ns;  // … if they span this time
@@ -99,8 +99,8 @@ class StreamComparer {
     }
   }
 
-  /// Allows a deviation of 1 in an integer with a wide range: it is a measurement whose last digit varies. An
-  /// integer with a small range may be a state, so it gets no such allowance.
+  /// Allows a deviation of 1 in numbers with a wide range, since the last digit of a measurement varies. A
+  /// number with a small range may be a state, for which no deviation is allowed.
   void find_last_places() {
     last_places_.assign(lanes_[0].front().parts.numbers.size(), 0.0);
     for (std::size_t n = 0; n < last_places_.size(); ++n) {

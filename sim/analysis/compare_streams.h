@@ -1,6 +1,6 @@
-// Compares lines that firmware prints repeatedly, such as measurements a few times a second. Two sides print
-// them at different moments, and robots vibrate. Each line is therefore compared with the other side's
-// output at about the same time.
+// Compares lines that firmware prints repeatedly, such as measurements a few times a second. The two sides
+// print them at different moments, and robots vibrate. Each line is therefore compared with several lines
+// that the other side prints at about the same time.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ using Lanes = std::array<std::vector<Said>, 2>;
 /// Returns whether lines of one form at these times are a stream.
 bool is_stream(const std::vector<std::int64_t>& came);
 
-/// Returns the differences in lines of one form that are a stream on at least one side: in the stream's
-/// presence, rate, beginning, end or numbers. Returns at most one of each kind and side.
+/// Compares the lines of one form, which are a stream on at least one side. Returns differences in their
+/// presence, rate, beginning, end and numbers: at most one of each kind and side.
 std::vector<Difference> stream_differences(const std::string& form, const Lanes& lanes,
                                            const std::array<const History*, 2>& sides, const Clocks& clocks,
                                            const Tolerance& tolerance);

@@ -27,7 +27,7 @@ bool is_same_way(const std::string& one, const std::string& other, const Toleran
   return std::fabs(x - y) <= 1e-9 * static_cast<double>(tolerance.time_ns) + tolerance.time * std::fmax(x, y);
 }
 
-/// Groups a late place with a different place, and a different speed with a different manoeuvre.
+/// Returns the kind of a difference, with `time` counted as `place`, and `speed` counted as `motors`.
 Kind sort_of(const Difference& d) {
   if (d.kind == Kind::time) return Kind::place;
   return d.kind == Kind::speed ? Kind::motors : d.kind;
@@ -109,8 +109,8 @@ std::optional<Choice> Choice::of(const Difference& found, const History& first, 
   return choice;
 }
 
-// Sums the probabilities of all tables with these totals that are at most as likely as this table. A
-// behaviour that a target shows with only one of fewer than kManyRuns clocks counts as rare.
+// Fisher's test sums the probabilities of all tables that have these totals, and are at most as likely as
+// this table. A behaviour in only one of fewer than kManyRuns runs counts as rare.
 Alikeness alikeness(const Share& one, const Share& other) {
   constexpr double kUnlikely = 0.05, kRounding = 1e-9;
   const int both = one.as_first + other.as_first;

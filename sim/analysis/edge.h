@@ -1,5 +1,5 @@
-// Decides whether a target with a slightly wrong clock behaves like another target.
-// docs/howto/comparing.md explains how this distinguishes chance from a fault.
+// Decides whether a difference between two targets is chance: whether one target, with a slightly wrong
+// clock, behaves like the other. docs/howto/comparing.md explains the method.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,18 @@
 
 namespace robosim::analysis {
 
-/// Duration after a difference for which two runs must agree to count as equal.
+/// Two runs count as equal if they agree until this time after the difference.
 constexpr std::int64_t kBehindEdge_ns = 2'000'000'000;
 
-/// Returns whether `mine` equals `other` until `behind_ns` after the difference. If a run ends earlier, both
-/// must end in the same way.
+/// Returns whether `mine` equals `other` until `behind_ns` after the difference `found`. If a run ends
+/// earlier, both must end in the same way, at about the same time.
 bool does_as(const History& mine, const History& other, const Difference& found,
              std::int64_t behind_ns = kBehindEdge_ns);
 
-/// Returns whether a target's own difference resembles `found`. Within 2 s of `found`, both must be of the
-/// same sort. At any other time, both must separate the same two behaviours: the same two manoeuvres, or the
-/// same two times at places of one kind.
+/// Returns whether `own`, a difference between two runs of one target, resembles `found`, a difference
+/// between targets. Within 2 s of each other, the two must be of the same kind; place and time count as one
+/// kind, and so do motors and speed. At other times, both must separate the same two behaviours: the same two
+/// manoeuvres, or the same two times at places of one kind.
 bool is_alike(const Difference& own, const Difference& found);
 
 /// A condition on a run: the robot comes to a place by a certain time.
@@ -38,10 +39,10 @@ struct EndsAs {
   std::string verdict;
 };
 
-/// Reduces a difference to a condition that each run of either target meets or not.
+/// A condition on a run that distinguishes the two sides of a difference.
 class Choice {
  public:
-  /// Returns nullopt if the difference, such as a mean speed, has no such condition.
+  /// Derives the condition from `found`. Returns nullopt if there is none, as for a mean speed.
   static std::optional<Choice> of(const Difference& found, const History& first, const History& second);
   /// Returns whether a run behaves like `first` at the difference.
   bool is_as_first(const History& run) const;
@@ -54,12 +55,12 @@ class Choice {
   bool of_first_ = true;  ///< `first` meets the condition; otherwise only `second` does
 };
 
-/// The number of a target's runs with slightly wrong clocks, and the number that behave like `first`.
+/// The number of a target's runs with slightly wrong clocks, and how many of these behave like `first`.
 struct Share {
   int runs = 0, as_first = 0;
 };
 enum class Alikeness {
-  alike,  ///< both targets show both behaviours, equally often; or one shows in a single run of many
+  alike,  ///< both targets show both behaviours equally often; or a behaviour occurs in a single run of many
   apart,  ///< one target shows a behaviour that the other never or seldom shows
   rare,   ///< too few runs: one of the two behaviours is rare
 };

@@ -49,7 +49,7 @@ void HistoryRecorder::add(const wire::Sample& sample) {
   const std::int64_t t_ns = sample.t_us * 1000;
   const Manoeuvre now = manoeuvre_of(sample.left, sample.right);
   auto& stretches = history_.stretches;
-  // A sample carries the motor commands of the previous tick.
+  // A sample contains the motor commands of the previous tick, so they apply from the previous sample on.
   if (stretches.empty() || stretches.back().manoeuvre != now) stretches.push_back({last_ns_, last_ns_, now});
   Stretch& stretch = stretches.back();
   const double before = static_cast<double>(stretch.duration_ns()),

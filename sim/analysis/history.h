@@ -17,8 +17,8 @@ struct TimedText {
   std::string text;
 };
 
-/// The combined state of the two motors. `ahead` and `back`: the mean of the commands is at least a quarter
-/// of their difference; otherwise the robot turns on the spot.
+/// The combined state of the two motors. In `ahead` and `back`, the mean of the two commands is at least a
+/// quarter of their difference. Otherwise the robot turns on the spot.
 enum class Manoeuvre : std::uint8_t { stands, ahead, back, turns_left, turns_right };
 
 /// A period of one manoeuvre.
@@ -34,13 +34,13 @@ struct Stretch {
 
 struct History {
   std::string target;
-  std::vector<TimedText> places;   ///< in order; no place twice in a row
+  std::vector<TimedText> places;   ///< in order of time; no place twice in a row
   std::vector<TimedText> lines;    ///< from the serial port, without line ends; the last may be incomplete
   std::vector<Stretch> stretches;  ///< consecutive
   std::string verdict;
   std::string why;
   std::int64_t end_ns = 0;
-  /// Time at which the robot lost the line. The later behaviour is chance and is not stored.
+  /// Time at which the robot lost the line. Later behaviour depends on chance, and is not stored.
   std::optional<std::int64_t> lost_ns;
 };
 

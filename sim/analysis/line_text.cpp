@@ -45,7 +45,7 @@ bool extends(const Number& longer, const Number& shorter, char filler) {
          longer.text.find_first_not_of(filler) >= more;
 }
 
-/// Returns whether both print the same negative number in HEX or BIN, from types of different widths.
+/// Returns whether both numbers are the same negative value in HEX or BIN, from types of different widths.
 bool wider(const Number& a, const Number& b) {
   if (a.form != b.form || a.text.size() == b.text.size()) return false;
   const char filler = a.form == Number::Form::hexadecimal ? 'F' : '1';

@@ -26,14 +26,14 @@ std::string quoted(const std::string& text);
 /// The similarity of two numbers from different targets.
 enum class Likeness {
   same,   ///< equal text, or within the tolerance
-  known,  ///< equal value, printed differently: the last digits of a float, the width of a negative HEX
+  known,  ///< equal value, printed differently: last digits of a float, or width of a negative HEX
   different,
 };
 Likeness likeness(const Number& a, const Number& b, double tolerance);
 
 /// Returns "float formatting" or "width of long", for numbers whose likeness is `known`.
 std::string known_cause(const Number& a, const Number& b);
-/// Returns an explanation if the numbers differ by the overflow of a 16- or 32-bit integer; otherwise "".
+/// Returns an explanation if an overflow of a 16- or 32-bit integer explains the difference; otherwise "".
 std::string width_cause(const Number& a, const Number& b);
 
 }  // namespace robosim::analysis

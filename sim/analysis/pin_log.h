@@ -1,5 +1,5 @@
-// Finds the firmware's actions around a moment, and the responsible lines of the sketch. Uses a run's pin and
-// byte events, which carry their source lines.
+// Finds the firmware's pin accesses and output around a moment, and the responsible lines of the sketch. Uses
+// a run's events for pins and serial bytes, which contain their source lines.
 #pragma once
 
 #include <cstdint>
@@ -22,15 +22,15 @@ struct PinUse {
 
 class PinLog {
  public:
-  /// Stores each pin's last use before `moment_ns`, or else its first use afterwards.
+  /// Stores each pin's last read and write up to `moment_ns`, or else the first read and write afterwards.
   explicit PinLog(std::int64_t moment_ns) : moment_ns_(moment_ns) {}
 
   void add(const wire::Event& event);
 
-  /// Returns the stored uses, sorted by pin name.
+  /// Return the stored reads and writes, sorted by pin name.
   std::vector<PinUse> reads() const { return list(reads_); }
   std::vector<PinUse> writes() const { return list(writes_); }
-  /// Returns the last use of a pin that the firmware drove before the moment.
+  /// Returns the last write to any pin up to the moment.
   std::optional<PinUse> last_write() const { return last_write_; }
   /// Returns the sketch line that printed character `at` of the last output line equal to `text`.
   wire::SourceLine source_of(const std::string& text, std::size_t at) const;

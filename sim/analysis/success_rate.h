@@ -1,5 +1,5 @@
-// Success rates: the share of successful runs, the interval of the true rate, and the number of runs needed
-// to decide.
+// Computes success rates: the share of successful runs, the confidence interval of the true rate, and the
+// number of runs needed for a decision.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +12,27 @@ struct Interval {
   double high = 1.0;
 };
 
-/// Returns the interval of the true rate, at 95 % confidence, after `successes` of `runs`: Wilson's score
-/// interval,
+/// Returns the 95 % confidence interval of the true rate after `successes` in `runs` runs. Wilson's score
+/// interval is
 ///   (p + z²/2n ± z √(p(1-p)/n + z²/4n²)) / (1 + z²/n)      p = successes / runs, n = runs, z = 1.960
 ///
-/// It stays within 0..1 and remains meaningful when all runs succeed, where p ± z √(p(1-p)/n) would claim
-/// certainty. E. B. Wilson, "Probable inference, the law of succession, and statistical inference", Journal
-/// of the American Statistical Association 22 (1927) 209-212. Without any runs: 0..1.
+/// This interval stays within 0..1. Even if all runs succeed, it has a width, whereas p ± z √(p(1-p)/n) would
+/// claim certainty. Without any runs, the result is 0..1. Source: E. B. Wilson, "Probable inference, the law
+/// of succession, and statistical inference", Journal of the American Statistical Association 22 (1927)
+/// 209-212.
 Interval wilson(std::int64_t successes, std::int64_t runs);
 
 /// The requirement for a fixed number of runs.
 struct Demand {
   double rate = 1.0;  ///< 0..1
-  /// False: `rate` is the share of exactly these runs that must succeed.
-  /// True: these runs must show that the rate of all possible runs is at least `rate`; the lower end of the
-  /// interval counts.
+  /// False: at least the share `rate` of the runs must succeed.
+  /// True: the lower end of the confidence interval must be at least `rate`, so that the rate of all possible
+  /// runs is known to be at least `rate`.
   bool sure = false;
 };
 
-/// Returns the smallest number of successes in `runs` that meets the demand; nullopt if all successes would
-/// not.
+/// Returns the smallest number of successes in `runs` runs that meets the demand; nullopt if even `runs`
+/// successes do not meet it.
 std::optional<std::int64_t> needed_successes(const Demand& demand, std::int64_t runs);
 
 /// Returns the smallest number of runs that meets the demand if all of them succeed; nullopt if no number
@@ -39,8 +40,8 @@ std::optional<std::int64_t> needed_successes(const Demand& demand, std::int64_t 
 std::optional<std::int64_t> needed_runs(const Demand& demand);
 
 /// Counts runs in a fixed order. The tally is decided once the remaining runs cannot change whether the
-/// demand is met. Stopping then saves runs and never changes the answer, however often the tally is checked.
-/// (Stopping as soon as the interval looks good would give wrong results in more than 5 % of cases.)
+/// demand is met. Stopping at that point saves runs and never changes the answer, however often the tally is
+/// checked. (Stopping as soon as the interval meets the demand would be wrong in more than 5 % of cases.)
 class Tally {
  public:
   Tally(std::int64_t planned, std::optional<Demand> demand);
@@ -53,9 +54,9 @@ class Tally {
   double rate() const;
   Interval interval() const { return wilson(successes_, runs_); }
 
-  /// Returns whether enough runs have succeeded, whatever the others do. False without a demand.
+  /// Returns whether enough runs have succeeded, whatever the remaining runs do. False without a demand.
   bool met() const;
-  /// Returns whether too many runs have failed, whatever the others do. False without a demand.
+  /// Returns whether too many runs have failed, whatever the remaining runs do. False without a demand.
   bool missed() const;
   bool decided() const { return met() || missed(); }
 

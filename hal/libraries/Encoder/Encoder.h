@@ -49,7 +49,7 @@ class Encoder {
 
   void update() {
     // Changes of the count. Index: previous levels (bits 0, 1) and present levels (bits 2, 3). If both levels
-    // have changed, an edge was missed. The count then changes by two, as if the second pin had changed first.
+    // have changed, an edge was missed. The count changes by two, as if the second pin had changed first.
     static const int8_t counts[16] = {0, 1, -1, 2, -1, 0, -2, 1, 1, -2, 0, -1, 2, -1, 1, 0};
     const uint8_t now = levels();
     count_ += counts[levels_ | now << 2];
