@@ -16,8 +16,8 @@ struct Interval {
 /// interval is
 ///   (p + z²/2n ± z √(p(1-p)/n + z²/4n²)) / (1 + z²/n)      p = successes / runs, n = runs, z = 1.960
 ///
-/// This interval stays within 0..1. Even if all runs succeed, it has a width, whereas p ± z √(p(1-p)/n) would
-/// claim certainty. Without any runs, the result is 0..1. Source: E. B. Wilson, "Probable inference, the law
+/// This interval stays within 0..1. If all runs succeed, it still has a width, whereas p ± z √(p(1-p)/n)
+/// claims certainty. Without any runs, the result is 0..1. Source: E. B. Wilson, "Probable inference, the law
 /// of succession, and statistical inference", Journal of the American Statistical Association 22 (1927)
 /// 209-212.
 Interval wilson(std::int64_t successes, std::int64_t runs);

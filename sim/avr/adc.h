@@ -2,15 +2,16 @@
 // its registers. One ADC clock takes P cycles (ADPS). The prescaler starts when ADEN is set, and its rising
 // edges occur at
 //
-//   e = origin + P/2 + k P            origin: the cycle at which ADEN was set
+//   e = origin + P/2 + k P            origin: the cycle at which ADEN was set; k = 0, 1, 2 …
 //   start    the first e after ADSC is written; ADMUX is latched at this edge
 //   sample   start + 1.5 P; 13.5 P in the first conversion after ADEN
-//   end      start + 13 P; 25 P in the first conversion. ADIF is set, ADSC reads 0; free running restarts
+//   end      start + 13 P; 25 P in the first conversion. ADIF is set, and ADSC reads 0. In free running
+//            mode, the next conversion starts
 //
-// An auto trigger sets origin to 3 cycles after the trigger's flag. The sample is then taken at origin + 2 P,
-// and the conversion ends at origin + 13.5 P (table 24-1). Entering a sleep mode that keeps the ADC clock
-// running also starts a conversion, unless auto triggering is enabled (10.3, 24.6). A stopped clock (PRR,
-// deeper sleep) pauses a conversion; ADEN = 0 ends the conversion.
+// An auto trigger sets origin to 3 cycles after the trigger's flag is set. The sample is then taken at
+// origin + 2 P, and the conversion ends at origin + 13.5 P (table 24-1). Entering a sleep mode that keeps the
+// ADC clock running also starts a conversion, unless auto triggering is enabled (10.3, 24.6). A stopped clock
+// (PRR, deeper sleep) pauses a conversion; ADEN = 0 ends the conversion.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +42,7 @@ class Adc final : public Peripheral {
     bool runs = true;
     bool first = false;  ///< no conversion has begun since ADEN was set
     bool converting = false;
-    bool locked = false;  ///< ADCL was read, and ADCH was not read since
+    bool locked = false;  ///< ADCL was read, and ADCH has not been read since then
   };
 
   std::uint8_t read_control(Address address);

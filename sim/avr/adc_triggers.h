@@ -1,6 +1,6 @@
 // Connects interrupt flags to the peripheral that they trigger: a timer's compare match can start an ADC
-// conversion. The interrupt vector identifies the flag. At any time, at most one peripheral waits for a flag,
-// and for one flag only.
+// conversion. A flag is identified by its interrupt vector. At any time, at most one peripheral waits for a
+// flag, and it waits for one flag only.
 //
 //   core.triggers.offer<&Timer::awaited>(vector, this);   // once: this peripheral owns the flag
 //   core.triggers.raised(vector, at);                     // when the flag is set; cheap if not awaited

@@ -17,20 +17,20 @@ class ChipEnvironment {
   /// the pin.
   virtual bool level(int pin, bool pull_up, Cycle at) = 0;
   /// Returns the level for a read by a peripheral, or by an instruction that reads the whole port. The
-  /// program may ignore this level.
+  /// program may not use the result.
   virtual bool level_along(int pin, bool pull_up, Cycle at) = 0;
   /// Returns the first cycle after `at` at which the result of level() may change. Until this cycle, the
   /// caller can skip calls. Returns `at` if that cycle is unknown.
   virtual Cycle level_until(int pin, Cycle at) = 0;
-  /// Returns the volts at a pin, for a sample of the converter or comparator. `high` is set if the chip's own
-  /// output or pull-up is high.
+  /// Returns the volts at a pin, for a sample of the ADC or comparator. `high` is set if the chip's output or
+  /// pull-up drives the pin high.
   virtual double volts(int pin, bool high, Cycle at) = 0;
-  /// Returns the volts on the converter's capacitor (FirmwarePort::convert()). The capacitor held `before`
-  /// volts, and the pin has charged it since cycle `from`.
+  /// Returns the volts on the ADC's sampling capacitor (FirmwarePort::convert()). The capacitor held `before`
+  /// volts, and the pin has charged the capacitor since cycle `from`.
   virtual double convert(int pin, bool high, double /*before*/, Cycle /*from*/, Cycle at) {
     return volts(pin, high, at);
   }
-  /// Returns FirmwarePort::supply_share().
+  /// Returns the supply as a share of its nominal voltage (FirmwarePort::supply_share()).
   virtual double supply_share() { return 1.0; }
   /// Reports that the chip has changed how it drives a pin.
   virtual void driven(int pin, const PinDrive& drive, Cycle at) = 0;
@@ -41,7 +41,7 @@ class ChipEnvironment {
   // --- serial lines: numbers are indices in ChipSpec::uarts; USB has the next number
   /// Reports that the chip starts to send a frame.
   virtual void sent(int line, std::uint16_t data, Cycle at) = 0;
-  /// Reports the frame duration to which the receiver is set from `at` on; 0 = the receiver is off.
+  /// Reports the frame duration, in cycles, that the receiver expects from `at` on; 0 = the receiver is off.
   virtual void listens(int line, Cycle frame, Cycle at) = 0;
 
   // --- two-wire bus: called at the end of a byte, or at the stop condition

@@ -66,7 +66,8 @@ struct Core {
   Cycle now() const { return cpu.cycle(); }
   std::uint8_t& at(Address address) { return cpu.data[address]; }
 
-  /// Schedules an event at `cycle`. Stops the processor's current run, which may end after `cycle`.
+  /// Schedules an event at `cycle`. Ends the processor's current run early, because the run may last beyond
+  /// `cycle`.
   void schedule(Events::Id id, Cycle cycle) {
     events.schedule(id, cycle);
     cpu.look_up();
@@ -97,7 +98,7 @@ struct Core {
     if (requested) cpu.look_up();
   }
 
-  /// Reports that `vector` was requested again before its handler ran, so that one event is lost.
+  /// Reports that `vector` was requested again before its handler ran, so that one request is lost.
   void lose(int vector) const {
     if (on_lost) on_lost(on_lost_self, vector);
   }
@@ -143,10 +144,10 @@ struct Core {
   AdcTriggers triggers;
   ChipEnvironment& environment;
   const std::int64_t oscillator_hz;
-  std::int64_t clock_hz;      ///< processor clock: the oscillator's frequency, divided as CLKPR sets
+  std::int64_t clock_hz;      ///< processor clock: the oscillator's frequency over CLKPR's divisor
   double supply_volts = 5.0;  ///< VCC and AVCC; the chip's owner may change the value
   SnapshotRegistry snapshots;
-  MarkVisitor* visitor = nullptr;  ///< visits marks; null = marks stop the chip
+  MarkVisitor* visitor = nullptr;  ///< called at marks (mark_visitor.h); null = marks stop the chip
   /// Set while the watchdog can reset the chip even with interrupts off.
   bool reset_may_come = false;
   /// Resets the chip after the current instruction, and adds `flags` to MCUSR. The chip sets this callback.

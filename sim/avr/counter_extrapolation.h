@@ -1,5 +1,5 @@
-// Follows the values that a loop computes from a counter during one pass. Finds the number of further counts
-// for which all jumps of the pass have the same targets.
+// Follows the values that a loop computes from a timer's counter during one pass. Finds the number of further
+// counts for which all jumps of the pass have the same targets.
 //
 //   the counter reads v0 now, and v0 + n later
 //   Line    an integer that is linear in n: `now` + n * `step`
@@ -55,7 +55,7 @@ class CounterExtrapolation {
   using Operand = std::optional<Byte>;  ///< empty = equal for all n
   struct Chain {
     bool subtracts = false;
-    bool whole = false;  ///< Z covers all bytes from byte 0 to byte k
+    bool whole = false;  ///< flag Z covers all bytes from byte 0 to byte k
     Line left, right, result;
     int k = 0;  ///< index of the last computed byte
   };

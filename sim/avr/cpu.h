@@ -52,7 +52,7 @@ class Cpu {
   Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last_ram);
 
   // --- running
-  /// Runs until an earlier stop, or until cycle `until`, which the last instruction may cross.
+  /// Runs until a reason to stop occurs, or until cycle `until`. The last instruction may end after `until`.
   Stop run(Cycle until);
   /// Makes run() return Stop::reached after the current instruction. Called by hooks.
   void look_up() { horizon_ = 0; }
@@ -119,7 +119,7 @@ class Cpu {
     };
     hook.forecast_self = owner;
   }
-  /// Declares that reads of the register have no side effects, and are constant between events and writes.
+  /// Declares that reads of the register have no side effects, and give one value between events and writes.
   void is_steady(Address address) { hooks_[address].is_steady = true; }
   ReadForecast forecast(Address address, std::uint8_t bits) const;
   /// Returns the relevant bits of the I/O register that the instruction at `pc` reads. This or the next
@@ -191,10 +191,10 @@ class Cpu {
     };
     hook.write_bit_self = owner;
   }
-  /// Called before a hook if an event may be due by this cycle. The event must run before the hook.
+  /// Called before a hook if an event may be due by the current cycle. The event must run before the hook.
   Call on_time;
 
-  /// Read and write an address like firmware, with all side effects.
+  /// Read and write an address as firmware does, with all side effects.
   std::uint8_t load(Address address);
   void store(Address address, std::uint8_t value);
 
@@ -266,14 +266,14 @@ class Cpu {
     std::uint16_t sp_watch = 0;
     std::uint16_t sp_before = 0;  ///< stack pointer before the last write to SPL or SPH
     std::uint8_t sreg = 0;
-    Cycle held_at = kNoCycle;  ///< cycle at which an instruction set I; the next one runs uninterrupted
+    Cycle held_at = kNoCycle;  ///< cycle at which an instruction set I; the next instruction is uninterrupted
     Address bad_address = 0;
     std::uint32_t outside_pc = 0;
     std::uint32_t passing = ~0u;   ///< word address whose mark was already reported
     bool reads_signature = false;  ///< LPM reads the signature row instead of flash
     int open_handlers = 0;
     Cycle handler_began = 0, handler_cycles = 0;
-    std::uint32_t interrupted_pc = 0;  ///< where the current or last handler has interrupted firmware
+    std::uint32_t interrupted_pc = 0;  ///< where the current or last handler interrupted the firmware
     std::uint8_t vector = 0;           ///< vector of that handler
     Cycle last_io = 0;                 ///< last access to an I/O register outside handlers
     std::uint32_t last_io_pc = 0;
@@ -332,7 +332,7 @@ class Cpu {
 
   const ChipSpec& chip_;
   std::vector<std::uint8_t> flash_;
-  std::uint32_t words_ = 0;                   ///< size of the flash; a power of two
+  std::uint32_t words_ = 0;                   ///< size of the flash, in words; a power of two
   std::vector<Instruction> original_, code_;  ///< `code_` is modified for run()
   std::vector<Op> unmarked_;                  ///< by word: the operation in `code_` if the word had no mark
   std::vector<std::uint8_t> marks_;           ///< by word: kMark, kHead
@@ -340,7 +340,7 @@ class Cpu {
   std::uint32_t time_count_pc_ = 0;
   Address ram_begin_, last_ram_;
   std::vector<Hook> hooks_;          ///< by address
-  std::vector<std::uint8_t> plain_;  ///< by address: kPlainRead, kPlainWrite if that access has no hook
+  std::vector<std::uint8_t> plain_;  ///< by address: kPlainRead, kPlainWrite if reads, writes have no hook
   struct Shared {
     void (*first)(void* self, Address address, std::uint8_t value) = nullptr;
     void* first_self = nullptr;

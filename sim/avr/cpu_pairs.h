@@ -1,5 +1,5 @@
 // Defines macros for the interpreter's loop (cpu_run.cpp): pairs of instructions that run as one
-// (ROBOSIM_AVR_PAIRS). If the horizon is not after the start of the second instruction, the two run
+// (ROBOSIM_AVR_PAIRS). If the horizon is at or before the start of the second instruction, the two run
 // separately. The loop therefore never stops inside a pair, where some flags are not computed.
 #pragma once
 

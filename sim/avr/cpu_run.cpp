@@ -388,7 +388,7 @@ choose:
   OPERATION(outside, 0) STOP(Stop::outside, 0);
 
 leave:
-  // Sets the program counter to the next instruction, which has not run yet.
+  // Stores the state. The program counter points to the next instruction, which has not run yet.
   state.cycle = end - static_cast<Cycle>(left);
   state.pc = static_cast<std::uint32_t>(i - code);
   state.sreg = flags.pack();

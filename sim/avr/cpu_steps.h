@@ -1,5 +1,5 @@
-// Defines the steps of the interpreter's loop (cpu_run.cpp) as macros over the loop's local variables. They
-// are not functions, because a jump to a label cannot leave its function.
+// Defines the steps of the interpreter's loop (cpu_run.cpp) as macros over the loop's local variables. The
+// steps are not functions, because a jump to a label cannot leave its function.
 //
 //   i, code        the current instruction, and the instruction at address 0
 //   left, end      cycles until `end`, which is the horizon; the current cycle is end - left
@@ -34,7 +34,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
 #else
 #define GO_TO_OPERATION(op) goto* kLabels[static_cast<unsigned>(op)]
 #endif
-// NEXT(words) continues after an operation, whose cycles are already subtracted from `left`.
+// NEXT(words) continues after an operation. The operation's cycles are already subtracted from `left`.
 #define DISPATCH              \
   if (left <= 0) [[unlikely]] \
     goto leave;               \
@@ -188,7 +188,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     set_pair(low, pointer);                                   \
     LOAD(i->a, pointer, 1);                                   \
   }
-// Stores the register's value from before the increment, even if the register is part of the pointer.
+// Stores the value that the register had before the increment, even if the register is part of the pointer.
 #define STORE_AND_STEP(low)              \
   {                                      \
     const Address pointer = pair(low);   \

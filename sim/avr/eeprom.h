@@ -1,7 +1,8 @@
 // Models the EEPROM (data sheet DS40002061B, 8.4 and 8.6).
 //
 //   read    set EERE: EEDR contains the byte at once; the processor halts for 4 cycles
-//   write   set EEMPE, and EEPE within 4 cycles: the processor halts for 2 cycles; EEPE reads 1 until the end
+//   write   set EEMPE, then EEPE within 4 cycles: the processor halts for 2 cycles; EEPE reads 1 until the
+//           end of the write
 //
 //   EEPM   0 erase and write, 3.4 ms      new value: EEDR
 //          1 erase only, 1.8 ms           new value: 0xFF

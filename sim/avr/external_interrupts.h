@@ -13,8 +13,8 @@
 // clears the flag. An edge passes the input's synchroniser: INTFn is set 2 cycles after the edge, PCIFg 3
 // cycles (figure 13-1). Edges caused by the chip's own outputs also count.
 //
-// Edges of INTn wake the chip from every sleep mode. Section 13.1 says that these edges require the I/O
-// clock. Real chips detect them without the clock, however, and sketches rely on that.
+// Edges of INTn wake the chip from every sleep mode. According to section 13.1, their detection requires the
+// I/O clock. Real chips detect them without this clock, however, and sketches rely on this behaviour.
 //
 // A pin gets a listener only when its ISCn becomes nonzero, or its bit in EIMSK or PCMSKg is set.
 #pragma once

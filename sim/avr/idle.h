@@ -1,7 +1,7 @@
 // Skips passes of waiting loops: delay(), repeated calls of millis() and micros(), polled flags. Afterwards,
 // firmware, pins and time are as if every pass had run. Only the host saves work.
 //
-//   explores   occasionally, for some hundred instructions: targets of backward jumps become heads
+//   explores   occasionally, for some hundred instructions: targets of backward jumps become loop heads
 //   records    one pass that starts at a head (loop_trace.h)
 //   skips      at a head, if the pass's inputs are unchanged: all but the last of the passes that end before
 //              the next event and within the counter's window. The last pass runs, to compute its results
@@ -36,7 +36,7 @@ class Idle {
   }
   void before();
   void after();
-  /// Handles the processor's arrival at a head. Before `horizon`, no event affects the chip.
+  /// Handles the processor's arrival at a head. No event affects the chip before `horizon`.
   void at_head(Cycle horizon);
   /// Notes a mark at which the chip continued.
   void visited(std::uint32_t pc) {

@@ -1,4 +1,4 @@
-// Predicts the accesses of an instruction before it runs, for observers that follow firmware without
+// Predicts an instruction's accesses before the instruction runs, for observers that follow firmware without
 // executing it. Source: AVR Instruction Set Manual, DS40002198B.
 #pragma once
 
@@ -28,8 +28,8 @@ void each(std::uint32_t registers, Visit visit) {
 }
 
 /// Returns the effects of the instruction that `cpu` would run next. Accesses to the addresses of SREG and
-/// the stack pointer count as data memory; the effects of calls and pushes on the stack pointer are not
-/// included.
+/// the stack pointer count as data memory. The result does not include how calls and pushes change the stack
+/// pointer.
 InstructionEffects effects_of(const Instruction& instruction, const Cpu& cpu);
 
 }  // namespace robosim::avr

@@ -32,7 +32,7 @@ class LoopTrace {
       Address address = 0;
       std::uint8_t value = 0;
       std::uint8_t bits = 0xFF;  ///< relevant bits
-      bool counts = false;       ///< the register is the counter: reads may exceed `value` by up to `window`
+      bool counts = false;       ///< the register is a timer's counter: reads may exceed `value` by `window`
       Cycle after = 0;           ///< cycles since the head
     };
     std::vector<Byte> reads;  ///< inputs: registers and memory
@@ -57,8 +57,7 @@ class LoopTrace {
   bool before();
   bool after();
   void visited(std::uint32_t pc);
-  /// Ends the pass at the head. Returns whether the pass leads back to its initial state, and sets `pass` if
-  /// so.
+  /// Ends the pass at the head. If the pass leads back to its initial state, sets `pass` and returns true.
   bool ends(Pass& pass);
 
  private:

@@ -2,7 +2,7 @@
 //
 //   PORTx DDRx ──► ┐
 //   timers, UARTs ─┴─► drive ──► ChipEnvironment::driven
-//   ChipEnvironment::level ─► synchroniser ─► PINx           own outputs are read back the same way
+//   ChipEnvironment::level ─► synchroniser ─► PINx           also reads back the chip's outputs
 //   ChipEnvironment's edges, own outputs ────► listeners: interrupts, capture, timers' clock inputs
 //
 // PINx reads a value written to PORTx from the second instruction after the write on (14.2.4). A write to
@@ -27,8 +27,8 @@ class Pins final : public Peripheral {
   void reset(Cycle at) override;
 
   // --- for peripherals that drive pins
-  /// Makes `drive` replace the port's latch from now on. With `even_input`, the drive applies even if DDRx is
-  /// input (a UART's transmitter); otherwise only while DDRx is output (timers).
+  /// Makes `drive` replace the port's latch from now on. With `even_input` (a UART's transmitter), `drive`
+  /// applies even while DDRx makes the pin an input. Otherwise (timers), it applies only to an output.
   void take(int pin, const PinDrive& drive, bool even_input = false);
   void give_back(int pin);
 
@@ -72,9 +72,9 @@ class Pins final : public Peripheral {
   /// Returns the level of a pin that was last reported to its listeners.
   bool heard_level(int pin) const { return state_.heard_level[static_cast<std::size_t>(pin)]; }
 
-  /// Returns the current level of a pin, from any driver.
+  /// Returns the current level of a pin, whatever drives the pin.
   bool level(int pin);
-  /// Returns the volts at a pin, from any driver; 0 V for pin -1 (no pin).
+  /// Returns the volts at a pin, whatever drives the pin; 0 V for pin -1 (no pin).
   double volts(int pin, Cycle at);
   /// Calls ChipEnvironment::convert().
   double convert(int pin, double before, Cycle from, Cycle at);

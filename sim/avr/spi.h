@@ -6,7 +6,7 @@
 // Writing SPDR during a transfer only sets WCOL. Reading SPSR while flags are set, and then accessing SPDR,
 // clears these flags. Entering the vector also clears SPIF. Single bits are not simulated: each received bit
 // is the level of MISO at the end of the transfer. If SS is an input at low level, master mode ends: MSTR is
-// cleared, and SPIF is set. A slave does nothing, because it has no clock.
+// cleared, and SPIF is set. In slave mode, nothing happens, because no other master provides a clock.
 #pragma once
 
 #include <cstdint>

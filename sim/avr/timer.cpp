@@ -226,8 +226,8 @@ std::uint8_t Timer::wanted() const {
   return static_cast<std::uint8_t>(wanted);
 }
 
-// Predicts the only enabled flag if it is set periodically, such as the overflow for millis(). All other
-// timers are counted normally.
+// If the timer has only one enabled flag, which is set periodically (such as the overflow for millis()),
+// predicts that flag. All other timers are counted normally.
 void Timer::find_beat(std::uint8_t flag, Cycle at) {
   const Counter& counter = state_.counter;
   if (flag != enables() || !std::has_single_bit(flag) || at == kNoCycle || state_.requested ||

@@ -9,14 +9,14 @@
 //   written to TCNTn in cycle c reads unchanged in c + 1, and as one more in c + 2. A flag reads as set from
 //   the cycle after its tick on. Its interrupt can be entered in the cycle of the tick. A flag that is set in
 //   the cycle in which 1 is written to it stays set.
-// - Counting happens on demand. Only observable changes are scheduled as events: a flag that is not set and
-//   whose interrupt is enabled, a changed level of a pin, or an OCRnx that changes a duty cycle.
+// - Counting happens on demand. Only observable changes are scheduled as events: the setting of a flag whose
+//   interrupt is enabled, a changed level of a pin, or an OCRnx that changes a duty cycle.
 // - Pins. PWM is reported as a duty cycle, and a pin in toggle mode (COM = 1) as a tone of its frequency. If
-//   the tone is too slow to be heard, each match reports a new level. COM = 2 and 3 without PWM also report
-//   levels. If the counter has no clock, its pins keep their levels. PINx reads the current level, and
-//   edges are events while the chip listens to the pin.
-// - Capture. Edges of ICPn are recorded once firmware uses capture (ICIEn, ICESn, ICNCn, or a read of ICRn or
-//   TIFRn), so that an unused pin costs nothing. The analog comparator can replace the pin.
+//   the tone is too low to be heard, each match reports a new level. COM = 2 and 3 without PWM also report
+//   levels. If the counter has no clock, its pins keep their levels. PINx reads the current level. While the
+//   chip listens to the pin, each edge is an event.
+// - Capture. Edges of ICPn are recorded once firmware uses capture: it sets ICIEn, ICESn or ICNCn, or reads
+//   ICRn or TIFRn. An unused pin therefore costs nothing. The analog comparator can replace the pin.
 // - PRR. Without a clock, the registers read 0 and ignore writes (10.10).
 //
 // Not modelled: timer 2's crystal (ASSR).

@@ -5,8 +5,8 @@
 namespace robosim::avr {
 namespace {
 
-// Number of turns or restarts after which every counter is in its regular period. Before, a counter may run
-// on to MAX, adopt a new TOP, and complete two periods.
+// Number of turns or restarts after which every counter is in its regular period. Until then, a counter may
+// run on to MAX, adopt a new TOP, and complete two periods.
 constexpr int kTurnsUntilRegular = 8;
 
 }  // namespace

@@ -18,7 +18,7 @@
 //
 // A counter above a lowered TOP runs on to MAX. A TOP of 0 holds a dual-slope counter at 0.
 //
-// A write to TCNTn hides the value from the comparators at the next tick. There is no match, no TOP from
+// After a write to TCNTn, the comparators ignore the value at the next tick: there is no match, no TOP from
 // OCRnA or ICRn, and no turn at BOTTOM while counting down (15.5.3, 16.7.3).
 #pragma once
 
@@ -83,7 +83,7 @@ class Counter {
   std::uint8_t next_hits() const;
   /// Returns the number of ticks, from 1, to the next event in `wanted`; kNoCycle = never.
   Cycle ticks_to(std::uint8_t wanted) const;
-  /// Returns a number of ticks in which the counter is certain to count up by one each.
+  /// Returns a number of ticks at each of which the counter certainly counts up by one.
   Cycle ticks_upwards() const { return down_ ? 0 : straight(); }
 
  private:

@@ -4,10 +4,10 @@
 //   timers 0, 1   share a prescaler (PSRSYNC)
 //   timer 2       has its own prescaler (PSRASY); on an ATtiny85, timer 1 has one (PSR1)
 //
-// Prescalers run freely from the reset on, independently of the timers. A timer that divides by N ticks when
-// its prescaler's count is a multiple of N. Its first tick therefore comes 1 to N cycles after its start. TSM
-// holds prescalers at 0 while they are being reset. A timer that divides by 1 bypasses the prescaler.
-// Prescalers stop in sleep modes without an I/O clock.
+// Prescalers run freely from the reset on, independently of the timers. A timer with divisor N has a tick
+// whenever its prescaler's count is a multiple of N. The timer's first tick therefore comes 1 to N cycles
+// after its start. While TSM is set, a prescaler that is reset stays at 0. A timer with divisor 1 bypasses
+// the prescaler. Prescalers stop in sleep modes without an I/O clock.
 #pragma once
 
 #include <array>

@@ -7,7 +7,7 @@
 //   UENUM    selects the endpoint that the other registers access; a flag of UEINTX that UEIENX enables
 //            requests the endpoint vector
 //
-//   control  SETUP sets RXSTPI, and UEDATX returns its 8 bytes
+//   control  a SETUP packet sets RXSTPI, and UEDATX returns the packet's 8 bytes
 //            TXINI: clearing TXINI sends the bytes written to UEDATX
 //            RXOUTI: a packet can be read
 //   IN       one or two banks; FIFOCON reads 1 while a bank can be filled, and clearing FIFOCON passes the

@@ -7,8 +7,8 @@
 // The port is then open. ChipEnvironment::sent() receives the device's bytes, with a line number after the
 // UARTs' numbers. Bytes for the device wait here until the device accepts them. A transaction takes 100 us.
 //
-// The port is opened as soon as it exists, as if a user were waiting for it. Earlier output of a sketch is
-// lost, unless the sketch waits for the port.
+// The host opens the port as soon as the port exists, as if a user were waiting for it. Earlier output of a
+// sketch is lost, unless the sketch waits for the port.
 #pragma once
 
 #include <array>

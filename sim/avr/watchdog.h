@@ -9,9 +9,9 @@
 //   1    1      a timeout sets WDIF; entering the vector clears WDIE. The next timeout then resets the chip.
 //               A timeout before the vector is entered also resets the chip
 //
-// Firmware can clear WDE and change WDP only within 4 cycles of writing WDCE and WDE together. WDE can be
-// set, and WDIE changed, at any time. While WDRF is set, WDE stays set: after a watchdog reset, the watchdog
-// continues with 16 ms. The watchdog runs in all sleep modes, on its own clock.
+// Firmware can clear WDE and change WDP only within 4 cycles after setting WDCE and WDE together. Firmware
+// can set WDE, and change WDIE, at any time. While WDRF is set, WDE stays set: after a watchdog reset, the
+// watchdog continues with 16 ms. The watchdog runs in all sleep modes, on its own clock.
 #pragma once
 
 #include <cstdint>
