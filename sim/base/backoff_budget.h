@@ -1,5 +1,5 @@
-// Decides whether examining a loop pays off, by comparing savings and costs in cycles of the firmware. A loop
-// that does not pay off is ignored for a while, each time for twice as long.
+// Decides whether examining a loop pays off, by comparing savings and costs in firmware cycles. If a loop
+// does not pay off, it is ignored for a while. Each further ban lasts twice as long.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ class BackoffBudget {
   }
   bool is_banned(std::uint64_t now) const { return now < banned_until_; }
   void begin_anew() { budget_ = 0; }
-  /// Handles a jump back in time to `now`. Afterwards a ban ends no later than a new ban would.
+  /// Handles a jump back in time to `now`. A present ban then ends no later than a new ban would.
   void moved_in_time(std::uint64_t now) {
     banned_until_ = std::min(banned_until_, now + (kFirstBan << bans_));
   }

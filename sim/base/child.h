@@ -20,9 +20,9 @@ struct Pipe {
   Pipe();
 };
 
-/// The exit status of a child process, or the signal that has ended it.
+/// The exit status of a child process, or the signal that ended the process.
 struct Ending {
-  int status = 0;  ///< exit status, unless a signal has ended it
+  int status = 0;  ///< exit status, unless a signal ended the process
   int signal = 0;  ///< 0 = none
 
   bool ok() const { return status == 0 && signal == 0; }
@@ -31,7 +31,7 @@ struct Ending {
 };
 
 struct ChildStart {
-  static constexpr int kOurs = -1, kNothing = -2;  ///< values of the streams: inherit; /dev/null
+  static constexpr int kOurs = -1, kNothing = -2;  ///< special streams: kOurs = inherit, kNothing = /dev/null
 
   std::vector<std::string> words;  ///< the program and its arguments; a name without / is searched on $PATH
   std::filesystem::path folder;    ///< the child's working folder; empty = inherit

@@ -8,9 +8,9 @@
 #else
 #include <toml++/impl/preprocessor.h>
 #endif
-// Disables an assertion of toml++ 3.3 that the first character of a table header starts a key. Two lines
-// later, toml++ reports any other character as an error. Before that, the assertion would abort, or be
-// undefined behaviour in clang's release builds.
+// Disables an assertion of toml++ 3.3 that the first character of a table header starts a key. toml++ reports
+// any other character as an error two lines later. Without this change, the assertion would abort first, or
+// be undefined behaviour in clang's release builds.
 #undef TOML_ASSERT_ASSUME
 #define TOML_ASSERT_ASSUME(expr) static_assert(true)
 // Makes code that toml++ declares unreachable return false. Its test for non-ASCII spaces reaches this code
@@ -119,8 +119,8 @@ std::string written(const ConfigValue& value) {
   throw InputError(value.place, fmt::format("{}: expected {}, got {}", key, wanted, written(value)));
 }
 
-// Formats bounds in the unit that the user wrote. A large upper bound is in the SI unit, and an endless one
-// is omitted.
+// Formats bounds in the unit that the user wrote. A large upper bound is in the SI unit, and an infinite
+// upper bound is omitted.
 std::string bounds(double least, double most, Dimension dimension, const WrittenUnit& unit) {
   constexpr double kEndless = 1e12, kLarge = 10000.0;
   const std::string name = unit.name.empty() ? "" : " " + unit.name;

@@ -27,7 +27,7 @@ class NamespaceSandbox {
     std::string path, real;          ///< path in the sandbox; path below kOld, without links
     std::vector<std::string> above;  ///< parent folders to create, outermost first
     bool folder = false, writable = false;
-    unsigned long flags = 0;  ///< flags of the mount, which a namespace must keep
+    unsigned long flags = 0;  ///< mount flags that a namespace must not change
   };
   void add(const std::filesystem::path& path, bool writable);
   bool show(const Place& place) const;

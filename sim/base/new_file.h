@@ -10,8 +10,8 @@
 namespace robosim {
 
 /// Writes large content piece by piece to an unnamed file on the disk. Without finish(), the file disappears
-/// with this process. Small content stays in memory. All content stays in memory if unnamed files are
-/// impossible (a device, a pipe, some file systems).
+/// with this process. Small content stays in memory. If unnamed files are impossible (a device, a pipe, some
+/// file systems), all content stays in memory.
 class NewFile {
  public:
   explicit NewFile(std::filesystem::path path) : path_(std::move(path)) {}

@@ -1,6 +1,6 @@
-// Defines the profile of a run, which sets its realism. `ideal` has no noise and no spread, and never
-// changes. `typical` has both, with sources (docs/explanation/fidelity.md). `typical` gets a new version when
-// its models or parameters change; older versions stay available.
+// Defines the profile of a run, which sets the realism of the run. `ideal` has no noise and no spread, and
+// never changes. `typical` has noise and spread from cited sources (docs/explanation/fidelity.md). `typical`
+// gets a new version when its models or parameters change; older versions stay available.
 #pragma once
 
 #include <initializer_list>

@@ -15,7 +15,7 @@ namespace robosim {
 
 constexpr int kCompileSeconds = 30;                   ///< processor time per program
 constexpr int kLookupSeconds = 5;                     ///< processor time for output_within()
-constexpr int kWaitSeconds = 30;                      ///< wall time in which programs hardly use a processor
+constexpr int kWaitSeconds = 30;                      ///< wall time after which an idle program is killed
 constexpr int kStepSeconds = 300;                     ///< processor time of all programs of one build step
 constexpr unsigned long kCompileBytes = 224ul << 20;  ///< variables and heap of all programs at one time
 constexpr unsigned long kMadeBytes = 32ul << 20;      ///< size of each file that a program writes

@@ -1,5 +1,5 @@
-// Refuses system calls that no program in a sandbox needs. Landlock and namespaces protect files. The refused
-// calls would reach the network, other processes, and parts of the kernel that compilers do not use.
+// Refuses system calls that no program in a sandbox needs. Landlock and namespaces protect only files. The
+// refused calls would reach the network, other processes, and parts of the kernel that compilers do not use.
 #pragma once
 
 namespace robosim {

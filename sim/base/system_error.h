@@ -10,7 +10,8 @@ namespace robosim {
 /// processes. Returns an empty string for other causes.
 std::string system_error_of(const std::exception& thrown);
 
-/// Returns such a sentence for the output of the compiler, linker or other tool named `tool`.
+/// Returns such a sentence if `output`, printed by the compiler, linker or other tool `tool`, reports such a
+/// cause; otherwise an empty string.
 std::string system_error_of(const std::string& tool, const std::string& output);
 
 }  // namespace robosim

@@ -19,11 +19,11 @@ namespace {
 
 Two of(const Lanes (&figure)[2], std::size_t lane) { return {figure[0][lane], figure[1][lane]}; }
 
-// Computes each body's motion as if it rolled on. Sets `moves` for bodies that really roll on. `done` is 0
-// for bodies that neither roll on nor stand without being driven.
+// Computes each body's motion as if the body kept rolling. Sets `moves` for bodies that really keep rolling.
+// `done` is 0 for bodies that neither keep rolling nor stand without being driven.
 //
-// The output is separate from the input. Otherwise compilers would create masked stores, which write
-// only the lanes that move. Some processors take 20 times as long for such stores.
+// The output is separate from the input. Otherwise compilers would create masked stores, which write only the
+// lanes that move. Some processors take 20 times as long for such stores.
 ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lanes& moves, Lanes& done) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const Roller<Two> body = {
@@ -68,8 +68,8 @@ ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lane
   }
 }
 
-// Simulates a tick of each body that rolls on or that stands without being driven. All other bodies stay
-// unchanged; `done` is 0 for them. `after` is memory for the result.
+// Simulates a tick of each body that keeps rolling, or that stands without being driven. All other bodies
+// stay unchanged; their `done` is 0. `after` is memory for the result.
 void roll(BodyBlock& block, BodyMotion& after, Lanes& done) {
   Lanes moves;
   roll(block, after, moves, done);

@@ -1,16 +1,16 @@
 // Simulates many bodies, each as if it were alone on one floor. A search uses a batch to simulate one
 // body many times, with different parameters or commands.
 //
-// A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications. Each
-// operation waits for the previous operation. A batch therefore computes each operation for a block of bodies
-// at once (lanes.h). The operations have the same order, so all bits of the results are equal. This applies
-// to the usual state of bodies: both tyres roll, both wheels keep their direction, nothing is near. Each tick
-// tests each lane for this state.
+// A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications, and each
+// operation waits for the previous one. A batch therefore computes each operation for a block of bodies at
+// once (lanes.h). The order of operations is that of world::Body, so all bits of the results are equal.
+// Blocks are used for the usual state of bodies: both tyres roll, both wheels keep their direction, nothing
+// is near. Each tick tests each lane for this state.
 //
 // If a body starts, stops, slips, skids, or comes near a wall, the code of world::Body simulates this tick.
-// It also simulates any special body (windings, steered wheels, wheels that skid, loads that shift). The tick
-// of a rolling body is in rolling_step.h, which single bodies use, too. batch_test.cpp compares both, bit by
-// bit.
+// The same code simulates all special bodies (windings, steered wheels, wheels that skid, loads that shift).
+// The tick of a rolling body is in rolling_step.h, which single bodies use, too. batch_test.cpp compares
+// batches with single bodies, bit by bit.
 //
 // Bodies of a batch neither detect nor touch each other.
 #pragma once

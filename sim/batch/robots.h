@@ -8,14 +8,15 @@
 //   std::vector<double> volts(robots.size());
 //   while (robots.now() < kSecond) {
 //     robots.read(2, robots.now(), volts);          // the third sensor of each robot, now
-//     robots.tell(17, world::left, {0.6, 0.4});     // a command, as a driver makes from its pins
+//     robots.tell(17, world::left, {0.6, 0.4});     // a command, as a motor driver derives it from its pins
 //     robots.step();
 //   }
 //
 // A robot of a batch behaves like a robot::Robot with the same description, seed and number. With equal
-// commands it has equal poses, and reads equal volts with equal noise, bit for bit (tests/unit/batch). It
-// takes less time, since it has no pins, no edges, and no unused parts. The arithmetic is done for a block of
-// robots at once (bodies.h). The pose is computed once for all sensors that read at one time.
+// commands it has equal poses, and reads equal volts with equal noise, bit for bit (tests/unit/batch). A
+// batch takes less time, because its robots have no pins, no edges, and no unused parts. The arithmetic is
+// done for a block of robots at once (bodies.h). The pose is computed once for all sensors that read at one
+// time.
 //
 // Robots of a batch neither detect nor touch each other.
 #pragma once
@@ -57,9 +58,9 @@ class Robots {
   /// this object. Throws std::invalid_argument unless its floor is a plane of one kind, without lamps.
   explicit Robots(const world::World& world);
 
-  /// Adds a robot and returns its number, from 0. `individual` is the number in robot::Robot. The robot has
-  /// the motors of its description, and reflectance sensors with `read = "analog"` whose emitters are on.
-  /// Other parts are skipped.
+  /// Adds a robot and returns its number in the batch, from 0. `individual` is the number that a robot::Robot
+  /// would have. The robot has the motors of its description, and reflectance sensors with `read = "analog"`
+  /// whose emitters are on. Other parts are skipped.
   ///
   /// Throws InputError for parts that would change how the robot drives or reads. They are a [battery],
   /// steered wheels, a fan, other reflectance sensors, and an emitter on a pin. Also throws if the robot has
@@ -73,8 +74,8 @@ class Robots {
   /// computes commands from a driver's pins. For the motor of a differential, call this function for both
   /// sides.
   void tell(std::size_t robot, world::Side, const world::WheelCommand&);
-  /// Reads sensor number `sensor`, in the order of the file, for each robot: V. `t` is a time of the tick
-  /// that begins now. Uses one sample of noise.
+  /// Reads the sensor with index `sensor`, in the order of the robot file, for each robot, in V. `t` is a
+  /// time within the tick that begins now. Each call uses one sample of noise.
   void read(std::size_t sensor, SimTime t, std::span<double> volts);
   /// Simulates one tick of all robots.
   void step();
@@ -101,7 +102,7 @@ class Robots {
   SimTime posed_at_ = -1;   // the time of poses_
   std::vector<Told> told_;  // commands in this tick
   std::vector<world::WheelCommand> commands_[2];
-  std::vector<bool> lags_;  // for each sensor: whether it lags on any robot
+  std::vector<bool> lags_;  // for each sensor: whether the sensor lags on any robot
   SimTime now_ = 0;
 };
 

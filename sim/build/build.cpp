@@ -103,8 +103,8 @@ class Build {
     return readable(toolchain_, sketch_.folder, result.output);
   }
 
-  /// Calls `fail`, which throws. If libraries are used, may instead request a retry that compiles as for an
-  /// AVR: a library may then declare the missing names.
+  /// Calls `fail`, which throws. If libraries are used, may instead throw a RetryReason, to compile as for an
+  /// AVR. A library may then declare the missing names.
   template <typename Fail>
   void fail_or_try_as_avr(Fail fail, bool about_library = false) const {
     if (libraries_.empty() || toolchain_.target.as_avr.empty() || toolchain_.registers == Registers::as_avr)
@@ -116,8 +116,8 @@ class Build {
     }
   }
 
-  /// Throws an error, or a RetryReason. Another kind of registers may suit a library, or a program that
-  /// stores a register's address.
+  /// Throws an error, or a RetryReason if the program may compile with another kind of registers or with
+  /// 16-bit ints. Libraries, and programs that store a register's address, may need other registers.
   void fail_or_try_again(const std::string& messages) const {
     const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
     if (objects && messages.find(kRegisterClass) != std::string::npos) throw RetryReason{Registers::memory};
@@ -187,12 +187,12 @@ class Build {
     Unit unit;
     std::string key;
     std::size_t slot;            ///< index in objects_
-    fs::path compiled, object;   ///< equal, except for a unit that is compiled through assembly
-    bool keeps_address = false;  ///< stores the address of a register without an address
+    fs::path compiled, object;   ///< compiler's output and final object; equal unless through_assembly()
+    bool keeps_address = false;  ///< the unit stores the address of a register that has none
   };
 
-  /// Compiles the units. Returns the units to compile again, because a library that they need has just been
-  /// found.
+  /// Compiles the units. Returns the units that must be compiled again, because a library that they need has
+  /// just been found.
   std::vector<Unit> compile(std::vector<Unit> units) {
     std::vector<Command> commands;
     std::vector<Job> jobs;
@@ -264,8 +264,8 @@ class Build {
     }
   }
 
-  /// Throws an internal error if the assembler accepts the compiler's assembly and rejects Robosim's changes
-  /// to it. The sketch is then not to blame.
+  /// Throws an internal error if the assembler accepts the compiler's assembly, but rejects the assembly
+  /// after Robosim's changes. The sketch is then not to blame.
   void check_changes(const Job& job, const std::string& messages) {
     const fs::path assembly = compiled_assembly(job.compiled), object = work_.scratch() / "unchanged.o";
     if (run_walled({assemble_command(toolchain_, assembly, object)}, {assembly})[0].status == 0)
@@ -323,7 +323,7 @@ class Build {
   int count_ = 0;
 };
 
-/// Builds with the first kind of registers that suits the program. Returns the build and sets `image`.
+/// Builds with the first kind of registers with which the program compiles. Returns the build, sets `image`.
 std::unique_ptr<Build> build_image(const Sketch& sketch, Toolchain& toolchain, const Cache& cache,
                                    const LibraryFinder& finder, const GenuineCore& core, fs::path& image) {
   std::exception_ptr otherwise;

@@ -116,7 +116,7 @@ bool changed_after(const Inputs& inputs, fs::file_time_type since) {
   });
 }
 
-/// Returns whether the cache may use a folder. A folder of another user may contain that user's images.
+/// Returns whether the cache may use a folder. Another user's folder may contain images of that user.
 bool usable(const fs::path& folder) {
   if (!is_utf8(folder.string())) return false;  // runners receive the paths of images in JSON
   std::error_code error;
@@ -259,7 +259,7 @@ Entry Cache::store(const std::string& key, const Inputs& inputs, std::string_vie
 
 CacheLock::CacheLock(const Cache& cache)
     : lock_(::open((cache.folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
-  // Without a lock, work may be done twice, with no other harm.
+  // Without a lock, work may be done twice, which is harmless.
   while (lock_.is_open() && ::flock(lock_.get(), LOCK_EX) != 0 && errno == EINTR) {
   }
 }

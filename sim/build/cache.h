@@ -1,9 +1,9 @@
-// Caches build results by content. An entry records the content of every file that was read for it. It also
-// records every folder whose list of names mattered. The entry is valid while these are unchanged. File times
-// do not matter.
+// Caches build results by content. An entry records the content of every file that was read for the result,
+// and the list of names in every folder that was searched. The entry is valid while all of these are
+// unchanged. File times do not matter.
 //
-// Keys, names of results and files that others can write are hashed by SHA-256. XXH3 takes a tenth of the
-// time. It is used for the files of Robosim and of the system, and to detect incomplete results.
+// Keys, names of results, and files that other users can write are hashed by SHA-256. XXH3, which takes a
+// tenth of the time, is used for the files of Robosim and of the system, and to detect incomplete results.
 //
 // Concurrent processes are safe: files appear by rename, and a result's name contains its content's hash.
 #pragma once
@@ -43,8 +43,9 @@ class Cache {
   /// Returns the entry for `key` if all its inputs and its result are unchanged.
   std::optional<Entry> find(const std::string& key) const;
 
-  /// Writes the content of a result into the cache, under its readable name ("PidFollower.so") and hash. Does
-  /// not write the entry if an input changed after `since`: the input may be newer than the compiled version.
+  /// Writes a result into the cache, under its readable name ("PidFollower.so") and the hash of its content.
+  /// Does not write the entry if an input changed after `since`: the input may be newer than the compiled
+  /// version.
   Entry store(const std::string& key, const Inputs& inputs, std::string_view content, const std::string& name,
               std::map<std::string, std::string> facts, std::filesystem::file_time_type since) const;
 

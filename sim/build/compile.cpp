@@ -139,8 +139,8 @@ Core::Names places_of(const Unit& unit) {
   for (const fs::path& folder : unit.includes)
     if (unit.kind == Unit::Kind::sketch && folder != unit.folder)
       places.emplace_back(folder, place_of_headers(folder));
-  // Compilers work in the unit's folder, and readers of debug information put the folder's name before a
-  // file's name. The name is therefore removed there.
+  // Compilers work in the unit's folder, and debuggers put this folder's name before a file's name. The
+  // folder's name is therefore removed from file names.
   const bool core = unit.kind == Unit::Kind::core;
   places.emplace_back(unit.folder, core ? unit.place : ".");
   if (unit.kind == Unit::Kind::sketch) places.emplace_back(unit.folder.string() + "/", "");
@@ -152,7 +152,7 @@ void add_checks(std::vector<std::string>& words, const Toolchain& toolchain, con
   const Sanitizer& sanitizer = toolchain.target.sanitizer;
   if (unit.kind != Unit::Kind::core) {
     append(words, sanitizer.undefined);
-    // gcc can instrument memory for only one purpose.
+    // gcc can instrument memory accesses for only one purpose.
     if (toolchain.registers == Registers::objects) append(words, sanitizer.addresses);
   } else if (fs::path(unit.source).parent_path() == toolchain.core.serving) {
     append(words, sanitizer.definitions);
@@ -204,7 +204,7 @@ std::vector<std::string> base_words(const Toolchain& toolchain, const Unit& unit
 }
 
 /// Throws InputError for a name that compilers would misread: '-' begins an option, '@' names a file of more
-/// options. Compilers also pass the last part of a source's name on as a separate argument (-dumpbase).
+/// options. Compilers also pass the last part of a source's path on as a separate argument (-dumpbase).
 void check_name(const std::string& source) {
   for (const std::string& word : {source, fs::path(source).filename().string()})
     if (word.starts_with('-') || word.starts_with('@'))

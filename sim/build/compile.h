@@ -16,7 +16,7 @@ struct Unit {
   std::filesystem::path folder;  ///< folder of the sketch, the library, or the core
   std::string source;            ///< relative to `folder` in a sketch, otherwise absolute
   std::filesystem::path input;   ///< the joined .ino files; `source` is empty then
-  bool archived = false;         ///< put into an archive of its library's objects
+  bool archived = false;         ///< the object becomes part of its library's archive
   std::string place;             ///< the name of `folder` in debug information: "libraries/Servo"
   std::vector<std::filesystem::path> searched;  ///< folders for -I, in addition to those of its libraries
   std::vector<std::filesystem::path> includes;  ///< all folders for -I
@@ -34,15 +34,15 @@ struct Object {
 std::string join_paths(const std::vector<std::filesystem::path>& paths);
 std::vector<std::filesystem::path> split_paths(const std::string& text);
 
-/// Throws InputError if an object contains unexpected bytecode of link-time optimisation. In that case, the
-/// sketch's author has written the bytecode in assembler, and the compiler would trust it.
+/// Throws InputError if an object contains unexpected bytecode of link-time optimisation. Only assembler code
+/// in a sketch can insert such bytecode, which the compiler would trust.
 void check_object(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);
 
 /// Returns whether the unit is compiled to assembly first. The assembly is then changed (assembly.h), and
 /// assemble_command writes the object to another folder. Other units are compiled to `object` directly.
 bool through_assembly(const Toolchain& toolchain, const Unit& unit);
-/// Returns where the compiler writes the assembly of a unit that is compiled to assembly first.
-/// changed_assembly() returns where the changed assembly is written.
+/// Return the paths of the compiler's assembly, and of the changed assembly, for a unit that is compiled to
+/// assembly first.
 std::filesystem::path compiled_assembly(const std::filesystem::path& object);
 std::filesystem::path changed_assembly(const std::filesystem::path& object);
 /// Returns whether the unit's lines are counted. gcov's notes are then in `object` + ".gcno". notes_name()

@@ -8,8 +8,8 @@
 //   Cortex-M3  0                                    the dividend   DDI 0403E, A7.7.127 (SDIV), CCR.DIV_0_TRP;
 //                                                                  its library for 64 bits gives other values
 //
-// On both chips, the most negative number divided by -1 is itself. 32-bit ARM has no division instruction, so
-// its library function is wrapped (hal/host/division.cpp).
+// On both chips, the most negative number divided by -1 gives the same number again. A 32-bit ARM host has no
+// division instruction, so its library function is wrapped (hal/host/division.cpp).
 //
 // arm64 has no 16-bit division. gcc uses the 32-bit division and does not truncate the result, which fits
 // except after a division by zero. Until it is stored, a uint16_t divided by zero may therefore be -1 on

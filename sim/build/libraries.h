@@ -8,8 +8,9 @@
 namespace robosim::build {
 
 /// A library in one of Arduino's two layouts: with `src/` (sources at any depth), or flat (sources in its
-/// root and in `utility/`). A library with `src/` has a library.properties, or no header in its root. In the
-/// second case, which PlatformIO allows, headers may also be in `include/`.
+/// root and in `utility/`). A folder with `src/` has the first layout if it has a library.properties, or no
+/// header in its root. PlatformIO allows libraries without library.properties; their headers may also be in
+/// `include/`.
 struct Library {
   std::string name;     ///< as in library.properties, otherwise the folder's name
   bool named = false;   ///< library.properties contains the name
@@ -28,7 +29,7 @@ std::vector<Library> libraries_called(const std::string& name,
                                       const std::vector<std::filesystem::path>& folders);
 
 /// Returns the folders that may contain a sketch's libraries. The sketch's own folders come first, then the
-/// folders that the user has `chosen`. The folders of Robosim, of Arduino's IDE, and of the `core` follow.
+/// folders that the user has `chosen`. Folders of Robosim, of Arduino's IDE, and of the `core` follow.
 /// Throws InputError if a chosen path is not a folder.
 std::vector<std::filesystem::path> library_folders(const std::filesystem::path& sketch,
                                                    const std::vector<std::filesystem::path>& chosen,
@@ -37,8 +38,8 @@ std::vector<std::filesystem::path> library_folders(const std::filesystem::path& 
 /// Finds libraries in folders, in the given order. A folder may contain libraries, or be a library.
 class LibraryFinder {
  public:
-  /// `stand_ins`: a folder of libraries. Each replaces the library of the same name, even if that library is
-  /// not installed. May be empty.
+  /// `stand_ins` is a folder of libraries, or empty. Each of these libraries replaces the library of the same
+  /// name, even if the library to be replaced is not installed.
   explicit LibraryFinder(std::vector<std::filesystem::path> folders,
                          const std::filesystem::path& stand_ins = {});
 

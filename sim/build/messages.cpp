@@ -65,8 +65,8 @@ std::string cut(const std::string& output) {
   return text;
 }
 
-/// Converts digits to a number. Returns 0 for a number that is too large, which only a sketch can have
-/// written.
+/// Converts digits to a number. Returns 0 for a number that is too large: such a number comes from a text of
+/// the sketch, not from the compiler.
 template <typename Number = int>
 Number number_in(const std::string& digits, int base = 10) {
   Number number = 0;
@@ -84,7 +84,7 @@ bool replace_all(std::string& text, const std::string& from, const std::string& 
   return found;
 }
 
-// Throws CompileError if the program exceeds the chip's memory. Only the linker detects that, and it names
+// Throws CompileError if the program exceeds the chip's memory. Only the linker detects this error, and names
 // neither a file nor a line.
 void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::string& messages) {
   static const std::regex ram(R"(address (0x[0-9a-f]+) of [^\n]* is not within region `data')");

@@ -1,5 +1,6 @@
-// Makes `int values[6];` compile for the host where it is passed to a `uint16_t*`. avr-gcc only warns, since
-// its int has 16 bits. On the host this is an error, and a conversion would be wrong.
+// Makes a sketch compile for the host if it passes `int values[6];` to a `uint16_t*` parameter. avr-gcc,
+// whose int has 16 bits, only warns. For the host, the call is an error, and a conversion would give wrong
+// values.
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 
 namespace robosim::build {
 
-/// Returns whether the messages contain that error.
+/// Returns whether the messages report such a call.
 bool wants_narrow_ints(std::string_view messages);
 
 /// Returns a sketch's source with 16-bit ints, as on an AVR. `short` replaces `int`, except in `long int`,

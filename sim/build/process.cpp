@@ -106,8 +106,8 @@ double processor_s_of(pid_t process) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Detects a program that has hardly worked for some time, because it waits without end. For example, the
-/// program waits for a writer of a pipe that it includes.
+/// Detects a program that has hardly used a processor for some time, because it waits forever. For example, a
+/// compiler waits for a writer of a pipe that the sketch includes.
 struct Idleness {
   bool look(pid_t process, int most_s) {
     static const bool can_tell = std::ifstream(list_of_children(::getpid())).is_open();

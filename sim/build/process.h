@@ -17,7 +17,7 @@ struct Command {
   std::filesystem::path scratch;                    ///< folder for its output
   const ProgramSandbox* walls = nullptr;            ///< accessible files; null = all that Robosim can access
   std::size_t most_output = std::size_t{16} << 20;  ///< in bytes; a program with more output is killed
-  int most_wait_s = kWaitSeconds;  ///< limit of wall time in which a sandboxed program hardly works
+  int most_wait_s = kWaitSeconds;  ///< wall time after which an idle sandboxed program is killed
   std::size_t most_memory = 0;     ///< in bytes, for a sandboxed program; 0 = kCompileBytes
 };
 
@@ -25,7 +25,7 @@ struct Command {
 constexpr const char* kTooMuchOutput = "robosim: too much output";
 /// First line of the output of the last program, if all programs together took more than kStepSeconds.
 constexpr const char* kTooMuchTime = "robosim: too much processor time of all programs together";
-/// First line of the output of a program that was killed because it hardly worked for kWaitSeconds.
+/// First line of the output of a program that was killed because it hardly used a processor for kWaitSeconds.
 constexpr const char* kWaits = "robosim: the program waits for input that never comes";
 /// gcc's message about a program that took more than kCompileSeconds.
 constexpr const char* kTimeExceeded = "CPU time limit exceeded";

@@ -30,7 +30,7 @@ struct Request {
   std::vector<std::filesystem::path>
       libraries;  ///< folders of libraries, or single libraries; searched in this order
   Warnings warnings = Warnings::standard;
-  bool sanitize = false;  ///< sketch and libraries check themselves at run time
+  bool sanitize = false;  ///< adds run-time checks to the sketch and its libraries
   bool coverage = false;  ///< counts the sketch's own lines (coverage.h)
   /// The build reads nothing outside the sketch's folder except its libraries, not even shared files
   /// (project.h).

@@ -44,8 +44,8 @@ const Target kHost = {
     .hal = "host",
     .code = {"-gdwarf-4", "-fPIC", "-fvisibility=hidden", "-fwrapv", "-fno-strict-aliasing", "-fsigned-char",
              "-ffp-contract=off",
-             // As for avr-gcc, address 0 is valid. A write through a null pointer stays in the code and is
-             // detected.
+             // As for avr-gcc, address 0 is valid. A write through a null pointer therefore stays in the
+             // code, and is detected.
              "-fno-delete-null-pointer-checks",
              // Like Arduino's AVR core:
              "-ffunction-sections", "-fdata-sections",
@@ -57,13 +57,13 @@ const Target kHost = {
     .cxx_code = {"-std=gnu++14", "-fpermissive", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
                  "-nostdinc++", "-Wno-error=narrowing", "-Wno-builtin-declaration-mismatch"},
     .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
-    // A function without its `return` returns, as with avr-gcc. Without `unreachable`, gcc would assume that
-    // its end is never reached, and continue with the code after it. At -Os or more, gcc would also end a
-    // path with a trap after a division by zero. A sketch can request such a level.
+    // A function that lacks its `return` statement still returns, as with avr-gcc. Without `unreachable`, gcc
+    // would assume that the function's end is never reached, and continue with the code after the function.
+    // If a sketch requests -Os or more, gcc would also end a path with a trap after a division by zero.
     .own = {"-fsanitize-coverage=trace-pc", "-fsanitize=integer-divide-by-zero,unreachable",
             "-fno-isolate-erroneous-paths-dereference"},
-    // A sketch's time is counted in blocks of its code, so its level must never change. The core's costs are
-    // in a table.
+    // A sketch's time is counted in blocks of its code, so its optimisation level must never change. The
+    // costs of the core's functions are in a table.
     .own_level = "-O1",
     // Each access to shared memory becomes a call, which hal/host/register_memory.cpp handles.
     .memory = {"-DROBOSIM_REGISTER_MEMORY", "-fsanitize=thread", "--param=tsan-distinguish-volatile=1",
@@ -71,9 +71,9 @@ const Target kHost = {
     .as_avr = {"-D__AVR__", "-DARDUINO_ARCH_AVR", "-U__INT_WIDTH__", "-D__INT_WIDTH__=16"},
     .sanitizer =
         {// gcc defines << for negative numbers and for bits that are shifted out, so only the distance is
-         // checked. Uninitialised variables become visible: gcc fills them with bytes FE. Since gcc 13,
-         // tree-ccp would replace a filled variable by the value that another path assigns. Then neither a
-         // warning nor a run would reveal it.
+        // checked. Uninitialised variables become visible: gcc fills them with bytes FE. Since gcc 13,
+        // tree-ccp would replace a filled variable by the value that another path assigns. Neither a warning
+        // nor a run would then reveal the missing value.
          .undefined = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern", "-fno-tree-ccp",
                        "-fsanitize=alignment,bool,bounds,enum,float-cast-overflow,integer-divide-by-zero,"
                        "nonnull-attribute,null,pointer-overflow,return,shift-exponent,"
@@ -84,12 +84,12 @@ const Target kHost = {
          .definitions = {"-DROBOSIM_SANITIZE"},
          .link = wrapped({"memcpy", "memmove", "memset", "memcmp", "strlen", "strcpy", "strncpy", "strcat",
                           "strncat", "strcmp", "strncmp", "strchr", "strstr"}),
-         // If local variables are not filled, the optimiser chooses a convenient value for a missing value,
-         // without a warning.
+         // This warning requires filled variables: otherwise the optimiser replaces a missing value by a
+         // convenient value, without a warning.
          .warnings = {"-Wmaybe-uninitialized"}},
-    // Without optimisation, each line keeps its code, and counters are in memory whenever the firmware is
-    // left. The data's name must not depend on folders. gcov checks that notes and data belong to the same
-    // build.
+    // Without optimisation, each line keeps its code, and counters are in memory whenever control leaves the
+    // firmware. The name of the counter data must not depend on folders. gcov checks that notes and data
+    // belong to the same build.
     .coverage = {.own = {"-O0", "-fprofile-arcs", "-ftest-coverage", "-fprofile-info-section=robosim_gcov",
                          "-frandom-seed=robosim", "-dumpdir", "/robosim/"},
                  .definitions = {"-DROBOSIM_COVERAGE"},
@@ -105,7 +105,7 @@ const Target kHost = {
     .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-fno-lto",
              "-fno-use-linker-plugin", "-Wl,-Bsymbolic", "-Wl,--no-undefined", "-Wl,--gc-sections",
              "-Wl,--build-id=none", "-Wl,-z,now",
-             // An image is hashed and read before each run. Without this option it has about 800 KB.
+             // An image is hashed and read before each run. Without this option, an image has about 800 KB.
              "-Wl,--compress-debug-sections=zlib",
              // Handlers that a sketch does not define must be null, even if the process has them.
              "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack",

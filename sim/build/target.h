@@ -66,7 +66,7 @@ struct Target {
   std::vector<std::string> core;
   const char* core_level;
   std::vector<std::string> definitions;
-  const char* prefix_map;  ///< the option that removes names of this machine: `OPTION=FROM=TO`
+  const char* prefix_map;  ///< the option that removes names of this machine's folders: `OPTION=FROM=TO`
 
   std::vector<std::string> link;
   /// Names and texts of the files that `link` mentions.

@@ -13,8 +13,8 @@
 
 namespace robosim::build {
 
-/// Always gcc, even if another compiler built Robosim itself, so that instrumentation and traces are always
-/// equal.
+/// The compiler of a target: always gcc, even if another compiler built Robosim itself. Instrumentation and
+/// traces are therefore always equal.
 struct Compiler {
   std::filesystem::path cxx;
   std::filesystem::path cc;
@@ -67,7 +67,7 @@ struct Core {
 enum class Registers {
   objects,  ///< class objects (hal/arduino/avr/io.h): the effect of each access is compiled in
   memory,   ///< bytes with addresses, for libraries that store addresses: accesses to memory are watched
-  as_avr,   ///< like `memory`, for libraries that support only an AVR: the compiler claims to be one
+  as_avr,   ///< like `memory`, for libraries that support only an AVR: macros claim that the target is an AVR
 };
 
 /// The settings that all compilations of one build share.

@@ -1,5 +1,5 @@
-// Drives a robot's body as in a log, with variable parameters, and compares the simulated drive to the
-// counts. The top of drive_fit.h describes the parameters, and which measurements determine them. The
+// Drives a simulated body as in a log, with variable parameters, and compares its wheels' angles with the
+// encoder counts. The top of drive_fit.h lists the parameters, and the measurements that determine them. The
 // motors' commands in each tick are computed once. All drives, for any number of parameter sets, are then
 // simulated in parallel, as bodies of one batch (sim/batch/bodies.h).
 #pragma once
@@ -43,9 +43,9 @@ class Bench {
   void check();
   /// Returns whether a drive turns on the spot.
   bool spins() const { return spins_; }
-  /// Returns the counts minus their simulation with these factors. For timed drives, returns the difference
-  /// divided by its uncertainty. Each half second of a longer drive is compared separately, since position
-  /// errors grow.
+  /// Returns the differences between counts and simulation with these factors. For timed drives, returns the
+  /// difference divided by its uncertainty. Each half second of a longer drive is compared separately,
+  /// because position errors grow.
   std::vector<double> residuals(const Factors& x, std::vector<DriveCurve>* curves = nullptr) const;
   /// Returns the residuals for each set of factors.
   std::vector<std::vector<double>> residuals(std::span<const Factors> all) const;

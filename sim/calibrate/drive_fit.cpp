@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kAlike = 10.0;      // number of samples that count as one
 constexpr double kMostUnsure = 0.5;  // sd of a parameter's logarithm above which the data do not determine it
-// Relative standard deviations of speeds and of forces, due to the model: ticks, and a PWM duty cycle that is
-// known to half a step.
+// Relative standard deviations of speeds and of forces that the model causes: by its ticks, and by a PWM duty
+// cycle that is known only to half a step.
 constexpr double kSpeedModel = 0.005, kForceModel = 0.02;
 constexpr int kMostCalls = 500;
 

@@ -1,19 +1,19 @@
 // Fits motor parameters to drives from rest. The body of sim/world/body.h is driven as in the log. Its
 // parameters are changed until its wheels' angles match the encoder counts.
 //
-// For a wheel with torque k_t per ampere, k_e volts per rad/s, resistance R and inertia J, the drives
-// determine
-//   its speed at each voltage:    k_e, and R friction / k_t
-//   its time constant:            R J / (k_t k_e)
-//   its coasting:                 friction / J
-// These give k_e and the ratios between k_t, friction and J. They do not give R or J. With R (stall_current)
+// For a wheel with torque constant k_t (N m per ampere), back EMF k_e (volts per rad/s), resistance R,
+// friction torque M and inertia J, the drives determine
+//   by its speed at each voltage:    k_e, and R M / k_t
+//   by its time constant:            R J / (k_t k_e)
+//   by its coasting:                 M / J
+// These values give k_e, and the ratios between k_t / R, M and J, but neither R nor J. With R (stall_current)
 // and J (mass, rotor, wheels) from the file, they give no_load, stall_torque and no_load_current. If J is
 // wrong, stall_torque is wrong by the same factor, and the robot still behaves correctly. Turns on the spot
-// determine the body's inertia about its axis.
+// determine the body's inertia about its vertical axis.
 //
-// The uncertainty is computed from the residuals and their derivatives by each parameter. It includes the
-// file's own spreads of fixed values (mass, supply, stall_current, rolling). Residuals of neighbouring
-// samples are correlated, so n samples count as n / 10.
+// The uncertainty is computed from the residuals and their derivatives with respect to each parameter. The
+// uncertainty includes the file's spreads of fixed values (mass, supply, stall_current, rolling). Residuals
+// of neighbouring samples are correlated, so n samples count as n / 10.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ struct DriveFit {
   std::array<Found, 2> no_load;  ///< rad/s, of each motor at [motors] voltage
   Found stall_torque;            ///< N m
   Found no_load_current;         ///< A
-  Found inertia;                 ///< kg m2; value 0: undetermined
+  Found inertia;                 ///< kg m2, of the body about its vertical axis; value 0: undetermined
   Found time_constant;           ///< s, straight on, with the present driver and battery
   double rms = 0.0;              ///< root mean square of the residuals: counts, or m by stopwatch
   bool torque_told = true, friction_told = true;

@@ -19,8 +19,8 @@ struct EdgeFit {
   double sse, white;
 };
 
-/// Returns the share of the footprint that is on the tape. `inwards` is the distance from the tape's edge
-/// to the sensor, m, positive inside the tape.
+/// Returns the share of the footprint that is on the tape. `inwards` is the distance, m, of the sensor from
+/// the tape's edge, positive inside the tape.
 double share_on_tape(double inwards, double footprint, double tape_m);
 
 /// Returns the fit with the edge moved inwards by `offset`.

@@ -26,7 +26,7 @@ struct Written {
 };
 
 Written written(const Figure& figure, const Found& found) {
-  // For a value out of bounds, uses the part of its range that is within the bounds.
+  // For a value out of bounds, uses the part of the value's range (± spread) that is within the bounds.
   const double low = std::max(found.value - spread_of(found), figure.least) / figure.scale;
   const double high = std::min(found.value + spread_of(found), figure.most) / figure.scale;
   const bool beyond = found.value < figure.least || found.value > figure.most;
@@ -182,7 +182,7 @@ std::vector<Figure> figures_of(const DriveFit& fit, const robot::Description& ro
   std::vector<Figure> figures;
   const robot::Motors& m = robot.motors;
   const Found &left = fit.no_load[0], &right = fit.no_load[1];
-  // A file has one value for both motors, so its spread covers both.
+  // A file has one value for both motors, so the value's spread covers both motors.
   const double half = 0.5 * std::fabs(left.value - right.value);
   const Found no_load{0.5 * (left.value + right.value), std::max(left.sd, right.sd) + 0.5 * half};
   figures.push_back(

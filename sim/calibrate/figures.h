@@ -1,4 +1,4 @@
-// Converts the results to keys of a robot file.
+// Converts the results of the fits to keys of a robot file.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct Figure {
   double before = 0.0;             ///< value in the file (first element of an array), SI
   double least = 0.0, most = 0.0;  ///< limits of robot files, including spread; SI
   std::string remark;              ///< "" or the assumption behind the value
-  double against = 0.0;            ///< uncertainty is relative to this, SI: white to black; 0 = the value
+  double against = 0.0;            ///< reference of relative uncertainty, SI; 0 = the value
 };
 
 /// Returns the spread to write, SI: twice the standard deviation. It is at least the value of the last

@@ -1,15 +1,15 @@
 // Reads logs of a real robot, as samples/CalibrationLogger writes them (docs/howto/calibrating.md). A log
 // contains tables of comma separated numbers, each under a line of column names.
 //
-//   # counts_per_period = 2               edges counted in each period of an encoder's channel
+//   # counts_per_period = 2               counted edges per period of an encoder's channel
 //   # timing_step_us = 9.5                for RC sensors: time between two reads of a pin
 //   t_us,count_left,count_right,S1,S2     a sweep: the robot turns slowly over floor and tape
 //   t_us,left,right,count_left,count_right    a drive from rest: each motor's command from t_us on,
 //                                             -255 .. 255 (0 = coast), and encoder counts
 //
 // Counts are positive forward. Other lines that begin with # are comments. The prefix that a serial monitor
-// adds to a line ("12:00:01.123 -> ") is skipped. A board restarts when the monitor opens its port. Therefore
-// everything before the last "# robosim calibration log" is skipped, too.
+// adds to a line ("12:00:01.123 -> ") is skipped. A board restarts when the serial monitor opens the port.
+// Therefore everything before the last "# robosim calibration log" is skipped, too.
 #pragma once
 
 #include <array>

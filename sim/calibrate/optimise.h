@@ -18,8 +18,8 @@ struct Range {
 std::vector<double> minimise(const std::function<double(const std::vector<double>&)>& f,
                              const std::vector<Range>& ranges, int most_calls);
 
-/// Returns the inverse of a symmetric positive definite matrix (rows of a square). Returns nothing for any
-/// other matrix, which means that the data do not determine a value.
+/// Returns the inverse of a symmetric positive definite matrix, given as rows. Returns nothing for any other
+/// matrix: the data then do not determine a value.
 std::vector<std::vector<double>> inverse(std::vector<std::vector<double>> matrix);
 
 }  // namespace robosim::calibrate

@@ -11,8 +11,8 @@
 
 namespace robosim::calibrate {
 
-/// Returns the new text. Throws InputError for invalid TOML, and for inline tables ("motors = { … }"),
-/// to which no line can be added.
+/// Returns the new text. Throws InputError for invalid TOML, and for inline tables ("motors = { … }"), to
+/// which no line can be added.
 std::string with_figures(std::string_view text, const std::string& file, const std::vector<Figure>& figures);
 
 }  // namespace robosim::calibrate

@@ -19,13 +19,13 @@ namespace {
 
 using robot::ReflectanceSpec;
 
-constexpr double kPatch = 0.012;                       // m of floor that count as one reading
-constexpr double kMostChange = 0.25;                   // between sweeps, relative to white to black
+constexpr double kPatch = 0.012;                       // m of floor whose readings count as one
+constexpr double kMostChange = 0.25;                   // of levels between sweeps, relative to black - white
 constexpr double kClock = 4e-6 * std::numbers::sqrt2;  // s, error of a duration by micros() at 16 MHz
 constexpr std::size_t kBatches = 10;
 constexpr std::size_t kMostEdges = 1500;  // limit for a part; more edges do not improve the result
 constexpr double kMostClipped =
-    0.005;  // share of readings above which the mean is biased, and the median is used
+    0.005;  // with more than this share of clipped readings, the median replaces the biased mean
 
 /// An element with all of its sweeps.
 struct Element {
@@ -115,7 +115,7 @@ void measure_levels(Element& element) {
   }
   ElementFit& fit = element.fit;
   const double step = element.traces.front().step;
-  // Converts a step of time to a step of its rate, 1 / time.
+  // Converts the time step of an RC sensor to the step of the rate, 1 / time.
   const auto step_at = [&](const std::vector<double>& rates) {
     const double rate = rates.empty() ? 0.0 : mean(rates);
     const double timing = element.traces.front().timing;
@@ -173,7 +173,7 @@ std::vector<Edge> cut_edges(const std::vector<Element>& elements, double tape_m,
 }
 
 void measure_footprint(PartFit& fit, const std::vector<Element>& elements, double tape_m) {
-  // The start value uses a rule: the width from 10 to 90 % of an edge's readings is 0.8 f.
+  // The first footprint is a guess; each round cuts the edges again with a better footprint.
   double footprint = 0.25 * tape_m;
   std::vector<Edge> edges;
   for (int round = 0; round < 3; ++round) {
@@ -188,7 +188,7 @@ void measure_footprint(PartFit& fit, const std::vector<Element>& elements, doubl
   const double scatter = mean_sd(tenths);
   // If samples are farther apart than the footprint, they show only that the footprint is small.
   if (fit.spacing > footprint) return;
-  // Counts half of the relative difference between the measured and the given tape width as uncertainty.
+  // Half of the relative difference between the measured and the given tape width counts as uncertainty.
   const double scale = fit.seen.value > 0.0 ? 0.5 * (fit.seen.value / tape_m - 1.0) : 0.0;
   fit.footprint = {footprint, std::hypot(scatter, std::hypot(0.01, scale) * footprint)};
   for (const Edge& edge : edges) {
@@ -199,8 +199,8 @@ void measure_footprint(PartFit& fit, const std::vector<Element>& elements, doubl
   }
 }
 
-/// Collects track widths from pairs of crossings between which the robot makes a whole turn, by the wheels'
-/// counts.
+/// Collects track widths: between a crossing and the next but one, the robot makes a whole turn, whose length
+/// the wheels' counts give.
 void collect_turns(const Element& element, const robot::Description& robot, std::vector<double>& tracks) {
   for (std::size_t k = 0; k < element.traces.size(); ++k) {
     const Trace& trace = element.traces[k];
@@ -272,7 +272,7 @@ std::vector<Element> gather(const std::vector<Log>& logs, const robot::Descripti
   return elements;
 }
 
-/// `scale` corrects speeds from the wheels by the fitted track width.
+/// Fits one part. `scale` corrects speeds that come from the wheels, by the fitted track width.
 PartFit fit_part(const ReflectanceSpec& part, std::vector<Element>& elements, double tape_m, double scale) {
   PartFit fit;
   fit.part = &part;

@@ -1,20 +1,20 @@
 // Fits parameters of floor sensors to a slow sweep across a tape.
 //
-// A crossing is a series of readings over the tape. With wheel counts, the sensor's speed is v =
-// |d(angle)/dt| times its distance from the centre of the turn. Without counts, the speed is v = width /
-// duration at half depth. This gives each sample a position s across an edge, and
+// A crossing is a series of readings over the tape. With wheel counts, the sensor's speed v is the robot's
+// rate of turn times the sensor's distance from the centre of the turn. Without counts, v is the tape's width
+// over the crossing's duration at half depth. The speed gives each sample a position s across an edge, and
 //   signal = W (1 - c) + B c,    c = clamp((w/2 + f/2 - d) / f, 0, min(1, w/f))
-// as in sim/world/floor.h: w is the tape's width, d the distance from its middle, f the footprint. B is the
-// signal over black. W is the signal over white at this edge, since the floor's brightness varies. W and the
-// edge's position are fitted for each edge, f for all edges of a part together.
+// as in sim/world/floor.h: c is the blackness, w the tape's width, d the distance from the tape's middle, and
+// f the footprint. B is the signal over black. W is the signal over white at this edge, because the floor's
+// brightness varies. W and the edge's position are fitted for each edge, f for all edges of a part together.
 //
 // The signal is linear in blackness: volts, or the rate 1 / time of an RC sensor.
 //   black       mean over the middle of the tape
 //   white       mean next to the tape, with the light that returns at the height in the robot file
-//   noise       from second differences of neighbouring readings, on which a floor's patches have little
-//               influence, minus the noise from rounding to codes; as a share of white to black
+//   noise       from second differences of neighbouring readings, minus the noise from rounding to codes; as
+//               a share of black - white. Patches of the floor hardly change second differences
 //   footprint   f; its uncertainty is the scatter of ten estimates, each from a tenth of the edges
-//   track       path of the wheels / 2 pi, over a whole turn: from one crossing to the next but one
+//   track       path of the wheels / 2 pi over a whole turn, which ends at the next crossing but one
 #pragma once
 
 #include <string>
