@@ -99,7 +99,7 @@ class StreamComparer {
     }
   }
 
-  /// Allows a deviation of 1 in numbers with a wide range, since the last digit of a measurement varies. A
+  /// Allows a deviation of 1 in numbers with a wide range, because the last digit of a measurement varies. A
   /// number with a small range may be a state, for which no deviation is allowed.
   void find_last_places() {
     last_places_.assign(lanes_[0].front().parts.numbers.size(), 0.0);

@@ -33,7 +33,7 @@ class Chip {
 
   using Stop = Cpu::Stop;
 
-  /// Runs until `until` or the end of the instruction that crosses it.
+  /// Runs until cycle `until`. An instruction that crosses `until` is completed.
   Stop run_to(Cycle until);
   /// Makes run_to() return after each instruction, and after each time skip during sleep.
   void step_singly(bool singly) { singly_ = singly; }
@@ -54,7 +54,7 @@ class Chip {
   void receive(int line, std::uint16_t data, Cycle at);
   /// Requests a call of ChipEnvironment::called() at `cycle`; a new request replaces the old one.
   void call_at(Cycle cycle) { core_.schedule(call_, cycle); }
-  /// Resets the chip like the reset pin or a power-on; adds `flags` to MCUSR.
+  /// Resets the chip as the reset pin or a power-on does, and adds `flags` to MCUSR.
   void reset(std::uint8_t flags);
 
   Cpu& cpu() { return core_.cpu; }

@@ -240,8 +240,8 @@ void HighSpeedTimer::request(unsigned flags) {
     if (flags & flag.hit) core_.request(vector_of(flag.hit), true);
 }
 
-// Requests an interrupt in the cycle of the tick that sets its flag. Registers read the new flag only
-// afterwards.
+// Requests an interrupt in the cycle of the tick that sets the interrupt's flag. Reads of registers return
+// the new flag only in later cycles.
 void HighSpeedTimer::due(Cycle at) {
   count_to(at - 1);
   const bool ticks = ticks_come() && tick_after(state_.at, 1) == at;

@@ -182,8 +182,8 @@ void Timer::request(unsigned flags) {
     core_.request(vector_of(static_cast<std::uint8_t>(flags & (0 - flags))), true);
 }
 
-// Requests an interrupt in the cycle of the edge that sets its flag. Registers read the new flag only
-// afterwards.
+// Requests an interrupt in the cycle of the edge that sets the interrupt's flag. Reads of registers return
+// the new flag only in later cycles.
 void Timer::due(Cycle at) {
   if (state_.beat && !state_.requested) return request(state_.beat);
   count_to(at - 1);

@@ -144,7 +144,8 @@ void Usart::write_control(std::uint8_t value) {
   tell();
 }
 
-// Takes or gives back the pins. TXEN = 0 takes effect when nothing is left to send (20.6.5).
+// Takes the pins from the port, or gives them back. TXEN = 0 takes effect when nothing is left to send
+// (20.6.5).
 void Usart::take_pins() {
   const auto update = [this](int pin, bool taken, bool& before, const PinDrive& drive) {
     if (pin < 0 || taken == before) return;

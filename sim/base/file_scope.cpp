@@ -170,8 +170,8 @@ class Scope {
     return below && std::find(below->begin(), below->end(), "..") == below->end();
   }
 
-  // Opens the served folder for each use. A run's process reuses descriptor numbers, so that an inherited
-  // handle would refer to another file.
+  // Opens the served folder for each use. A run's process reuses descriptor numbers, so an inherited
+  // descriptor could refer to another file.
   HeldFolder served() const { return HeldFolder(served_); }
 
   fs::path served_;

@@ -82,8 +82,8 @@ std::vector<fs::path> program_folders() {
   return folders;
 }
 
-/// Returns an environment that contains only PATH from the user's environment. A sketch can make a compiler
-/// print its environment.
+/// Returns an environment that contains only PATH from the user's environment, because a sketch can make the
+/// compiler print environment variables.
 std::vector<std::string> bare_environment(const fs::path& scratch) {
   std::string path;
   for (const fs::path& folder : program_folders()) path += (path.empty() ? "" : ":") + folder.string();

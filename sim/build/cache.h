@@ -89,7 +89,7 @@ class WorkFolder {
 };
 
 /// Returns the content of a file that a compiler wrote, even if incomplete. Throws InputError if the file is
-/// not regular, since a link could lead anywhere.
+/// not regular, because a link could lead anywhere.
 std::string read_made(const std::filesystem::path& file);
 
 }  // namespace robosim::build

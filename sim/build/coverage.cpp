@@ -40,8 +40,8 @@ std::vector<std::string> own_files(const Sketch& sketch) {
   std::vector<std::string> names;
   for (const auto* group : {&sketch.inos, &sketch.sources, &sketch.headers})
     names.insert(names.end(), group->begin(), group->end());
-  // A tracefile has one line for each name. A name with a line end could add another file of this machine to
-  // the page.
+  // A tracefile has one line for each name. A name that contains a line end could therefore add another file
+  // of this machine to the page.
   std::erase_if(names, [](const std::string& name) { return in_one_line(name) != name; });
   return names;
 }

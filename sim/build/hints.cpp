@@ -112,7 +112,7 @@ bool is_of_esp32(const std::string& name) {
 }  // namespace
 
 std::string hint_for(const std::string& messages) {
-  // Considers only the first error, since later errors often follow from it.
+  // Considers only the first error, because later errors often follow from it.
   const std::size_t first_error = messages.find("error:");
   const std::string first = messages.substr(0, messages.find("error:", first_error + 1));
   const std::string undeclared = quoted(first, " was not declared");

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Limits the length of a line and of all lines, since std::regex needs stack for each character.
+// Limits the length of a line and of all lines, because std::regex needs stack for each character.
 constexpr std::size_t kLongestLine = 2000, kMostText = 200'000;
 
 /// Returns whether the compiler or linker began the line, not a text of the sketch: "My.ino:3:5: error: …",
@@ -39,7 +39,7 @@ bool is_begun_by_compiler(std::string_view line) {
          (!rest.empty() && std::isdigit(static_cast<unsigned char>(rest[0])));
 }
 
-/// Indents lines that the compiler did not begin, since they could be mistaken for Robosim's own messages.
+/// Indents lines that the compiler did not begin, because they could be mistaken for Robosim's own messages.
 std::string with_texts_indented(const std::string& messages) {
   std::string shown;
   for (std::size_t at = 0; at < messages.size();) {
@@ -117,7 +117,7 @@ void check_machine(const std::string& tool, const std::string& output) {
 }
 
 std::string missing_header(const std::string& whole, Place* place) {
-  // Searches only the relevant line, since a search of all lines would take quadratic time.
+  // Searches only the relevant line, because a search of all lines would take quadratic time.
   const std::size_t says = whole.find(": fatal error: ");
   if (says == std::string::npos) return {};
   const std::size_t begin = whole.rfind('\n', says) + 1;

@@ -15,7 +15,7 @@ std::string pin_warnings(const std::string& own_lines, const BoardSpec& board);
 
 /// Returns a warning for the first Serial.print() of a sketch that never begins Serial. `all` is the sketch's
 /// preprocessed .ino files, with all headers. Does not apply to boards whose Serial is a USB port. Call only
-/// for sketches without other sources or libraries, since these may begin Serial.
+/// for sketches without other sources or libraries, because these may begin Serial.
 std::string serial_warning(const std::string& own_lines, const std::string& all, const BoardSpec& board);
 
 }  // namespace robosim::build

@@ -27,7 +27,7 @@ std::string own_lines(const std::string& preprocessed, const std::vector<std::st
 std::vector<Tag> parse_tags(const std::string& listing);
 
 /// Returns `joined` with the prototypes. `own` contains the preprocessed lines of `joined`. Default arguments
-/// move from a function to its prototype, since C++ allows them only once.
+/// move from a function to its prototype, because C++ allows them only once.
 std::string insert_prototypes(const std::string& joined, const std::string& own,
                               const std::vector<Tag>& tags);
 

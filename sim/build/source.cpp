@@ -127,7 +127,7 @@ std::string unix_text(std::string text) {
 
 namespace {
 
-/// Limit of the size of all files of a sketch together, since Robosim reads them completely.
+/// Limit of the size of all files of a sketch together, because Robosim reads them completely.
 constexpr std::size_t kMostSources_bytes = std::size_t{8} << 20;
 
 /// Prevents a project file from giving compilers access to other folders of this machine.

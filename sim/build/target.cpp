@@ -107,7 +107,7 @@ const Target kHost = {
              "-Wl,--build-id=none", "-Wl,-z,now",
              // An image is hashed and read before each run. Without this option, an image has about 800 KB.
              "-Wl,--compress-debug-sections=zlib",
-             // Handlers that a sketch does not define must be null, even if the process has them.
+             // Handlers that a sketch does not define must be null, even if the process defines such names.
              "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack",
              // For arm; see hal/host/division.cpp.
              "-Wl,--wrap=__aeabi_idiv,--wrap=__aeabi_idivmod,--wrap=__aeabi_uidiv",
@@ -137,9 +137,10 @@ const Target kAvr = {
     .own_level = "-Os",
     .memory = {},
     .as_avr = {},
-    // Link-time optimisation of avr-gcc 5.4 fails for code with checks, which is far larger than the chip.
-    // For an image with handlers (hal/avr/undefined.c), the executor's chip has 64 KB of flash. Its RAM
-    // extends to the start of the stack, which is also RAMEND (hal/avr/with_checks).
+    // Link-time optimisation of avr-gcc 5.4 fails for code with checks. Such code is also far larger than the
+    // chip's flash. An image with the checks' handlers (hal/avr/undefined.c) therefore runs on an emulated
+    // chip with 64 KB of flash, and with RAM up to the start of the stack. This address is also RAMEND
+    // (hal/avr/with_checks).
     .sanitizer = {.undefined = {"-fno-lto",
                                 "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
                                 "shift,signed-integer-overflow"},
@@ -154,8 +155,7 @@ const Target kAvr = {
     .core_level = "-Os",
     .definitions = {"-DARDUINO_ARCH_AVR"},
     .prefix_map = "-fdebug-prefix-map",
-    // avr-gcc 14 does not pass --demangle to avr-ld, which then prints mangled names. It does pass this
-    // spelling.
+    // avr-gcc 14 passes -demangle to avr-ld, but not --demangle. Without it, avr-ld prints mangled names.
     .link = {"-Os", "-gdwarf-4", "-gno-record-gcc-switches", "-flto", "-fuse-linker-plugin",
              "-Wl,--gc-sections", "-Wl,-demangle"},
     .link_files = {},

@@ -27,8 +27,8 @@ struct Sanitizer {
   std::vector<std::string> addresses;    ///< also for the core, except the code that the checks call
   std::vector<std::string> definitions;  ///< for the code that the checks call
   std::vector<std::string> link;
-  /// Warnings that need this compilation, for the sketch itself. They extend the compiler's standard
-  /// warnings.
+  /// Warnings about the sketch itself that the compiler can give only with these options. They are added to
+  /// the compiler's standard warnings.
   std::vector<std::string> warnings = {};
 };
 

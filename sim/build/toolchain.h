@@ -29,7 +29,7 @@ struct CompilerFacts {
   std::string name;                      ///< "gcc 12.2.0 x86_64-linux-gnu"
   std::filesystem::path include_folder;  ///< the compiler's own headers: stddef.h, stdarg.h, float.h
 };
-/// Returns the facts from `cache`, or starts the compiler to ask for them.
+/// Returns the facts from `cache`, or else from the compiler, which is started for this purpose.
 CompilerFacts ask(const Compiler& compiler, const std::filesystem::path& cache);
 
 /// Returns the name and version of the assembler that the compiler uses: "as 2.44".
@@ -50,7 +50,7 @@ struct Core {
   std::filesystem::path root;                   ///< folder that the compiler works in
   std::string place;                            ///< the name of `root` in debug information
   std::vector<std::filesystem::path> sources;   ///< folders, in the order of linking
-  std::filesystem::path serving;                ///< the unchecked folder, which the checks call
+  std::filesystem::path serving;                ///< folder compiled without checks, because the checks call it
   std::vector<std::filesystem::path> includes;  ///< for -I
   std::vector<std::filesystem::path> system_includes;
   std::vector<std::filesystem::path> includes_with_checks;  ///< before system headers, for images with checks
