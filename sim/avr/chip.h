@@ -2,7 +2,7 @@
 // and runs the chip to a cycle.
 //
 //   Chip ── Core: Cpu, Events, Interrupts
-//     ├──── Pins ── ExternalInterrupts, Timer ×n, Usart ×n, Adc, …   one file per chapter
+//     ├──── Pins ── ExternalInterrupts, Timer ×n, Usart ×n, Adc, …   one file each
 //     └──── Power: sleep modes, PRR, CLKPR, reset flags in MCUSR
 //
 // Equal flash and equal environments give equal runs, regardless of how often run_to() returns in between.

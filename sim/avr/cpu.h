@@ -122,8 +122,8 @@ class Cpu {
   /// Declares that reads of the register have no side effects, and give one value between events and writes.
   void is_steady(Address address) { hooks_[address].is_steady = true; }
   ReadForecast forecast(Address address, std::uint8_t bits) const;
-  /// Returns the relevant bits of the I/O register that the instruction at `pc` reads. This or the next
-  /// instruction may discard the other bits. Returns kAllBits if the relevant bits are unknown.
+  /// Returns the relevant bits of the I/O register that the instruction at `pc` reads. The other bits are
+  /// discarded by this instruction or the next one. Returns kAllBits if the relevant bits are unknown.
   std::uint8_t bits_read(std::uint32_t pc) const;
   static constexpr std::uint8_t kAllBits = 0xFF;
 

@@ -75,7 +75,7 @@ struct Instruction {
   Op op = Op::illegal;
   std::uint8_t a = 0;
   std::uint8_t b = 0;
-  std::uint8_t words = 1;  ///< its size in flash: 1 or 2
+  std::uint8_t words = 1;  ///< size in flash: 1 or 2 words
   std::int32_t k = 0;
 };
 static_assert(sizeof(Instruction) == 8);

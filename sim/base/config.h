@@ -1,5 +1,5 @@
 // Parses TOML to a small tree, in which each value stores its place for messages. Only config.cpp includes
-// the TOML library, because its compilation requires 450 MB.
+// the TOML library, because compiling this library requires 450 MB.
 #pragma once
 
 #include <cstdint>

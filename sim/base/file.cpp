@@ -88,7 +88,8 @@ namespace {
 /// Returns the temporary name of a file that is being written, in the file's folder.
 fs::path beside(const fs::path& path) { return path.string() + ".tmp" + std::to_string(::getpid()); }
 
-/// Replaces a file like rename(), without waiting for the disk: on ext4, rename() writes the file first.
+/// Replaces a file like rename(), but without waiting for the disk. On ext4, rename() first writes the file
+/// to the disk.
 bool replace([[maybe_unused]] const fs::path& fresh, [[maybe_unused]] const fs::path& old) {
 #ifdef RENAME_EXCHANGE
   const auto change_places = [&] {

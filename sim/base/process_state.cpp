@@ -11,7 +11,7 @@
 namespace robosim {
 
 char process_state(pid_t process) {
-  // Avoids a stream, which throws if the process ends between opening and reading of its file.
+  // Avoids a stream, which throws if the process ends after the file is opened and before it is read.
   const Descriptor file(::open(fmt::format("/proc/{}/stat", process).c_str(), O_RDONLY | O_CLOEXEC));
   char facts[512];  // the number, the name in parentheses, the state, and further fields
   const ssize_t size = file.is_open() ? ::read(file.get(), facts, sizeof facts) : -1;

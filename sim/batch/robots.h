@@ -71,8 +71,8 @@ class Robots {
   std::size_t sensors() const { return sensors_; }
 
   /// Sets a motor's command, from the tick that begins now until the next call. robot::bridge_command()
-  /// computes commands from a driver's pins. For the motor of a differential, call this function for both
-  /// sides.
+  /// computes commands from a motor driver's pins. If a motor drives both wheels through a differential, call
+  /// this function for both sides.
   void tell(std::size_t robot, world::Side, const world::WheelCommand&);
   /// Reads the sensor with index `sensor`, in the order of the robot file, for each robot, in V. `t` is a
   /// time within the tick that begins now. Each call uses one sample of noise.

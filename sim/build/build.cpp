@@ -88,7 +88,7 @@ class Build {
     return linked;
   }
 
-  /// Runs the commands in sandboxes. They can read no outputs of other commands except `objects`.
+  /// Runs the commands in sandboxes. The only outputs of other commands that they can read are `objects`.
   std::vector<CommandResult> run_walled(std::vector<Command> commands,
                                         const std::vector<fs::path>& objects = {}) const {
     std::vector<fs::path> read = read_by_all(toolchain_, shared_);

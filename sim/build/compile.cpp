@@ -36,7 +36,7 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
       // Adds warnings that are off by default. without_style_warnings() selects likely mistakes.
       if (unit.kind == Unit::Kind::library) return {"-w"};  // users of a library cannot fix its warnings
       std::vector<std::string> words = {"-Wparentheses", "-Wempty-body"};
-      // avr-gcc 5 has no warning for a forgotten break. Any comment in its place silences gcc.
+      // avr-gcc 5 has no warning for a forgotten break. Any comment in the place of the break silences gcc.
       if (toolchain.target.native) words.emplace_back("-Wimplicit-fallthrough=1");
       if (toolchain.sanitize) append(words, toolchain.target.sanitizer.warnings);
       return words;

@@ -45,11 +45,12 @@ bool through_assembly(const Toolchain& toolchain, const Unit& unit);
 /// assembly first.
 std::filesystem::path compiled_assembly(const std::filesystem::path& object);
 std::filesystem::path changed_assembly(const std::filesystem::path& object);
-/// Returns whether the unit's lines are counted. gcov's notes are then in `object` + ".gcno". notes_name()
-/// returns the name of the notes and their data.
+/// Returns whether the unit's lines are counted. gcov's notes are then in `object` + ".gcno".
+/// notes_name() returns the name that the notes and their data share.
 bool is_counted(const Toolchain& toolchain, const Unit& unit);
 std::string notes_name(const Unit& unit);
-/// Returns a command that compiles the unit. It lists all files that it reads in `object` + ".d".
+/// Returns a command that compiles the unit. The command writes a list of all files that it reads to
+/// `object` + ".d".
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);
 Command assemble_command(const Toolchain& toolchain, const std::filesystem::path& assembly,
                          const std::filesystem::path& object);

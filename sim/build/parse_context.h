@@ -16,8 +16,8 @@ struct ParseContext {
   std::vector<std::filesystem::path> readable;  ///< files that a compiler can read (run_within())
 };
 
-/// Returns the context after building the sketch, for the host or an AVR, to check that it compiles. Throws
-/// the exceptions of build().
+/// Builds the sketch for the host or an AVR, to check that the sketch compiles, and returns the context.
+/// Throws the exceptions of build().
 ParseContext parse_context_of(const Request& request);
 
 }  // namespace robosim::build

@@ -184,7 +184,7 @@ std::string serial_warning(const std::string& own_lines, const std::string& all,
   const Word* first = nullptr;
   for (std::size_t i = 0; i + 2 < words.size(); ++i) {
     if (words[i].text != "Serial") continue;
-    if (words[i + 1].text != ".") return "";  // passed on to code that may begin Serial
+    if (words[i + 1].text != ".") return "";  // Serial is passed to code that may call begin()
     const std::string_view call = words[i + 2].text;
     if (!first && (call == "print" || call == "println" || call == "write")) first = &words[i];
   }

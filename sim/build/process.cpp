@@ -94,7 +94,7 @@ std::vector<pid_t> descendants(pid_t process) {
 }
 
 void end_with_descendants(const Child& child) {
-  child.send(SIGSTOP);  // prevents it from starting more processes
+  child.send(SIGSTOP);  // prevents the child from starting more processes
   for (const pid_t one : descendants(child.pid())) ::kill(one, SIGKILL);
   child.send(SIGKILL);
 }

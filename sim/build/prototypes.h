@@ -31,7 +31,8 @@ std::vector<Tag> parse_tags(const std::string& listing);
 std::string insert_prototypes(const std::string& joined, const std::string& own,
                               const std::vector<Tag>& tags);
 
-/// Performs the three steps above; `work` is a folder for ctags' files.
+/// Performs the three steps above: own_lines(), parse_tags(), insert_prototypes(). `work` is a folder for
+/// ctags' files.
 std::string add_prototypes(const std::string& joined, const std::string& preprocessed,
                            const std::vector<std::string>& inos, const std::filesystem::path& work);
 

@@ -130,7 +130,7 @@ namespace {
 /// Limit of the size of all files of a sketch together, because Robosim reads them completely.
 constexpr std::size_t kMostSources_bytes = std::size_t{8} << 20;
 
-/// Prevents a project file from giving compilers access to other folders of this machine.
+/// Throws InputError if a project file would give compilers access to other folders of this machine.
 void check_within_project(const fs::path& project, const fs::path& folder) {
   const fs::path reach = reach_of(project);
   if (!lies_in(folder, reach))

@@ -155,7 +155,8 @@ const Target kAvr = {
     .core_level = "-Os",
     .definitions = {"-DARDUINO_ARCH_AVR"},
     .prefix_map = "-fdebug-prefix-map",
-    // avr-gcc 14 passes -demangle to avr-ld, but not --demangle. Without it, avr-ld prints mangled names.
+    // avr-gcc 14 passes -demangle to avr-ld, but not --demangle. Without the option, avr-ld prints mangled
+    // names.
     .link = {"-Os", "-gdwarf-4", "-gno-record-gcc-switches", "-flto", "-fuse-linker-plugin",
              "-Wl,--gc-sections", "-Wl,-demangle"},
     .link_files = {},

@@ -50,7 +50,7 @@ struct Core {
   std::filesystem::path root;                   ///< folder that the compiler works in
   std::string place;                            ///< the name of `root` in debug information
   std::vector<std::filesystem::path> sources;   ///< folders, in the order of linking
-  std::filesystem::path serving;                ///< folder compiled without checks, because the checks call it
+  std::filesystem::path serving;                ///< the unchecked folder: the checks call its code
   std::vector<std::filesystem::path> includes;  ///< for -I
   std::vector<std::filesystem::path> system_includes;
   std::vector<std::filesystem::path> includes_with_checks;  ///< before system headers, for images with checks
