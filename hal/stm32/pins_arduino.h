@@ -37,8 +37,8 @@ static const uint8_t A7 = PIN_A7;
 #define digitalPinHasPWM(p)                                                                            \
   ((p) == 0 || (p) == 1 || (p) == 3 || (p) == 5 || (p) == 6 || ((p) >= 9 && (p) <= 12) || (p) == 20 || \
    (p) == 21 || (p) == 28)
-/// Every pin can have an interrupt. Two pins with the same number in different ports, such as PA8 and PB8,
-/// cannot have interrupts at the same time.
+/// Every pin can have an interrupt. Pins with the same number in different ports, such as PA8 and PB8, cannot
+/// have interrupts at the same time.
 #define digitalPinToInterrupt(p) ((p) < NUM_DIGITAL_PINS ? (p) : NOT_AN_INTERRUPT)
 
 #endif  // Pins_Arduino_h

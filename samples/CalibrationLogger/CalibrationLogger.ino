@@ -2,7 +2,7 @@
  * Writes a log for `robosim calibrate`: sensor readings while the robot turns slowly on a tape, and encoder
  * counts while the wheels start and coast. docs/howto/calibrating.md explains the procedure.
  *
- * Put the robot on a straight tape, with the axle over the middle of the tape, and 1.5 m of free floor.
+ * Put the robot on a straight tape, with 1.5 m of free floor. The axle must be over the middle of the tape.
  * Adapt the constants, flash the sketch, and save the serial monitor's text (115200 baud) as log.csv.
  */
 const bool HAS_ENCODERS = true;

@@ -96,7 +96,7 @@ char select_turn(bool left, bool straight, bool right) {
   return 'B';
 }
 
-// Replaces the last three turns by one turn if the middle one is B, which means back at a dead end.
+// Replaces the last three turns by one turn if the middle one is B (back from a dead end).
 void simplify_path() {
   if (path_length < 3 || path[path_length - 2] != 'B') return;
   int total = 0;

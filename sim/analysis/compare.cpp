@@ -81,8 +81,8 @@ class Comparer {
       }
   }
 
-  /// Returns whether side `other` ran long enough to show an event that is due `after_ns` after `since_ns`,
-  /// the time of its last common event.
+  /// Returns whether side `other` ran long enough to show an event. The event is due `after_ns` after
+  /// `since_ns`, the time of this side's last common event.
   bool had_time(std::size_t other, std::int64_t since_ns, std::int64_t after_ns) const {
     return seen_ns(*sides_[other]) >= since_ns + after_ns + tolerance_.time_for(after_ns);
   }

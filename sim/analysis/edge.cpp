@@ -109,8 +109,8 @@ std::optional<Choice> Choice::of(const Difference& found, const History& first, 
   return choice;
 }
 
-// Fisher's test sums the probabilities of all tables that have these totals, and are at most as likely as
-// this table. A behaviour in only one of fewer than kManyRuns runs counts as rare.
+// Fisher's test sums the probabilities of all tables with these totals that are at most as likely as this
+// table. A behaviour in only one of fewer than kManyRuns runs counts as rare.
 Alikeness alikeness(const Share& one, const Share& other) {
   constexpr double kUnlikely = 0.05, kRounding = 1e-9;
   const int both = one.as_first + other.as_first;

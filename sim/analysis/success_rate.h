@@ -1,5 +1,5 @@
-// Computes success rates: the share of successful runs, the confidence interval of the true rate, and the
-// number of runs needed for a decision.
+// Computes success rates: the share of successful runs, and the confidence interval of the true rate. Also
+// computes the number of runs needed for a decision.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ Interval wilson(std::int64_t successes, std::int64_t runs);
 struct Demand {
   double rate = 1.0;  ///< 0..1
   /// False: at least the share `rate` of the runs must succeed.
-  /// True: the lower end of the confidence interval must be at least `rate`, so that the rate of all possible
-  /// runs is known to be at least `rate`.
+  /// True: the lower end of the confidence interval must be at least `rate`. The rate of all possible runs is
+  /// then known to be at least `rate`.
   bool sure = false;
 };
 

@@ -53,8 +53,8 @@ unsigned long mount_flags(const fs::path& path) {
   return flags;
 }
 
-/// Prevents later programs from getting capabilities. A program that root starts would otherwise have all
-/// capabilities in its namespace, and could make the visible files writable again.
+/// Prevents later programs from getting capabilities. Otherwise a program that root starts would have all
+/// capabilities in its namespace. The program could then make the visible files writable again.
 bool drop_capabilities() {
   for (unsigned long one = 0; ::prctl(PR_CAPBSET_READ, one, 0, 0, 0) >= 0; ++one)
     if (::prctl(PR_CAPBSET_DROP, one, 0, 0, 0) != 0) return false;

@@ -82,7 +82,7 @@ std::vector<fs::path> program_folders() {
   return folders;
 }
 
-/// Returns an environment that contains only PATH from the user's environment, because a sketch can make the
+/// Returns an environment that contains only PATH from the user's environment. Reason: a sketch can make the
 /// compiler print environment variables.
 std::vector<std::string> bare_environment(const fs::path& scratch) {
   std::string path;

@@ -1,7 +1,7 @@
 // Simulates many bodies, each as if it were alone on one floor. A search uses a batch to simulate one
 // body many times, with different parameters or commands.
 //
-// A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications, and each
+// A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications. Each
 // operation waits for the previous one. A batch therefore computes each operation for a block of bodies at
 // once (lanes.h). The order of operations is that of world::Body, so all bits of the results are equal.
 // Blocks are used for the usual state of bodies: both tyres roll, both wheels keep their direction, nothing

@@ -1,9 +1,9 @@
-// Caches build results by content. An entry records the content of every file that was read for the result,
-// and the list of names in every folder that was searched. The entry is valid while all of these are
-// unchanged. File times do not matter.
+// Caches build results by content. An entry records the content of every file that was read for the result.
+// It also records the list of names in every folder that was searched. The entry is valid while all of these
+// are unchanged. File times do not matter.
 //
-// Keys, names of results, and files that other users can write are hashed by SHA-256. XXH3, which takes a
-// tenth of the time, is used for the files of Robosim and of the system, and to detect incomplete results.
+// Keys, names of results, and files that other users can write are hashed by SHA-256. Files of Robosim and of
+// the system are hashed by XXH3, which takes a tenth of the time. XXH3 also detects incomplete results.
 //
 // Concurrent processes are safe: files appear by rename, and a result's name contains its content's hash.
 #pragma once

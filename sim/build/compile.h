@@ -41,8 +41,8 @@ void check_object(const Toolchain& toolchain, const Unit& unit, const std::files
 /// Returns whether the unit is compiled to assembly first. The assembly is then changed (assembly.h), and
 /// assemble_command writes the object to another folder. Other units are compiled to `object` directly.
 bool through_assembly(const Toolchain& toolchain, const Unit& unit);
-/// Return the paths of the compiler's assembly, and of the changed assembly, for a unit that is compiled to
-/// assembly first.
+/// Return the paths of the compiler's assembly, and of the changed assembly. They apply to a unit that is
+/// compiled to assembly first.
 std::filesystem::path compiled_assembly(const std::filesystem::path& object);
 std::filesystem::path changed_assembly(const std::filesystem::path& object);
 /// Returns whether the unit's lines are counted. gcov's notes are then in `object` + ".gcno".

@@ -11,8 +11,8 @@
 // On both chips, the most negative number divided by -1 gives the same number again. A 32-bit ARM host has no
 // division instruction, so its library function is wrapped (hal/host/division.cpp).
 //
-// arm64 has no 16-bit division. gcc uses the 32-bit division and does not truncate the result, which fits 16
-// bits except after a division by zero. On arm64, a uint16_t divided by zero may therefore be -1 instead of
+// arm64 has no 16-bit division. gcc uses the 32-bit division, and does not truncate the result: it fits in 16
+// bits, except after a division by zero. On arm64, a uint16_t divided by zero may therefore be -1 instead of
 // 65535, until the result is stored.
 #pragma once
 

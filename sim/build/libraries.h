@@ -38,8 +38,8 @@ std::vector<std::filesystem::path> library_folders(const std::filesystem::path& 
 /// Finds libraries in folders, in the given order. A folder may contain libraries, or be a library.
 class LibraryFinder {
  public:
-  /// `stand_ins` is a folder of libraries, or empty. Each of these libraries replaces the library of the same
-  /// name, even if the library to be replaced is not installed.
+  /// `stand_ins` is a folder of libraries, or empty. Each of them replaces the genuine library of the same
+  /// name, even if the genuine library is not installed.
   explicit LibraryFinder(std::vector<std::filesystem::path> folders,
                          const std::filesystem::path& stand_ins = {});
 

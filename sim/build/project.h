@@ -15,8 +15,8 @@ namespace robosim::build {
 std::filesystem::path reach_of(const std::filesystem::path& sketch_folder);
 
 /// Returns the canonical paths of shared files: sources and headers within `reach`, but outside the sketch's
-/// folder. A file is shared if the sketch's files include it ("../common/pid.h"), directly or indirectly, or
-/// if a link in the sketch's folder leads to it.
+/// folder. The sketch's files include a shared file ("../common/pid.h"), directly or indirectly, or a link in
+/// the sketch's folder leads to it.
 std::vector<std::filesystem::path> shared_files(const Sketch& sketch, const std::filesystem::path& reach);
 
 /// Returns whether a file, or a link's target, is below `folder`; false if the file does not exist.

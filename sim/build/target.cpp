@@ -59,7 +59,7 @@ const Target kHost = {
     .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
     // A function that lacks its `return` statement still returns, as with avr-gcc. Without `unreachable`, gcc
     // would assume that the function's end is never reached, and continue with the code after the function.
-    // If a sketch requests -Os or more, gcc would also end a path with a trap after a division by zero.
+    // At -Os or more, which a sketch can request, gcc would also insert a trap after a division by zero.
     .own = {"-fsanitize-coverage=trace-pc", "-fsanitize=integer-divide-by-zero,unreachable",
             "-fno-isolate-erroneous-paths-dereference"},
     // A sketch's time is counted in blocks of its code, so its optimisation level must never change. The
@@ -138,9 +138,9 @@ const Target kAvr = {
     .memory = {},
     .as_avr = {},
     // Link-time optimisation of avr-gcc 5.4 fails for code with checks. Such code is also far larger than the
-    // chip's flash. An image with the checks' handlers (hal/avr/undefined.c) therefore runs on an emulated
-    // chip with 64 KB of flash, and with RAM up to the start of the stack. This address is also RAMEND
-    // (hal/avr/with_checks).
+    // chip's flash. An image with the checks' handlers (hal/avr/undefined.c) therefore runs on a larger
+    // emulated chip. It has 64 KB of flash, and RAM up to the start of the stack. This address is also
+    // RAMEND (hal/avr/with_checks).
     .sanitizer = {.undefined = {"-fno-lto",
                                 "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
                                 "shift,signed-integer-overflow"},

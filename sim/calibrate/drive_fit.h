@@ -1,8 +1,8 @@
 // Fits motor parameters to drives from rest. The body of sim/world/body.h is driven as in the log. Its
 // parameters are changed until its wheels' angles match the encoder counts.
 //
-// For a wheel with torque constant k_t (N m per ampere), back EMF k_e (volts per rad/s), resistance R,
-// friction torque M and inertia J, the drives determine
+// A wheel has torque constant k_t (N m per ampere), back EMF k_e (volts per rad/s), resistance R, friction
+// torque M and inertia J. The drives determine
 //   by its speed at each voltage:    k_e, and R M / k_t
 //   by its time constant:            R J / (k_t k_e)
 //   by its coasting:                 M / J

@@ -1,8 +1,8 @@
 // Fits parameters of floor sensors to a slow sweep across a tape.
 //
-// A crossing is a series of readings over the tape. With wheel counts, the sensor's speed v is the robot's
-// rate of turn times the sensor's distance from the centre of the turn. Without counts, v is the tape's width
-// over the crossing's duration at half depth. The speed gives each sample a position s across an edge, and
+// A crossing is a series of readings over the tape. With wheel counts, the sensor's speed v is the rate of
+// turn times the sensor's distance from the centre. Without counts, v is the tape's width over the crossing's
+// duration at half depth. The speed gives each sample a position s across an edge, and
 //   signal = W (1 - c) + B c,    c = clamp((w/2 + f/2 - d) / f, 0, min(1, w/f))
 // as in sim/world/floor.h: c is the blackness, w the tape's width, d the distance from the tape's middle, and
 // f the footprint. B is the signal over black. W is the signal over white at this edge, because the floor's
