@@ -1,5 +1,5 @@
-// Tests boards and chips against Arduino's boards.txt, and against Robosim's files that must repeat parts of
-// their data.
+// Compares the data of boards and chips with Arduino's boards.txt, and with Robosim's files that repeat parts
+// of these data.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ std::string text_of(const std::string& file) {
 }
 std::string ours(const std::string& file) { return text_of(std::string(ROBOSIM_SOURCE_DIR "/") + file); }
 
-/// Returns the `KEY=VALUE` lines.
+/// Returns the `KEY=VALUE` lines of `text` as a map.
 std::map<std::string, std::string> properties(const std::string& text) {
   std::map<std::string, std::string> found;
   std::istringstream lines(text);
@@ -50,7 +50,7 @@ TEST(Boards, AreArduinosWhereArduinoHasThem) {
     if (!std::regex_match(fqbn, name, kName)) continue;
     SCOPED_TRACE(board->name);
     ++boards;
-    std::smatch first;  // Arduino's default if the name selects no CPU
+    std::smatch first;  // the CPU that Arduino selects by default
     std::string cpu = name[3];
     if (cpu.empty() &&
         std::regex_search(text, first, std::regex("\n" + name[1].str() + "\\.menu\\.cpu\\.(\\w+)=")))
@@ -65,7 +65,7 @@ TEST(Boards, AreArduinosWhereArduinoHasThem) {
     EXPECT_EQ(board->variant, value("build.variant"));
     EXPECT_EQ(board->chip->compiler_name, value("build.mcu"));
     EXPECT_EQ(std::to_string(board->flash_bytes), value("upload.maximum_size"));
-    // boards.txt has no further values for a Gemma, because its boot loader does not use a serial line.
+    // boards.txt has no upload values for a Gemma, whose boot loader does not use a serial line.
     if (value("upload.protocol").empty()) {
       EXPECT_EQ(board->upload_protocol, nullptr);
       continue;
@@ -116,7 +116,7 @@ TEST(Boards, AreInTheDocumentsAsTheyAre) {
 TEST(Chips, TheBluePillsCoreHasItsPins) {
   const BoardSpec& blue = *find_board("bluepill");
   const std::string core = ours("hal/stm32/pins.cpp"), names = ours("hal/arduino/bluepill.h");
-  // Port, bit, ADC channel, timer (0 = none), and its output (from 1).
+  // The columns are port, bit, ADC channel, timer (0 = none), and the timer's output (from 1).
   static const std::regex kRow("\\{([ABC]), (\\d+), (-?\\d+), (\\d), (\\d)\\}");
   Pin pin = 0;
   for (std::sregex_iterator row(core.begin(), core.end(), kRow), end; row != end; ++row, ++pin) {

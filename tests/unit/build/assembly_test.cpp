@@ -77,7 +77,7 @@ TEST(Divisions, HaveLabelsOfTheirOwn) {
   EXPECT_EQ(labels.size(), 3 * 3u + 2);
 }
 
-// binutils 2.44 expands a macro with an instruction's name even within the macro itself; 2.40 does not.
+// A macro must not have an instruction's name: binutils 2.44 (not 2.40) expands it within the macro itself.
 TEST(Divisions, NeedNoMacroOfTheAssembler) {
   EXPECT_THAT(changed("\tidivl\t%ecx\n\tsdiv\tw0, w0, w1\n"), Not(HasSubstr(".macro")));
 }

@@ -1,4 +1,4 @@
-// Tests compiling sketches for the chip. The tests are skipped if the chip's tools are missing: see
+// Tests compiling sketches for target avr. The tests are skipped if the AVR compiler is missing: see
 // require_target.h.
 #include <gmock/gmock.h>
 
@@ -34,7 +34,7 @@ class AvrTest : public SketchTest {
   Image build_avr_here(const std::string& name, const char* board = "uno") const {
     return build_avr(folder_ / name, board);
   }
-  /// Counts the CALLs in an image's flash.
+  /// Counts the 4-byte CALL instructions in an image's flash.
   static int long_calls_of(const Image& image) {
     int calls = 0;
     const ElfFile elf(read_file(image.image), image.image.string());

@@ -46,7 +46,7 @@ TEST_F(SketchTest, AnImageExportsNothingButItsEntryAndNeedsLittleOfTheMachine) {
   const std::string nm = find_program("nm").string();
   EXPECT_THAT(lines(run(Command{{nm, "-D", "-j", "--defined-only", image.image.string()}, "/", {}}).output),
               ElementsAre("robosim_image"));
-  // Allows only functions that have no state and no lock, and whose names sketches do not define.
+  // The image may import only functions without state and locks, whose names sketches do not define.
   std::vector<std::string> harmless = {"memcpy", "memmove", "memset",   "strcat", "strcpy",
                                        "strlen", "strnlen", "strfromd", "memcmp", "strstr"};
 #if defined(__arm__)  // is called for a division by zero

@@ -69,7 +69,7 @@ class CoverageFolder : public testing::Test {
 };
 
 TEST_F(CoverageFolder, TakesNoFileOfCountersThatNoSourceHas) {
-  // The counters' names are from the sketch's memory, so the sketch can forge them.
+  // Robosim reads the names of counter files from the sketch's memory, so the sketch can forge them.
   image_.notes = folder_ / "S.notes";
   write_file(image_.notes, pack({}));
   const std::string counters = pack({{"/x/", ""}, {"/x/..", ""}, {".", ""}, {"../S.gcda", ""}, {"", ""}});

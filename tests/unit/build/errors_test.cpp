@@ -76,7 +76,7 @@ TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {
 
 TEST_F(SketchTest, AChangeOfOursThatTheAssemblerRefusesIsNotTheSketchsFault) {
   write("Empty/Empty.ino", kEmptySketch);
-  const std::string compiler = build_here("Empty").compiler;  // "gcc 12.2.0 x86_64-linux-gnu"
+  const std::string compiler = build_here("Empty").compiler;  // such as "gcc 12.2.0 x86_64-linux-gnu"
   const std::string gcc = compiler.substr(compiler.rfind(' ') + 1) + "-gcc";
   // Simulates a later assembler, which rejects the output of changed_for_host().
   const fs::path later = write("Divides/bin/" + gcc,

@@ -1,4 +1,4 @@
-// Creates a folder for each test, and a cache that all tests share. The core is therefore compiled only once.
+// Creates a folder for each test. All tests share one cache, so the core is compiled only once.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ class SketchTest : public testing::Test {
     return build({folder_ / name, *find_board("uno"), "host", std::move(libraries)});
   }
 
-  /// Returns the message of a build's InputError.
+  /// Builds the sketch `name`. Returns the message of the InputError, or "no error".
   std::string error_of(const std::string& name, std::vector<std::filesystem::path> libraries = {}) const {
     try {
       build_here(name, std::move(libraries));

@@ -71,7 +71,7 @@ TEST_F(HostLibrariesTest, ALibraryMayKeepThePortsOfItsPins) {
   executor_->power_on(0);
   executor_->run_until(2 * kTick);
   ASSERT_EQ(edges.at.size(), 6u);
-  // From one write to the next, the read and the write take 2 cycles each.
+  // Each |= and &= reads and writes the register. Each access takes 2 cycles, so the edges are 250 ns apart.
   EXPECT_EQ(edges.at[1] - edges.at[0], 250);
   EXPECT_EQ(edges.at[3] - edges.at[2], 250);
 }
@@ -120,7 +120,7 @@ TEST_F(HostLibrariesTest, ALibraryForAvrsAloneIsCompiledAsForOne) {
   EXPECT_EQ(
       run_with_libraries("#include <Ticks.h>\nvoid show() { begin(); delay(20); Serial.println(ticks); }\n" +
                          std::string(kWithSerial)),
-      "21\n");  // the first interrupt is pending from init()'s PWM, as on the chip
+      "21\n");  // init()'s PWM has already set the first interrupt's flag, as on the chip
 }
 
 TEST_F(HostLibrariesTest, AnErrorOfTheSketchIsToldAsWithoutLibraries) {
@@ -164,7 +164,7 @@ TEST_F(HostLibrariesTest, AnEncoderCountsByInterruptsAndByLooking) {
     executor_->power_on(0);
     for (int tick = 0; tick < 100; ++tick) {
       const SimTime t = tick * kTick;
-      // Ten quarters of a period forward, then four backward.
+      // The encoder turns by ten quarters of a period forward, then by four backward.
       const int quarter = tick < 10 ? 0 : tick < 20 ? tick - 10 : std::max(6, 30 - tick);
       const bool levels[2] = {(quarter + 1) % 4 >= 2, quarter % 4 >= 2};
       if (first.value != levels[0]) board.schedule_edge(static_cast<Pin>(a), levels[0], t);
@@ -193,7 +193,7 @@ TEST_F(HostLibrariesTest, AStripOfLedsGetsItsPulses) {
     const SimTime high = edges.at[i + 1] - edges.at[i];
     bits += high == 812 || high == 813 ? '1' : high == 312 || high == 313 ? '0' : '?';
   }
-  EXPECT_EQ(bits, "100000001010000000000000");  // green, red, blue
+  EXPECT_EQ(bits, "100000001010000000000000");  // eight bits each of green, red and blue
 }
 
 TEST_F(HostLibrariesTest, LongDelaysOfMicrosecondsWrapAsOnTheChip) {

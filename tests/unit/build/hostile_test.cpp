@@ -1,5 +1,5 @@
-// Tests folders that try to make compilers do more than compile. The sketch's author, who may not be the
-// user, chooses the names and contents of files.
+// Tests sketch folders that try to make compilers do more than compile. The names and contents of the files
+// come from the sketch's author, who may not be the user.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -41,7 +41,8 @@ class HostileTest : public SketchTest {
  protected:
   void SetUp() override { write("Pupil/Pupil.ino", kEmptySketch); }
 
-  /// Builds for a chip. Its compiler passes the names of sources on as options.
+  /// Builds a sketch for target avr. Returns the error message. Returns the expected messages if the AVR
+  /// compiler is missing.
   std::string error_on_avr(const std::string& name) const {
     if (!missing_tool("avr").empty()) return "begin with '@', begin with '-'";
     try {
@@ -151,7 +152,7 @@ TEST_F(HostileTest, WhatACompilerLeavesRunningChangesNothingThatIsStored) {
   const Cache cache(folder_ / "cache");
   const fs::path made = write("made.o", "as it was");
   const Entry stored = cache.store("key", {}, read_made(made), "made.o", {}, {});
-  std::ofstream(made) << "as it is now";  // written by a program that still has the file open
+  std::ofstream(made) << "as it is now";  // as by a program that still has the file open
   EXPECT_EQ(read_file(stored.result), "as it was");
 }
 
@@ -194,7 +195,7 @@ TEST_F(HostileTest, NoCompilerChangesWhatItIsGivenFromTheCacheOrReadsMore) {
 }
 
 TEST_F(HostileTest, FlagsThatReadAlikeAreNotTheSameKey) {
-  // Equal keys would also harm the core, which all sketches share and whose key has the same form.
+  // Equal cache keys would also harm other sketches: all share the core, whose key has the same form.
   write("Pupil/Pupil.ino",
         "#ifdef B\nint b;\n#endif\nvoid setup() {\n#ifdef B\n  B();\n#endif\n}\nvoid loop() {}\n");
   Request request{folder_ / "Pupil", *find_board("uno")};
@@ -223,7 +224,7 @@ TEST_F(HostileTest, ANumberInAMessageMayBeTooLargeForOne) {
         "#line 1 \"a\\nb.c:99999999999999999999:1: fatal error: y.h: No such file or directory\"\nint x = ;",
         "asm(\".error \\\"b.c:99999999999999999999: Error: x\\\"\");"}) {
     write("Pupil/Pupil.ino", std::string(line) + "\n" + kEmptySketch);
-    EXPECT_NE(error_of("Pupil"), "no error") << line;  // and no other exception is thrown
+    EXPECT_NE(error_of("Pupil"), "no error") << line;  // a number that is too large throws no other exception
   }
 }
 
@@ -236,7 +237,7 @@ TEST_F(HostileTest, NoSketchMakesItselfAFaultOfTheMachine) {
   EXPECT_THAT(error_of("Pupil"), HasSubstr("Pupil.ino:1:"));
 }
 
-/// Returns whether `work` takes at most 10 s of processor time. Linear-time work takes 1 s.
+/// Returns whether `work` takes at most 10 s of processor time. In linear time, it takes about 1 s.
 bool ends_soon(const std::function<void()>& work) {
   return Child([&] {
            const rlimit most{10, 10};
@@ -324,8 +325,8 @@ TEST_F(HostileTest, APrecompiledHeaderIsNotLoaded) {
 }
 
 TEST_F(HostileTest, AWorkingPrecompiledHeaderIsNotLoadedEither) {
-  // gcc loads a precompiled header if all options match those it was compiled with. Here all match, except
-  // the first include.
+  // gcc loads a precompiled header only if all options equal those that compiled the header. Here only the
+  // option -include differs.
   const auto compiles_with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words = {find_program("g++").string(), "-c", "-o", (folder_ / "x.o").string()};
     words.insert(words.end(), more.begin(), more.end());
@@ -357,7 +358,7 @@ TEST_F(HostileTest, TheTimeOfABuildOrAFileIsNotInIt) {
     const Image image = build({folder_ / "Pupil", *find_board("uno"), target});
     for (const char* name : {"Pupil/Pupil.ino", "Pupil/x.cpp", "Pupil/y.c"})
       fs::last_write_time(folder_ / name, fs::file_time_type::clock::now() - std::chrono::hours(1000));
-    write("Pupil/y.c", read_file(folder_ / "Pupil/y.c") + "\n");  // changes the key
+    write("Pupil/y.c", read_file(folder_ / "Pupil/y.c") + "\n");  // changes the cache key
     EXPECT_EQ(build({folder_ / "Pupil", *find_board("uno"), target}).image_sha256, image.image_sha256)
         << target;
   }

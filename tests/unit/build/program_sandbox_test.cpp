@@ -1,4 +1,5 @@
-// Tests the compiler's sandbox: a source of an untrusted sketch cannot read files outside of its folder.
+// Tests the compiler's sandbox: an untrusted sketch cannot make the compiler read files outside of the
+// sketch's folder.
 #include "sim/base/program_sandbox.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-// Tests that sketches of one project share code in folders next to them. An untrusted sketch cannot read
-// outside of its folder.
+// Tests that sketches of one project can include code from folders next to them. An untrusted sketch can
+// include only files of its own folder.
 #include "sim/build/project.h"
 
 #include <gmock/gmock.h>

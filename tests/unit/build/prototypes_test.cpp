@@ -12,7 +12,7 @@ using testing::Not;
 
 class PrototypesTest : public SketchTest {
  protected:
-  /// Returns the joined source after adding prototypes. `code` is the lines of X.ino.
+  /// Adds prototypes to a joined source that consists of `code`, the lines of X.ino.
   std::string with_prototypes(const std::string& code) const {
     const std::string joined = "#include <Arduino.h>\n#line 1 \"X.ino\"\n" + code;
     return add_prototypes(joined, "# 1 \"Arduino.h\" 1\nvoid pinMode(int) {}\n# 1 \"X.ino\" 2\n" + code,

@@ -1,4 +1,4 @@
-// Compiles and runs sketches on a board that has only voltages on its analog pins.
+// Compiles sketches and runs them on a board without a robot. Constant voltages are on its analog pins.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ struct ConstantVolts final : PinSource {
 
 class RunTest : public SketchTest {
  protected:
-  /// Runs a sketch of the folder `sketches`. Returns its serial output.
+  /// Runs the sketch `name` of the folder `sketches`. Returns its serial output.
   std::string run_sketch(const std::string& name, SimTime duration = 200 * kMillisecond) {
     return run_image(build({std::filesystem::path(SKETCHES) / name, board_}).image, duration);
   }

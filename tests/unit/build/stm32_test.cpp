@@ -1,4 +1,4 @@
-// Tests compiling sketches for the Blue Pill. The tests are skipped if the chip's tools are missing: see
+// Tests compiling sketches for the Blue Pill. The tests are skipped if the ARM compiler is missing: see
 // require_target.h.
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-// Tests invalid logs and stopwatch files: each gets one message, with the file and usually the line.
+// Tests invalid logs and stopwatch files: each causes one message with the file's name and usually the line.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -163,7 +163,8 @@ TEST(BadStopwatchFiles, AreAnsweredWithPlaceAndReason) {
 }
 
 TEST(Logs, BeginWhereTheBoardBeganLast) {
-  // A board resets when the monitor opens its port, and Arduino's monitor can print a time before each line.
+  // A board resets when the serial monitor opens its port, so its output starts again. Arduino's monitor can
+  // also print a time before each line.
   const std::string start = "# robosim calibration log\n";
   EXPECT_EQ(answer({start + "t_us,S1\n0,1\n50" + "\n" + start + sweep()}), "");
   std::string stamped;

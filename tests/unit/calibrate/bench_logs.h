@@ -1,4 +1,4 @@
-// Makes logs of a robot for tests, as its sketch would print them.
+// Generates logs for tests, as a robot's calibration sketch would print them.
 #pragma once
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ pins = { a = 3 }
 periods = 150
 )";
 
-/// A sensor that passes a 19 mm tape every second at 100 mm/s, with a footprint of 4 mm.
+/// A sensor with a footprint of 4 mm that passes a 19 mm tape every second, at 100 mm/s.
 struct Eye {
   int floor = 100, tape = 900;
   double first_s = 0.5, last_s = 6.0;  ///< time of the first and last passage
@@ -73,7 +73,7 @@ inline std::string sweep(const Eye& eye = {}, const std::string& name = "S1", in
   return text;
 }
 
-/// Returns the sweep with encoder counts: `per_second` on each wheel, the left wheel backward.
+/// Returns a sweep with encoder counts: each wheel makes `per_second`, and the left wheel turns backward.
 inline std::string counted_sweep(double per_second) {
   std::string text = "# counts_per_period = 2\nt_us,count_left,count_right,S1\n";
   for (int i = 0; i < 1200; ++i) {
@@ -83,7 +83,7 @@ inline std::string counted_sweep(double per_second) {
   return text;
 }
 
-/// Returns a drive whose wheels make `left` and `right` counts per second while powered.
+/// Returns the log of a drive at PWM value `told`. The wheels make `left` and `right` counts per second.
 inline std::string drive(int told, double left, double right,
                          const char* head = "# counts_per_period = 2\n") {
   std::string text = std::string(head) + "t_us,left,right,count_left,count_right\n";

@@ -1,4 +1,4 @@
-// Tests that parameters are inserted into a robot file without other changes of its text.
+// Tests that inserting parameters into a robot file leaves the rest of its text unchanged.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests that fast walks, which call no watcher, equal walks that call a watcher after each move.
+// Tests that fast walks, which do not call a watcher, equal walks that call a watcher after each move.
 #include "sim/cells/quick.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using grid::Cell;
 using grid::CellAt;
 using grid::Direction;
 
-/// Is called after each move, and does nothing.
+/// A watcher that does nothing when a walk calls it.
 class Asks final : public MoveWatcher {
  public:
   void moved(const CellPose&, Sense, Move, double) override {}
@@ -37,7 +37,7 @@ class Dice {
   std::uint64_t next_ = 0;
 };
 
-// Returns a map of random cells of all kinds, which seldom form lines.
+// Returns a map of random cells of all kinds. The line cells seldom form lines.
 grid::Map jumble(Dice& dice) {
   grid::Map map;
   map.width = 2 + static_cast<int>(dice.below(9));
@@ -180,8 +180,8 @@ TEST(Quick, AScanAndDrivesEndAsWatchedOnes) {
   EXPECT_GT(arrived, test::rounds(500));
 }
 
-// Scans one long line with a dead end at every second cell. The route back has more lines than a walker
-// stores.
+// Scans one long line with a dead end at every second cell. The route back has more line sections than a
+// walker can store.
 TEST(Quick, AScanDeeperThanTheWalkersMemoryEndsAsAWatchedOne) {
   constexpr int kWidth = 1001, kRows = test::rounds(150);
   grid::Map map;

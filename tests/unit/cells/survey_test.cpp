@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 
 grid::Map drawn(const std::string& rows) { return grid::parse_map(rows, "drawn.map"); }
 
-// A survey of a map from a start: "X,Y,DIR", or the map's default.
+// A survey of a map. `from` is the start, as "X,Y,DIR"; if it is empty, the map's default start is used.
 struct Surveyed {
   grid::Map map;
   grid::Start start;
@@ -71,7 +71,7 @@ class EdgeCounter final : public MoveWatcher {
   int most_ = 0;
 };
 
-// Returns a start on a map: its default, or any line cell with any heading.
+// Returns the map's default start for every third `n`; otherwise any line cell with any heading.
 grid::Start somewhere(const grid::Map& map, std::uint64_t n) {
   if (n % 3 == 0) return grid::default_start(map);
   std::vector<grid::CellAt> line;
@@ -188,7 +188,7 @@ TEST(SurveyTest, AnObstacleRightBesideAJunctionCostsNoMove) {
   EXPECT_EQ(s.graph().junctions[0].arms.size(), 4u);
 }
 
-// Tests the maps on which the original crashed or never ended. Its description lists them in the last table.
+// Tests the maps on which Robosim v1 crashed or never ended. The last table of v1's description lists them.
 TEST(WhereTheOriginalFailed, ALineWithoutJunctionsHasTwoStations) {
   for (const char* start :
        {"0,1,E", "0,1,W", "0,1,N", "2,1,E", "2,1,W", "2,1,N", "2,1,S", "4,1,W", "4,1,E"}) {
@@ -242,7 +242,7 @@ TEST(WhereTheOriginalFailed, AStartOnAJunctionIsAsGoodAsAnyOther) {
 }
 
 TEST(WhereTheOriginalFailed, JunctionsMayBeNestedDeeperThanAHundred) {
-  // A line with a dead end at every other cell: the scan meets 300 junctions, one after another.
+  // On a line with a dead end at every other cell, the scan meets 300 junctions in a row.
   std::string tooth, spine;
   for (int i = 0; i < 300; ++i) {
     tooth += "01";

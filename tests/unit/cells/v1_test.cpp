@@ -1,4 +1,4 @@
-// Tests the cell engine against a simple re-implementation of the original, move for move.
+// Compares the cell engine, move for move, with a simple re-implementation of Robosim v1.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ class Tape final : public MoveWatcher {
   std::vector<std::string> moves;
 };
 
-// Returns a tree. With `walls`, some of its dead ends touch a wall.
+// Returns a map whose lines form a tree. With `walls`, some dead ends touch a wall.
 grid::Map tree(int stations, std::uint64_t seed, bool walls) {
   grid::Map map = grid::generate(grid::Family::tree, stations, seed);
   if (!walls) return map;

@@ -1,4 +1,5 @@
-// Tests help, manual pages and completion: their single source, and facts on which readers rely.
+// Tests help texts, manual pages and shell completion: all have one source, and contain the facts on which
+// readers rely.
 #include "sim/cli/help.h"
 
 #include <gmock/gmock.h>
@@ -97,8 +98,8 @@ TEST(Help, FitsInEightyColumns) {
   }
 }
 
-/// Returns whether a line depends on the line above it. Other lines begin with a verb in the imperative. The
-/// test checks only that they begin in lower case, and not with one of these words.
+/// Returns whether a line seems to depend on the line above it. An independent line begins with a verb in the
+/// imperative; this function only checks that it begins in lower case and not with one of these words.
 bool leans_on_others(const std::string& text) {
   for (const char* word : {"of ", "the ", "a ", "as ", "is ", "that ", "with ", "for ", "where ", "which ",
                            "what ", "how ", "file", "folder", "default", "if ", "name,"})

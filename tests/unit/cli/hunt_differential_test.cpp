@@ -211,7 +211,7 @@ TEST(TestCase, OfAFamilyGoOnOnAChipFromOneMoment) {
     EXPECT_EQ(test_case.family, test_cases.back().family);
     EXPECT_NE(space.builds[test_case.build].target, "host");
     EXPECT_EQ(test_case.branch_point.at_ms, 30000);
-    // The branch appends its stimulus, although the second stimulus is later.
+    // The branch at 30 s appends its stimulus at the end, although the second stimulus comes later, at 40 s.
     ASSERT_EQ(test_case.stimuli.size(), 3U);
     EXPECT_TRUE(
         std::equal(at.test_case.stimuli.begin(), at.test_case.stimuli.end(), test_case.stimuli.begin()));
@@ -340,7 +340,7 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
           << "a power cut splits a text at another byte";
     const TestCase differential = counterpart_of(test_case, space);
     if (test_case.differential == Differential::clock) {
-      // The clock is past a sketch's own times, and does not wrap at 32 bits within six minutes.
+      // The counterpart's clock is later than a sketch's own durations, and earlier than the wrap at 32 bits.
       EXPECT_GE(differential.clock_ms, kPast_ms);
       EXPECT_LT(differential.clock_ms, test_case.clock_ms);
       EXPECT_TRUE(differential.clock_ms == kPast_ms ||

@@ -1,4 +1,4 @@
-// Tests the input of `robosim report`, and the page that it writes.
+// Tests how `robosim report` reads its input files, and the page that it writes.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -44,7 +44,7 @@ class SourceTextTest : public ::testing::Test {
  protected:
   SourceTextTest() { write_file(folder_.path() / "My.ino", kSketch); }
 
-  /// Returns the texts and lines that explain() adds to a chain of these lines.
+  /// Returns the texts and lines that explain() adds to a chain with one cause, which has these lines.
   std::vector<std::pair<std::string, std::vector<int>>> added_to(std::vector<int> lines) {
     SourceText source({folder_.path()});
     wire::Cause cause{0.0, "in loop()", {}};
@@ -62,7 +62,7 @@ class SourceTextTest : public ::testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  std::vector<int> left_;  ///< remaining lines of the original chain
+  std::vector<int> left_;  ///< lines of that cause after explain()
 };
 
 using Link = std::pair<std::string, std::vector<int>>;

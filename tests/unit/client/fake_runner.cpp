@@ -1,10 +1,10 @@
-// A runner that plays back a file, and replaces robosim-host in tests. It is started through a link; the file
-// to play is the link's name plus ".play". Each line is sent unchanged, except for these:
+// Replaces robosim-host in tests, and plays back a file. Tests start this program through a symbolic link.
+// The file's name is the link's name plus ".play". Each line is sent unchanged, except for these commands:
 //   !wait          reads one request
 //   !signal N      ends itself with signal N
 //   !exit N        ends with status N
 //   !interrupt     waits until SIGINT arrives
-//   !echo          sends a note that quotes the last request's "image"
+//   !echo          sends a note that quotes the last request
 //   !flood N       sends N samples
 #include <signal.h>
 #include <unistd.h>
@@ -30,7 +30,7 @@ int main(int, char** arguments) {
       if (!std::getline(std::cin, request)) return 0;
     } else if (line.rfind("!signal", 0) == 0) {
       std::cout.flush();
-      signal(argument(), SIG_DFL);  // a sanitizer would turn the signal into an exit
+      signal(argument(), SIG_DFL);  // a sanitizer's handler would turn the signal into an exit
       raise(argument());
     } else if (line.rfind("!exit", 0) == 0) {
       return argument();

@@ -1,10 +1,10 @@
-// A runner that obeys a request's "image", and replaces robosim-host in tests of the pool.
+// Replaces robosim-host in tests of the pool. A request's "image" tells this program what to do:
 //   die          ends itself
 //   never        does not answer
 //   input        answers with an error of kind "input"
 //   slow         sends many lines before it answers
-//   any other    answers with this verdict
-// The runner also ends itself if a run's start is requested, because a pool only waits for results.
+//   any other    answers with this word as the verdict
+// The program also ends itself if a request has "started": true, because a pool only waits for results.
 #include <unistd.h>
 
 #include <iostream>

@@ -29,7 +29,7 @@ std::string result(int id, const char* verdict) {
 "trace_hash": "1:0", "map_sha256": "", "robot_sha256": "", "image_sha256": ""}})";
 }
 
-/// Starts the fake runner with `play` as its file.
+/// Starts the fake runner (fake_runner.cpp), which plays back the text `play`.
 class RunnerTest : public ::testing::Test {
  protected:
   RunnerTest() {
@@ -39,7 +39,7 @@ class RunnerTest : public ::testing::Test {
   ~RunnerTest() override { fs::remove_all(folder_); }
 
   std::string program(std::string play) {
-    // Joins lines that are broken only in the source.
+    // Joins the lines of a message that are wrapped only in this source file.
     std::string::size_type at = 0;
     while ((at = play.find(",\n", at)) != std::string::npos) play.replace(at, 2, ", ");
     const fs::path path = folder_ / "fake";
@@ -187,7 +187,7 @@ TEST_F(RunnerTest, WhatTheCallbackThrowsPassesThroughAndEndsTheRunner) {
 }
 
 TEST_F(RunnerTest, ARunnerThatStopsListeningDoesNotHoldUpItsEnd) {
-  { Runner r = runner(kHello + std::string("!interrupt\n")); }  // never reads requests, so it is killed
+  { Runner r = runner(kHello + std::string("!interrupt\n")); }  // never reads a request, so it is killed
   expect_no_children();
 }
 

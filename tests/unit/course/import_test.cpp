@@ -18,7 +18,7 @@ namespace import_test {
 using ::testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
-// Rounding of the written values: a few micrometres over a course.
+// The tolerance in metres: the rounding of written values adds up to a few micrometres over a course.
 constexpr double kRounding = 1e-5;
 
 grid::Map import(const std::string& text) { return import_course(text, "course.txt", "course").map; }
@@ -50,7 +50,7 @@ TEST(ImportRobotrace, TwoCirclesOfOneSenseAreAnOval) {
   EXPECT_NEAR(found.smallest_radius_m, 0.4, kRounding);
   EXPECT_TRUE(map.light_line);
   EXPECT_NEAR(map.line_m, 0.019, 1e-12);
-  // Four changes of curvature, the start and the goal.
+  // The marks are at four changes of curvature, the start and the goal.
   ASSERT_EQ(map.course.marks.size(), 6u);
   EXPECT_NEAR(map.course.marks[5].along, found.length_m - 1.0, kRounding);
   EXPECT_LT(map.course.marks[5].away, 0.0);
@@ -60,7 +60,7 @@ TEST(ImportRobotrace, TwoCirclesOfOneSenseAreAnOval) {
   EXPECT_NEAR(map.course.race->goal, found.length_m - 1.0, kRounding);
   ASSERT_TRUE(map.start && map.start->on_path);
   EXPECT_NEAR(map.start->on_path->along, found.length_m - 0.5, kRounding);
-  // The margin is 20 cm to each edge.
+  // The margin between the line and each edge of the map is 20 cm.
   EXPECT_NEAR(map.width * map.cell_m, 2.8 + 0.4, 0.1001);
   EXPECT_NEAR(map.height * map.cell_m, 0.8 + 0.4, 0.1001);
 }
@@ -99,7 +99,7 @@ TEST(ImportCurvature, SegmentsAreStraightsAndArcsAndTheWayFromGoalToStartIsAdded
   EXPECT_TRUE(found.is_closed);
   EXPECT_NEAR(found.length_m, 4.0 + kPi, kRounding);
   EXPECT_NEAR(found.smallest_radius_m, 0.5, 1e-12);
-  // Checks the same without a heading line.
+  // A file without a heading line is valid, too.
   EXPECT_NEAR(survey(import("1.0, 0\n0.5, -1.0\n")).length_m, 1.5, kRounding);
 }
 
@@ -121,7 +121,7 @@ TEST(ImportPoints, ACircleOfManyPointsStaysWithinAThirdOfAMillimetre) {
   EXPECT_LT(grid::write_map(map).size(), 20'000u);
 }
 
-// A maze of 3 x 3 cells: a passage around two enclosed cells, one of which is the goal.
+// A maze of 3 x 3 cells: a passage leads around two enclosed cells, one of which is the goal.
 constexpr const char* kMaze =
     "o---o---o---o\n"
     "|           |\n"
@@ -135,7 +135,7 @@ TEST(ImportMaze, PassagesBecomeLines) {
   const grid::Map map = import(kMaze);
   ASSERT_TRUE(map.start);
   const grid::Network network = grid::trace_network(map, *map.start);
-  // The stations are the horseshoe's two ends. The goal and the cell below it are not connected to them.
+  // The stations are the passage's two ends. The goal and the cell below the goal are unreachable from there.
   EXPECT_EQ(network.stations.size(), 2u);
   EXPECT_EQ(network.unreachable.size(), 2u);
   const grid::Map crlf = import([] {
@@ -206,7 +206,7 @@ TEST(Import, WhatIsNoCourseIsRefusedWithAReason) {
   }
 }
 
-// With + as posts, the first line could be mistaken for numbers.
+// The posts are "+" here, so the first line could be mistaken for numbers.
 constexpr const char* kPlusMaze =
     "+---+---+---+\n"
     "|       |   |\n"
@@ -236,7 +236,7 @@ TEST(Maze, WithItsWallsHasThemAsThickAsASixteenthOfACellAndItsLinesAreNotPainted
     for (const grid::CellAt edge :
          {grid::CellAt{i, 0}, grid::CellAt{i, 48}, grid::CellAt{0, i}, grid::CellAt{48, i}})
       EXPECT_EQ(map.at(edge), grid::Cell::wall) << i;
-  // Checks the gap to the north of the start, and the wall to the start's right.
+  // Checks the gap to the north of the start cell, and the wall to the right of the start cell.
   EXPECT_EQ(map.at({8, 24}), grid::Cell::gap);
   EXPECT_EQ(map.at({16, 40}), grid::Cell::wall);
   EXPECT_EQ(map.at({16, 8}), grid::Cell::gap) << "between the two upper left cells";
@@ -246,8 +246,8 @@ TEST(Maze, WithItsWallsHasThemAsThickAsASixteenthOfACellAndItsLinesAreNotPainted
     lines += cell == grid::Cell::line;
   }
   EXPECT_EQ(lines, 0) << "nothing is painted";
-  // The walls around the maze, and five walls between cells: two up from the lower edge, two to the right in
-  // the middle, and one down from the upper edge.
+  // Counts the walls around the maze, and five walls between cells: two up from the lower edge, two to the
+  // right in the middle, and one down from the upper edge.
   EXPECT_EQ(walls, 4 * 48 + 31 + 32 + 16);
   EXPECT_NO_THROW(grid::parse_map(grid::write_map(map), "again.map"));
   EXPECT_THAT(message_of("0 0\n1 0\n", 0.18), HasSubstr("walls require a maze"));
@@ -282,7 +282,7 @@ TEST(ImportRescue, AStraightAGapAndTheExitAreOneWay) {
                                       "", 3, 1));
   ASSERT_EQ(map.course.paths.size(), 1u);
   const grid::Path& path = map.course.paths[0];
-  EXPECT_NEAR(path.length(), 0.3 + 0.3 + 0.15, kRounding);  // the line ends at the bar inside the exit
+  EXPECT_NEAR(path.length(), 0.3 + 0.3 + 0.15, kRounding);  // the line ends at the bar in the exit tile
   double gap = 0.0;
   for (const grid::PathPiece& piece : path.pieces()) gap += piece.is_gap ? piece.length : 0.0;
   EXPECT_NEAR(gap, 0.05, kRounding);
@@ -322,7 +322,7 @@ TEST(ImportRescue, AtAnIntersectionTheWayTurnsAsTheGreensSayAndTheOtherArmsStay)
   const std::string to_the_right = rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kPlus) + "," +
                                    rescue_tile(2, 0, 0, kStraight);
   const grid::Map map = import(rescue(to_the_right));
-  ASSERT_EQ(map.course.paths.size(), 3u);  // the others are the arms up and down
+  ASSERT_EQ(map.course.paths.size(), 3u);  // paths 1 and 2 are the arms up and down
   EXPECT_NEAR(map.course.paths[0].length(), 0.9, kRounding);
   EXPECT_NEAR(map.course.paths[1].length(), 0.15, kRounding);
   ASSERT_EQ(map.course.areas.size(), 1u);
@@ -351,7 +351,7 @@ TEST(ImportRescue, TheWayGoesOnBehindTheEvacuationZone) {
   ASSERT_EQ(imported.map.course.areas.size(), 2u);
   EXPECT_EQ(imported.map.course.areas[0].colour.hue, grid::Hue::silver);
   ASSERT_EQ(imported.remarks.size(), 2u);
-  EXPECT_THAT(imported.remarks[0], HasSubstr("so the map has no goal"));  // a path needs more than one tile
+  EXPECT_THAT(imported.remarks[0], HasSubstr("so the map has no goal"));  // a goal requires a second tile
   EXPECT_THAT(imported.remarks[1], HasSubstr("2 tiles of the evacuation zone"));
 }
 
@@ -370,7 +370,7 @@ TEST(ImportRescue, WhatAMapCannotHoldIsSaid) {
   EXPECT_EQ(imported.map.at({3 + 3 + 1, 3 + 1}), grid::Cell::wall);
 }
 
-// Each tile is in the middle of four straight tiles, and is entered from a tile that is connected to it.
+// Each tile is in the middle of four straight tiles, and is entered from each of these in turn.
 TEST(ImportRescue, EveryTileLeadsFromOneSideToAnotherHoweverItIsTurned) {
   for (const TileKind& kind : rescue_tiles()) {
     for (const int rot : {0, 90, 180, 270}) {

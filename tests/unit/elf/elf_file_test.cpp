@@ -21,8 +21,8 @@ constexpr char kNames[] = "\0loop\0speed\0limit\0main.c\0outside\0.symtab\0.strt
 constexpr std::uint32_t kLoop = 1, kSpeed = 6, kLimit = 12, kMainC = 18, kOutside = 25;
 constexpr char kCode[] = "CODE";
 
-/// A program for an AVR: a header, one segment, four bytes of code, and the sections .text, .bss, .symtab and
-/// .strtab.
+/// A program for an AVR: a header, two segments, four bytes of code, and sections for code, zeroed data,
+/// symbols and names.
 struct Program {
   Elf32_Ehdr header{};
   Elf32_Phdr segments[2]{};
@@ -64,7 +64,7 @@ struct Program {
   std::string bytes() const { return {reinterpret_cast<const char*>(this), sizeof *this}; }
 };
 
-/// Reads the whole file. Returns the number of elements found, or the error message.
+/// Reads all sections, segments and symbols. Returns the sum of counts and sizes, or the error message.
 std::string read_all(const std::string& bytes) {
   try {
     const ElfFile file(bytes, "x.elf");

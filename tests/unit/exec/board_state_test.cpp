@@ -23,7 +23,7 @@ PinDrive pull_up() {
 
 class BoardStateTest : public testing::Test {
  protected:
-  /// Returns the pins (or 100 + byte) of all inputs up to `until`, in order.
+  /// Returns all inputs up to `until`, in order: an edge as its pin, and a received byte as 100 + byte.
   std::vector<int> inputs(SimTime until) {
     std::vector<int> result;
     BoardInput input;

@@ -1,4 +1,4 @@
-// Tests that timer 1 captures the times of edges of pin 8. The expected values are the chip's.
+// Tests that timer 1 captures the times of edges at pin 8. The expected values are those of the ATmega328P.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -34,7 +34,7 @@ void loop() {
   TIMSK1 = served = 0;
 })");
   run(10 * kMillisecond);
-  // 1 ms high, 2 ms low: 2000 and 4000 ticks of half a microsecond, whatever the sketch does in the meantime.
+  // The pin is high for 1 ms, then low for 2 ms: 2000 and 4000 timer ticks of half a microsecond.
   for (int i = 0; i < 7; ++i)
     board().schedule_edge(8, i % 2 == 0, now_ + (i / 2 * 3 + i % 2) * kMillisecond + 300 * kMicrosecond);
   run(40 * kMillisecond);

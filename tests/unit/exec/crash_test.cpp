@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 class CrashTest : public HostTest {
  protected:
-  /// Returns the crash of a sketch whose setup() calls `faulty()`, which is on line 2.
+  /// Returns the crash of a sketch whose setup() executes `call`. `line_2` is the sketch's second line.
   Crash crash(const std::string& line_2, const std::string& call = "faulty();") {
     start("volatile int zero, n;\n" + line_2 + "\nvoid setup() {\n  delay(5);\n  " + call +
           "\n}\nvoid loop() {}\n");
@@ -48,7 +48,7 @@ TEST_F(CrashTest, DeepRecursion) {
 TEST_F(CrashTest, AWildPointer) {
 #if defined(__x86_64__)
   const char* const reason = "wild pointer";
-#else  // these processors report any address
+#else  // other processors also report an address that is not canonical
   const char* const reason = "of address 0x";
 #endif
   expect(crash("void faulty() { *(volatile char*)0x123456789ABCDEFull = 1; }"), reason, "faulty", 2);
@@ -63,7 +63,7 @@ TEST_F(CrashTest, InsideALibraryFunctionTheSketchsLineIsNamed) {
          "faulty", 2);
 }
 
-// The sketch overwrites a pointer of the executor, as a write past the end of an array might.
+// The sketch overwrites a pointer of the executor. A write past the end of an array might do the same.
 TEST_F(CrashTest, InTheExecutorWhereTheSketchHasSpoiltWhatItIsCalledWith) {
 #ifdef ROBOSIM_ASAN
   GTEST_SKIP() << "the sanitizers of Robosim itself end the process first";
@@ -74,7 +74,7 @@ TEST_F(CrashTest, InTheExecutorWhereTheSketchHasSpoiltWhatItIsCalledWith) {
       "faulty() "
       "{ fake[0] = *(void**)robosim::host::board; robosim::host::board = (robosim::FirmwarePort*)fake; "
       "digitalWrite(13, HIGH); ++n; }");
-  // The kind of crash depends on the processor.
+  // The reported reason depends on the processor.
   EXPECT_NE(found.reason, "none");
   expect(found, "", "faulty", 2);
 }
@@ -144,7 +144,7 @@ TEST_F(CrashTest, ManyCrashesLeaveNothingBehind) {
   }
 }
 
-// The sketch determines the content of the file that addr2line reads.
+// An untrusted sketch controls the content of the image file, so addr2line runs in a sandbox.
 TEST_F(CrashTest, TheProgramThatLooksUpLinesSeesNothingButTheImage) {
   if (!ProgramSandbox::missing().empty()) GTEST_SKIP() << ProgramSandbox::missing();
   const std::string image = build("void setup() {}\nvoid loop() {}\n").string();

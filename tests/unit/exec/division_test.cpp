@@ -1,5 +1,5 @@
-// Tests divisions without a result: a sketch on the host continues with the result of its chip
-// (sim/build/division.h). tests/system/targets_test.cpp compares these results with the emulated AVR.
+// Tests divisions by zero and overflows: a sketch on the host continues with the result that its chip would
+// compute (sim/build/division.h). tests/system/targets_test.cpp compares the results with the emulated AVR.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -9,7 +9,7 @@ using testing::ElementsAre;
 
 class DivisionTest : public HostTest {
  protected:
-  /// Returns quotient and remainder of `dividend` by `divisor` in `type`, as that type's bits.
+  /// Returns the quotient and the remainder of `dividend` / `divisor`, as a sketch computes them in `type`.
   std::vector<long long> divided(const std::string& type, const std::string& dividend,
                                  const std::string& divisor = "0") {
     serial_.clear();
@@ -30,7 +30,7 @@ TEST_F(DivisionTest, ByZeroGivesAllOnesAndTheDividendAsAnAvrDoes) {
     EXPECT_THAT(divided(type, "-10"), ElementsAre(1, -10)) << type;
   }
   EXPECT_THAT(divided("uint8_t", "10"), ElementsAre(255, 10));
-#if !defined(__aarch64__)  // see sim/build/division.h
+#if !defined(__aarch64__)  // sim/build/division.h explains this exception
   EXPECT_THAT(divided("uint16_t", "10"), ElementsAre(65535, 10));
 #endif
   EXPECT_THAT(divided("uint32_t", "10"), ElementsAre(4294967295, 10));

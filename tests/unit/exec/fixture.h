@@ -39,7 +39,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
     return build::build(request).image;
   }
 
-  /// Builds `text`, creates an executor for it, and switches it on at `t`.
+  /// Builds `text`, creates an executor for the image, and switches the board on at time `t`.
   void start(const std::string& text, SimTime t = 0) {
     host_ = std::make_unique<HostExecutor>(*find_board(board_name_), build(text));
     host_->set_lateness(lateness_);
@@ -51,7 +51,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
 
   RobotPort& board() { return host_->board(); }
 
-  /// Runs tick by tick for `duration`.
+  /// Runs the board tick by tick for `duration`.
   void run(SimTime duration) {
     for (const SimTime end = now_ + duration; now_ < end;) host_->run_until(now_ += kTick);
   }
@@ -71,7 +71,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
     return result;
   }
 
-  /// Returns when `pin` changed, beginning with the first change to an output.
+  /// Returns the times at which `pin` changed, beginning with the first change to an output.
   std::vector<SimTime> changes(Pin pin) const {
     std::vector<SimTime> times;
     for (const PinEvent& event : pins_)
@@ -96,7 +96,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
   std::vector<PinEvent> pins_;
 };
 
-/// A constant voltage; high from 2.5 V.
+/// A constant voltage, which reads as high from 2.5 V.
 class FixedSource : public PinSource {
  public:
   explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}
@@ -117,7 +117,7 @@ class FixedSource : public PinSource {
   double volts_, ohms_;
 };
 
-/// High during [begin, end).
+/// A source that is high from `begin` up to, but not including, `end`.
 class Pulse : public PinSource {
  public:
   Pulse(SimTime begin, SimTime end) : begin_(begin), end_(end) {}

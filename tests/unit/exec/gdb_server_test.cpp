@@ -61,7 +61,7 @@ struct Past final : History {
 
 class GdbServer : public testing::Test {
  protected:
-  /// Sends these packets and then "continue". The processor is halted until then. Returns the replies.
+  /// Sends these packets to the halted processor, followed by "continue". Returns the replies to the packets.
   std::vector<std::string> ask(const std::vector<std::string>& packets) {
     for (const std::string& packet : packets) gdb_.say(packet);
     gdb_.say("c");

@@ -7,7 +7,7 @@ using testing::ElementsAre;
 
 class InterruptsTest : public HostTest {
  protected:
-  /// Switches the board on and runs 10 ms, so that setup() has attached its handlers.
+  /// Switches the board on and runs it for 10 ms, so that setup() can attach its handlers.
   void prepare(const std::string& text) {
     start(text);
     run(10 * kMillisecond);
@@ -53,7 +53,7 @@ void setup() { Serial.begin(115200); attachInterrupt(0, tick, RISING); delay(5);
   EXPECT_THAT(numbers(), ElementsAre(0));
 }
 
-// The chip also remembers the edge (13.2.3, 13.2.5), because attachInterrupt() does not clear the flag.
+// The chip also remembers the edge: attachInterrupt() does not clear the flag (data sheet, 13.2.3, 13.2.5).
 TEST_F(InterruptsTest, AnEdgeBeforeTheInterruptIsEnabledIsRemembered) {
   prepare(R"(volatile int count;
 void tick() { ++count; }

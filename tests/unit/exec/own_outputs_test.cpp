@@ -1,4 +1,5 @@
-// Tests reads and interrupts of pins that the sketch drives itself. The expected values are the chip's.
+// Tests reads and interrupts of pins that the sketch drives itself. The expected values are those of the
+// ATmega328P.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -197,7 +198,7 @@ void loop() {})");
   run(510 * kMillisecond);
   for (int i = 0; i < 7; ++i) board().schedule_edge(5, i % 2 == 0, now_ + i * kMillisecond);
   run(60 * kMillisecond);
-  EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // the first interrupt is pending from init()'s PWM
+  EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // init()'s PWM has set the first interrupt's flag
 }
 
 }  // namespace own_outputs_test

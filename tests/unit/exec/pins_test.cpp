@@ -45,9 +45,9 @@ TEST_F(PinsTest, AnalogWriteOf0And255IsADigitalWrite) {
 }
 
 TEST_F(PinsTest, AnalogWriteOutOfRangeIsCutAsTheRegisterCutsIt) {
-  EXPECT_DOUBLE_EQ(after("analogWrite(5, 300);", 5).duty, 45.0 / 256);  // 300 & 255 = 44
+  EXPECT_DOUBLE_EQ(after("analogWrite(5, 300);", 5).duty, 45.0 / 256);  // the register holds 300 & 255 = 44
   EXPECT_DOUBLE_EQ(after("analogWrite(5, -1 - 5);", 5).duty, 251.0 / 256);
-  EXPECT_DOUBLE_EQ(after("analogWrite(9, 300);", 9).duty, 1.0);  // 16 bits, above TOP
+  EXPECT_DOUBLE_EQ(after("analogWrite(9, 300);", 9).duty, 1.0);  // the 16-bit register holds 300, above TOP
   EXPECT_DOUBLE_EQ(after("analogWrite(9, -6);", 9).duty, 1.0);
 }
 
@@ -206,7 +206,7 @@ TEST_F(PinsTest, PinsThatDoNotExistDoNoHarm) {
 }
 
 TEST_F(PinsTest, NumbersAreThoseOfTheChip) {
-  // Expects the values that a program built with gcc-avr 5.4 and avr-libc prints in simavr.
+  // The expected values are those that a build with gcc-avr 5.4 and avr-libc prints in simavr.
   output(R"(void setup() {
   Serial.begin(115200);
   randomSeed(42);
@@ -220,8 +220,9 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(894, 223, 9, 343, 826, 16807, -4, 2095673201, 0));
 }
 
-// Reads a pin with 4 V, then a pin with 1 V. A source of 1 MOhm leaves 24 to 43 % of the 3 V difference. The
-// next reading leaves the same share of the remainder. A source of 10 kOhm leaves nothing.
+// Reads a pin with 4 V, then a pin with 1 V. With a source of 1 MOhm, the reading is too high by 24 to 43 %
+// of the 3 V difference. Each further reading reduces the error by the same factor. A source of 10 kOhm
+// causes no error.
 TEST_F(PinsTest, AWeakSourceLeavesSomeOfTheChannelBeforeInAReading) {
   start(R"(void setup() {
   Serial.begin(115200);

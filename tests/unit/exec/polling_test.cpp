@@ -1,5 +1,5 @@
-// Tests that skipping firmware that only waits is not observable: its later actions and all reports are
-// equal.
+// Tests that skipping the waiting loops of firmware is not observable: later actions and all reports stay the
+// same.
 #include <fmt/format.h>
 
 #include "tests/unit/exec/fixture.h"
@@ -7,7 +7,8 @@
 namespace robosim::exec {
 namespace polling_test {
 
-/// A level that changes occasionally, and reports its next change. Each sample of its voltage differs.
+/// A source whose level changes every 7.3 ms, and which reports the time of its next change. Each sample of
+/// its voltage differs from the sample before.
 class Changing final : public PinSource {
  public:
   double volts(SimTime t) override { return (level(t) ? 4.0 : 0.0) + 0.01 * (++measured % 99); }
@@ -62,7 +63,7 @@ class Polling : public HostTest {
     return run;
   }
 
-  /// Runs a sketch with and without skipping, expects equal results, and returns one of them.
+  /// Runs a sketch with and without skipping, expects equal results, and returns the result.
   Run same(const std::string& text) {
     Run all = run_once(text, false), skipped = run_once(text, true);
     asked_ = {all.asked, skipped.asked};
@@ -130,7 +131,7 @@ TEST_F(Polling, OfAFlagThatATimerSets) {
       "void loop() { uint8_t before = ticks; while (ticks == before); digitalWrite(13, ticks & 1); }\n");
 }
 
-// Timer 0 overflows repeatedly in the meantime. Its handler delays the loop at any point of a round.
+// While the loop waits, timer 0 overflows repeatedly. Its handler delays the loop at any point of a round.
 TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   const std::string begin =
       "volatile bool flag, other; volatile uint8_t rounds; bool on;\n"
@@ -151,8 +152,7 @@ TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   }
 }
 
-// The converter starts by itself: each conversion begins when the firmware notices the end of the previous
-// one.
+// The ADC is free-running: a conversion begins when the firmware notices the end of the previous conversion.
 TEST_F(Polling, WhileTheConverterRunsFreely) {
   same(
       "unsigned long last, sum;\n"

@@ -1,4 +1,4 @@
-// Tests the Pro Minis on the host. Only their clock and supply differ, and both come from data.
+// Tests both Pro Minis on the host. They differ only in their clock and supply, which are board data.
 #include "tests/support/clock_sketch.h"
 #include "tests/unit/exec/fixture.h"
 

@@ -1,4 +1,4 @@
-// Tests registers other than those of timers and pins. The expected values are the chip's.
+// Tests registers other than those of timers and pins. The expected values are those of the ATmega328P.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -165,7 +165,8 @@ void loop() {})"),
             "125");
 }
 
-// The loop empties the receiver. The other statements clear SPIF and unlock the ADC's result.
+// Reads of UDR0 empty the receiver. Reads of SPSR and SPDR clear SPIF. A read of ADCH unlocks the ADC's
+// result.
 TEST_F(Registers, ARegisterThatIsAStatementIsRead) {
   start(R"(int drained;
 void setup() {
@@ -228,7 +229,7 @@ void loop() {})");
   EXPECT_EQ(serial_, "97\r\n98\r\n100\r\nxy121\r\n");
 }
 
-// DS40002061B, 19.3.2
+// See the data sheet DS40002061B, 19.3.2.
 TEST_F(Registers, SsAtLowLevelEndsAMaster) {
   output(R"(void tell() {
   Serial.println(SPCR);
@@ -253,7 +254,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(0x50, 0, 0x40, 0x80, 0x50, 0));
 }
 
-// DS40002061B, table 24-1: 25 clocks for the first conversion, 13 for later ones. A clock is 8 us here.
+// The first conversion takes 25 ADC clocks of 8 us, and a later one takes 13 (DS40002061B, table 24-1).
 TEST_F(Registers, TheFirstConversionBehindAdenTakes25Clocks) {
   output(R"(void convert() {
   const unsigned long start = micros();

@@ -8,7 +8,7 @@ class SanitizeTest : public HostTest {
  protected:
   SanitizeTest() { sanitize_ = true; }
 
-  /// Starts a sketch with `line_1`, and `void faulty() { BODY }` on line 2. setup() calls faulty() once.
+  /// Runs a sketch with `line_1` on line 1 and `void faulty() { BODY }` on line 2. setup() calls faulty().
   void start_faulty(const std::string& line_1, const std::string& body) {
     start(line_1 + "\nvoid faulty() { " + body +
           " }\nvoid setup() {\n  delay(5);\n  faulty();\n}\nvoid loop() {}\n");

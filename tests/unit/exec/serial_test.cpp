@@ -19,7 +19,7 @@ void loop() {})"),
 }
 
 TEST_F(SerialTest, AFullBufferHoldsTheSketchUpAtTheBaudRate) {
-  // 9600 baud: a byte takes 10 bits of 1/9615 s (UBRR 207 with U2X).
+  // At 9600 baud, a byte takes 10 bits of 1/9615 s each, because UBRR is 207 with U2X.
   start(R"(void setup() {
   Serial.begin(9600);
   pinMode(13, OUTPUT);
@@ -30,7 +30,7 @@ void loop() {})");
   run(300 * kMillisecond);
   EXPECT_EQ(serial_.size(), 165u);
   ASSERT_EQ(changes(13).size(), 2u);
-  EXPECT_NEAR(static_cast<double>(changes(13)[1]), 100 * 1.04e6, 1.1e6);  // the chip buffers 65 bytes
+  EXPECT_NEAR(static_cast<double>(changes(13)[1]), 100 * 1.04e6, 1.1e6);  // waits for 100 bytes: 65 fit
 }
 
 TEST_F(SerialTest, SixtyFiveBytesFitWithoutWaiting) {

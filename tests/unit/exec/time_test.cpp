@@ -19,7 +19,7 @@ void loop() {})");
 }
 
 TEST_F(TimeTest, MillisGoesOnWithTimer0AndSkipsOneOf43) {
-  // An overflow takes 1.024 ms. After 42 overflows the fractions add up to a whole millisecond (wiring.c).
+  // Timer 0 overflows every 1.024 ms. After 42 overflows, the fractions add up to one millisecond (wiring.c).
   output(R"(void setup() {
   Serial.begin(115200);
   unsigned long last = millis(), steps = 0, skips = 0;
@@ -120,7 +120,8 @@ TEST_F(TimeTest, TimePassesInEveryWayOfWaiting) {
 }
 
 TEST_F(TimeTest, WithInterruptsOffADelayEndsEarlyAsOnTheChip) {
-  // micros() jumps back when Timer 0 overflows twice. In simavr delay(1000) then takes 98,041 cycles.
+  // With interrupts off, micros() jumps back when timer 0 overflows again. In simavr, delay(1000) then takes
+  // 98,041 cycles.
   start(
       "void setup() { noInterrupts(); pinMode(12, OUTPUT); delay(1000); pinMode(13, OUTPUT); } void loop() "
       "{}");

@@ -1,5 +1,5 @@
-// Tests moments at which a timer leaves its regular period. The expected values are the chip's, from the same
-// sketch on target avr.
+// Tests moments at which a timer leaves its regular period. The expected values are those that the same
+// sketch prints on target avr.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -15,7 +15,7 @@ struct Step {
 
 class TimerTurns : public HostTest {
  protected:
-  /// Returns "TCNT2 TIFR2 pins" after each statement. pins: 1 is OC2B, 2 is OC2A.
+  /// Returns "TCNT2 TIFR2 pins" after each statement. In pins, bit 0 is OC2B and bit 1 is OC2A.
   std::string after(const std::vector<Step>& steps) {
     std::string sketch = R"(unsigned long t0;
 int noted;
@@ -53,7 +53,7 @@ void loop() {})");
   }
 };
 
-// Table 15-8 of the data sheet: in these modes, new values take effect at the tick after TOP.
+// In PWM modes, new compare values take effect at the tick after TOP (data sheet, table 15-8).
 TEST_F(TimerTurns, ValuesOfPwmAreTakenOverLater) {
   EXPECT_EQ(after({{5, "TCCR2A = 0xA3;"},
                    {10, "OCR2A = 20; OCR2B = 100; TIFR2 = 7;"},
@@ -104,7 +104,7 @@ TEST_F(TimerTurns, AnotherModeKeepsTheCount) {
             "1 0 0, 20 2 0, 19 0 0, 29 0 0, 30 0 0, 40 0 0");
 }
 
-// 15.5.3
+// See the data sheet, 15.5.3.
 TEST_F(TimerTurns, AWriteToTheCountHidesAMatch) {
   EXPECT_EQ(after({{1, "OCR2A = 30; OCR2B = 31; TCCR2A = 2; TIFR2 = 7;"},
                    {5, "TCNT2 = 30;"},
@@ -115,7 +115,7 @@ TEST_F(TimerTurns, AWriteToTheCountHidesAMatch) {
             "1 0 0, 30 0 0, 31 0 0, 33 4 0, 29 4 0, 2 6 0");
 }
 
-// Table 15-2, 15.6.2
+// See the data sheet, table 15-2 and 15.6.2.
 TEST_F(TimerTurns, MatchesMakePinsWithoutPwm) {
   EXPECT_EQ(after({{1, "OCR2A = 40; OCR2B = 20; TCCR2A = 0xF0;"},
                    {10, ""},

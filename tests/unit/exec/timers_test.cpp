@@ -13,7 +13,7 @@ using testing::SizeIs;
 using TimersTest = HostTest;
 
 TEST_F(TimersTest, ACompareMatchInterruptsAtItsFrequency) {
-  // 16 MHz / 64 / 250 = 1 kHz
+  // With prescaler 64 and 250 counts, the frequency is 16 MHz / 64 / 250 = 1 kHz.
   output(R"(volatile long count;
 ISR(TIMER1_COMPA_vect) { ++count; }
 void setup() {
@@ -37,7 +37,8 @@ void loop() { for (volatile int i = 0; i < 100; ++i); delay(3); analogRead(0); }
   run(500 * kMillisecond);
   const std::vector<SimTime> times = changes(13);
   ASSERT_GT(times.size(), 20u);
-  // Timer 2 overflows every 256 * 1024 cycles. The first interrupt is pending from init()'s PWM.
+  // Timer 2 overflows every 256 * 1024 cycles. The first interrupt comes early: init()'s PWM has set its
+  // flag.
   for (std::size_t i = 3; i < times.size(); ++i)
     EXPECT_NEAR(static_cast<double>(times[i] - times[i - 1]), 16.384e6, 15e3);
 }
@@ -75,7 +76,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(AllOf(Ge(99990), Le(100020)), 0));
 }
 
-// TIFR1 has the same value on the target avr. Its bit TOV1 depends on the prescaler's phase since the reset.
+// The expected TIFR1 is that of target avr. Bit TOV1 depends on the prescaler's phase, which starts at reset.
 TEST_F(TimersTest, InitsPwmHasRaisedFlagsThatStayInAnotherMode) {
   output(R"(volatile int count;
 ISR(TIMER1_COMPA_vect) { ++count; }
@@ -124,7 +125,7 @@ TEST_F(TimersTest, AnotherPrescalerOfTimer0ChangesMillisWithIt) {
       "} void loop() {}");
   run(200 * kMillisecond);
   ASSERT_EQ(changes(13).size(), 2u);
-  EXPECT_NEAR(static_cast<double>(changes(13)[1]), 100e6, 0.2e6);  // eight times faster
+  EXPECT_NEAR(static_cast<double>(changes(13)[1]), 100e6, 0.2e6);  // delay(800) is eight times faster
 }
 
 TEST_F(TimersTest, DelayStaysExactWithAHandlerOnTimer0) {

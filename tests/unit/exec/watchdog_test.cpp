@@ -1,4 +1,4 @@
-// Tests that the host's watchdog behaves like the chip's.
+// Tests that the host executor's watchdog behaves like the ATmega328P's.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

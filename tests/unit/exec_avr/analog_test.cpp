@@ -38,14 +38,15 @@ void loop() {})");
   run(5 * kMillisecond);
   ASSERT_EQ(source.asked_at.size(), 2u);
   const SimTime started = changes(13)[1], ended = changes(13)[2];
-  // The conversion starts with the next ADC clock; a clock is 8 us.
+  // The conversion starts with the next ADC clock, whose period is 8 us.
   const auto sampled = static_cast<double>(source.asked_at[1]);
   EXPECT_NEAR(sampled - static_cast<double>(started), 16e3, 4.5e3);
   EXPECT_NEAR(static_cast<double>(ended) - sampled, 104e3 - 12e3, 1e3);
 }
 
-// Reads a pin with 4 V, then a pin with 1 V. A source of 1 MOhm leaves 24 to 43 % of the 3 V difference. The
-// next reading leaves the same share of the remainder. A source of 10 kOhm leaves nothing.
+// Reads a pin with 4 V, then a pin with 1 V. With a source of 1 MOhm, the reading is too high by 24 to 43 %
+// of the 3 V difference. Each further reading reduces the error by the same factor. A source of 10 kOhm
+// causes no error.
 TEST_F(AnalogTest, AWeakSourceLeavesSomeOfTheChannelBeforeInAReading) {
   start(R"(void setup() {
   Serial.begin(115200);

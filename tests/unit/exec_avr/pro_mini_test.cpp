@@ -1,4 +1,4 @@
-// Tests the Pro Minis in the emulator. Only their clock and supply differ, and both come from data.
+// Tests both Pro Minis in the emulator. They differ only in their clock and supply, which are board data.
 #include "tests/support/clock_sketch.h"
 #include "tests/unit/exec_avr/fixture.h"
 

@@ -1,4 +1,4 @@
-// Counts encoders by attachInterrupt(), and by a pin-change interrupt.
+// Counts encoder edges with attachInterrupt() and with a pin-change interrupt.
 const byte encoder = 2;
 volatile long left = 0, right = 0;
 

@@ -1,4 +1,4 @@
-// Uses ports, the ADC and PWM through their registers.
+// Accesses ports, the ADC and PWM through their registers.
 volatile int reading;
 
 void setup() {

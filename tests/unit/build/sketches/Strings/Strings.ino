@@ -1,4 +1,4 @@
-// Uses String, and commands from the serial port.
+// Uses String for texts, and for commands from the serial port.
 String command = "";
 String words[3] = {"left", "right", "stop"};
 
