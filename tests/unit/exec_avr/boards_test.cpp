@@ -1,5 +1,5 @@
-// Tests boards with other chips in the emulator. The sketches use features in which these chips differ from
-// an ATmega328P.
+// Tests emulated boards whose chip is not an ATmega328P. The sketches use features in which these chips
+// differ from an ATmega328P.
 #include <map>
 
 #include "tests/unit/exec_avr/fixture.h"
@@ -176,7 +176,7 @@ void loop() {}
     EXPECT_EQ(board().drive(pin).duty, 0.2) << "phase correct, pin " << int{pin};
 }
 
-// Raises pin 0 at every start, and pin 1 only after a watchdog reset.
+// The sketch raises pin 0 at every start, and pin 1 only after a watchdog reset.
 constexpr const char* kLooksWhoResetIt = R"(
 #include <avr/wdt.h>
 void setup() {

@@ -38,7 +38,7 @@ class CausesTest : public AvrTest {
     causes_ = avr_->find_causes();
     ASSERT_NE(causes_, nullptr);
   }
-  /// Returns the causes of the final level of pin 5, by line of the sketch.
+  /// Returns the causes of the final level of pin 5. The keys are lines of the sketch.
   std::map<int, CauseStep> lines_behind_pin_5() {
     causes_->end();
     causes_->ask({5}, now_);
@@ -46,7 +46,8 @@ class CausesTest : public AvrTest {
     causes_->close();
     return by_line();
   }
-  /// Returns the steps by line. If a line has several steps, returns the step that reads.
+  /// Returns the steps, with their lines as keys. If a line has several steps, a step that reads has
+  /// priority.
   std::map<int, CauseStep> by_line() const {
     std::map<int, CauseStep> lines;
     for (const CauseStep& step : causes_->steps()) {
@@ -94,7 +95,7 @@ TEST_F(CausesTest, LeadToAVariableThatHasWhatItBeganWith) {
   EXPECT_EQ(lines.at(1).kind, CauseStep::Kind::keeps);
 }
 
-// Follows causes into the part of the run before the recording, which is repeated from a snapshot.
+// Records the second half of a run, then repeats the first half from a snapshot, and follows causes into it.
 TEST_F(CausesTest, AreFollowedThroughWhatWasNotedApart) {
   FixedSource sensor(3.0);
   start(R"(volatile int gain;
@@ -128,7 +129,7 @@ void loop() {
   EXPECT_EQ(lines.at(4).pin, kA2);
 }
 
-// Skipped code may be far from its branch, and in a function that the branch would have called.
+// The skipped assignment may be far from the branch, in a function that the skipped code would have called.
 TEST_F(CausesTest, LeadToTheBranchThatLeftAValueAsItWas) {
   FixedSource sensor(3.0);
   start(R"(int speed = 90, lost;

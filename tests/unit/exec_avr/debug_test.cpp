@@ -1,5 +1,5 @@
-// Tests the chip under a debugger. Everything runs in one thread, because the debugger's packets are sent in
-// advance.
+// Tests an emulated AVR under a debugger. One thread suffices, because the tests send the debugger's packets
+// in advance.
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ namespace debug_test {
 
 using testing::ElementsAre;
 
-// Uses handlers, pin edges, PWM and the UART, all of which a halt could disturb.
+// The sketch uses handlers, pin edges, PWM and the UART, all of which a halt could disturb.
 const std::string kBusy = R"(volatile unsigned passes;
 void setup() {
   pinMode(13, OUTPUT);
@@ -40,12 +40,12 @@ class DebugTest : public AvrTest {
     avr_->debug_with(*server_);
   }
 
-  /// Sends a packet. replies() returns its reply.
+  /// Sends a packet, which has one reply. replies() returns all replies.
   void ask(const std::string& packet) {
     gdb_->say(packet);
     ++asked_;
   }
-  /// Lets the chip continue. When it halts again, there is one further reply.
+  /// Lets the chip continue. If the chip halts again, replies() has one more reply.
   void go(const char* order = "c") { gdb_->say(order); }
   std::vector<std::string> replies(int halts = 0) {
     std::vector<std::string> texts;
@@ -69,7 +69,7 @@ class DebugTest : public AvrTest {
       text += static_cast<char>(std::stoul(hex.substr(i, 2), nullptr, 16));
     return text;
   }
-  static std::uint32_t number(const std::string& hex) {  // little endian
+  static std::uint32_t number(const std::string& hex) {  // the bytes are little endian
     std::uint32_t value = 0;
     for (std::size_t i = hex.size(); i >= 2; i -= 2)
       value = value << 8 | static_cast<std::uint32_t>(std::stoul(hex.substr(i - 2, 2), nullptr, 16));
@@ -148,7 +148,7 @@ TEST_F(DebugTrace, IsTheSameAfterADebuggerThatJustLooked) {
 TEST_F(DebugTest, WaitsBeforeTheFirstInstruction) {
   start("void setup() {} void loop() {}");
   ask("?");
-  ask("qRcmd,74696d65");  // time
+  ask("qRcmd,74696d65");  // the command "time"
   go();
   run(kMillisecond);
   const auto texts = replies();
@@ -161,8 +161,8 @@ TEST_F(DebugTest, AStepGoesThroughHandlersToTheNextInstructionOfTheSketch) {
   const auto firmware = avr::Firmware::read(built_.image, *find_board("uno"));
   go();
   run(5 * kMillisecond);
-  // Timer0's period is 24 us longer than a tick, so its handler runs 24 us later in each tick. Within 45
-  // ticks, the handler runs during these steps more than once.
+  // Timer 0's period is 24 us longer than a tick, so its handler starts 24 us later in each tick. Within 45
+  // ticks, the handler therefore interrupts the steps several times.
   constexpr int kTicks = 45, kSteps = 150;
   for (int tick = 0; tick < kTicks; ++tick) {
     gdb_->press_ctrl_c();

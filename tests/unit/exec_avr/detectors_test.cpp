@@ -1,4 +1,4 @@
-// Tests which programs on the chip detectors report, and which they accept.
+// Tests which programs the detectors of target avr report, and which programs they accept.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
@@ -50,9 +50,9 @@ TEST_F(DetectorsTest, WhatIsMetOrOnlySparesAStepOrWatchesForAChangeIsNone) {
       "void setup() {}\n"
       "void loop() {\n"
       "  x += 0.25;\n"
-      "  if (x == 10.0) n = 1;\n"                   // is equal once
-      "  if (x != last) last = x + 0.01 * sign;\n"  // compares for a change
-      "  error *= sign; sign = -sign;\n"            // alternates
+      "  if (x == 10.0) n = 1;\n"                   // becomes equal once
+      "  if (x != last) last = x + 0.01 * sign;\n"  // detects a change
+      "  error *= sign; sign = -sign;\n"            // changes its sign
       "  if (error == 0) n = 2;\n"
       "  if (error < 0.1 && x > 3.3) n = 3;\n"  // does not compare for equality
       "  big = 400.5;\n"

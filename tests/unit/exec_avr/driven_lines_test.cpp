@@ -23,7 +23,7 @@ class DrivenLinesTest : public AvrTest {
     files_.insert(line.file);
   }
 
-  std::map<Pin, std::vector<int>> lines_;  // 0 = unknown line
+  std::map<Pin, std::vector<int>> lines_;  // source lines; 0 = unknown
   std::set<std::string> files_;
 };
 
@@ -60,7 +60,8 @@ void loop() {})");
   EXPECT_THAT(lines_[13], ElementsAre(3, 4, 5, 6, 8));
 }
 
-// A new duty takes effect at the end of a period: up to 2 ms after its analogWrite(), when another line runs.
+// A new duty takes effect at the end of a PWM period, up to 2 ms after the analogWrite(). Another line is
+// running then.
 TEST_F(DrivenLinesTest, AreThoseThatWroteADutyWhichIsTakenOverLater) {
   start(R"(void setup() {
   analogWrite(9, 50);
@@ -95,7 +96,7 @@ TEST_F(DrivenLinesTest, AreUnknownWhereTheCoresHandlersOrATimerDrive) {
 }
 void other() { delay(1); }
 void loop() { other(); })");
-  run(300 * kMillisecond);  // below 20 Hz each match is reported
+  run(300 * kMillisecond);  // below 20 Hz, the executor reports each compare match
   ASSERT_GT(lines_[8].size(), 20u);
   const auto known = [](int line) { return line > 0; };
   EXPECT_EQ(std::count_if(lines_[8].begin() + 1, lines_[8].end(), known), 0) << "Timer 2's handler";

@@ -1,5 +1,5 @@
-// Tests that every way in which firmware can crash its chip is reported with reason and place. Uses the
-// sketches of the system tests.
+// Tests that Robosim reports every kind of crash on an AVR with its reason and place. Uses the sketches of
+// the system tests.
 
 #include <fmt/format.h>
 
@@ -26,7 +26,7 @@ class FailuresTest : public AvrTest {
     run(duration);
     return avr_->crash();
   }
-  /// Returns an address such as "0x9D56", `offset` bytes after a variable of the last sketch.
+  /// Returns the address `offset` bytes after the start of a variable of the last sketch, such as "0x9D56".
   std::string address(const char* variable, int offset) const {
     const auto found = avr::Firmware::read(built_.image, *find_board(board_name_)).find_variable(variable);
     return found ? fmt::format("0x{:04X}", *found + offset) : "no variable";
@@ -39,7 +39,7 @@ TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
     const char* reason;
     const char* function;
     int line;
-    int index = 0;  ///< index into `table`, whose address the compiler chooses
+    int index = 0;  ///< index of the access to `table`; its address depends on the compiler
   };
   for (const Case& c :
        {Case{"ChipWildRead", "read of address {}, where the chip has no memory", "look", 4, 40000},
@@ -60,8 +60,8 @@ TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
     EXPECT_EQ(crash->where.file, std::string(c.sketch) + ".ino");
     const auto place = std::pair(crash->where.function, crash->where.line);
     const auto expected = std::pair(std::string(c.function), c.line);
-    // avr-gcc 5.4's assembler assigns no line to data, such as the .word of an asm(). The caller's line is
-    // then reported.
+    // The assembler of avr-gcc 5.4 assigns no line to data, such as the .word of an asm(). Robosim then
+    // reports the caller's line.
     if (c.sketch == std::string("ChipOpcode"))
       EXPECT_THAT(place, AnyOf(expected, std::pair(std::string("broken"), 2)));
     else
@@ -138,8 +138,8 @@ TEST_F(FailuresTest, ACallIsTheOneThatTheSketchMakesNotOneOfTheCore) {
   EXPECT_EQ(avr_->activity().call, "delay()");
 }
 
-// Returns a sketch with two coroutines, each on its own stack in a variable. The second one executes BODY in
-// each round.
+// Returns a sketch with two coroutines, whose stacks are variables. The second coroutine executes `body` each
+// time it runs.
 std::string coroutines(const std::string& body) {
   return R"(uint8_t stack_a[120], stack_b[120];
 uint8_t *sp_main, *sp_a, *sp_b;
@@ -168,7 +168,7 @@ void setup() { Serial.begin(115200); sp_a = prepare(stack_a, task_a); sp_b = pre
 void loop() { switch_to(&sp_main, &sp_a); delay(10); })";
 }
 
-// The sketch acts as an RTOS: the timer's handler leaves the interrupted task, and another task continues.
+// The sketch acts as an RTOS: the timer's handler switches from the interrupted task to another task.
 TEST_F(FailuresTest, ATaskThatAHandlerHasLetGoOnIsInNoHandler) {
   start(R"(uint8_t stack_b[100];
 uint8_t *sp_main, *sp_b;
@@ -217,7 +217,7 @@ TEST_F(FailuresTest, ASketchMayHaveStacksOfItsOwn) {
   EXPECT_GT(numbers().size(), 7u);
 }
 
-// ChibiOS switches like this: the register that saved one stack pointer then loads the other.
+// As in ChibiOS, one register first saves the old stack pointer, then loads the new one.
 TEST_F(FailuresTest, StacksOfItsOwnMayBeSwitchedThroughOneRegister) {
   std::string sketch = coroutines("");
   const auto from = sketch.find("\"lds r30, from"), to = sketch.find("\".irp r,29,28");
@@ -231,8 +231,8 @@ TEST_F(FailuresTest, StacksOfItsOwnMayBeSwitchedThroughOneRegister) {
   EXPECT_GT(numbers().size(), 7u);
 }
 
-/// Returns a sketch that moves the stack pointer by `move`, calls work(), and moves it back. The 160 bytes of
-/// `tail` are the last variable.
+/// Returns a sketch that moves the stack pointer with the statements `move`, calls work(), and restores the
+/// stack pointer. The last variable in RAM is `tail`, with 160 bytes.
 std::string on_tail(const std::string& move, const std::string& work = "") {
   return "uint8_t tail[160] __attribute__((section(\".noinit\"), used));\nvolatile uint16_t top, old;\n"
          "int deep(int n) { volatile char room[20]; room[n % 20] = n; return n == 0 ? 0 : deep(n - 1) + "
@@ -279,10 +279,11 @@ TEST_F(FailuresTest, AStackInTheLastVariableOutgrowsIt) {
   EXPECT_THAT(avr_->crash()->reason, HasSubstr("bytes of RAM that the variables leave free"));
 }
 
-// `stack + sizeof stack`: the first pushed byte is after the variable, and the rest of the stack inside it.
+// If a stack begins at `stack + sizeof stack`, its first byte is after the variable, and all others inside.
 TEST_F(FailuresTest, AStackOfItsOwnMayBeginRightBehindItsVariable) {
   const auto with = [](const char* body) {
-    // no_reorder prevents the compiler from reordering the variables, so no used memory follows the stack.
+    // no_reorder prevents the compiler from reordering the variables. The byte after the stack is therefore
+    // unused.
     return std::string(
                "__attribute__((no_reorder)) volatile uint8_t before[4], stack_b[200], after[4];\n"
                "int deep(int n) { volatile char room[20]; room[n] = n;"

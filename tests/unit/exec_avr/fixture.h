@@ -1,5 +1,5 @@
-// Builds a sketch, given as text, with the genuine core. Runs it tick by tick on an AVR executor, and records
-// its actions.
+// Builds a sketch, given as text, with Arduino's own core. Runs the sketch tick by tick on an AVR executor,
+// and records its actions.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -47,7 +47,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
     return built_.image;
   }
 
-  /// Builds `text`, creates an executor for it, and switches it on at 0.
+  /// Builds `text`, creates an executor for the image, and switches the board on at time 0.
   void start(const std::string& text) {
     avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), build(text));
     for (Pin pin = 0; pin < board().spec().pin_count; ++pin) board().watch(pin, *this);
@@ -81,7 +81,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
       result.push_back(std::stoll(serial_.substr(at, end - at)));
     return result;
   }
-  /// Returns when `pin` changed, including when it became an output.
+  /// Returns the times at which `pin` changed, including the time at which it became an output.
   std::vector<SimTime> changes(Pin pin) const {
     std::vector<SimTime> times;
     for (const PinEvent& event : pins_)
@@ -106,7 +106,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
   std::vector<PinEvent> pins_;
 };
 
-/// A constant voltage, high from 2.5 V. Counts its queries.
+/// A constant voltage, which reads as high from 2.5 V. Records the times of all reads.
 class FixedSource : public PinSource {
  public:
   explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}
@@ -127,7 +127,7 @@ class FixedSource : public PinSource {
   double volts_, ohms_;
 };
 
-/// High during [begin, end).
+/// A source that is high from `begin` up to, but not including, `end`.
 class Pulse : public PinSource {
  public:
   Pulse(SimTime begin, SimTime end) : begin_(begin), end_(end) {}

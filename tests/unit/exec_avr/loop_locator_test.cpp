@@ -1,4 +1,5 @@
-// Tests the reported rounds of loop() against the sketch, which toggles pin 13 once per round.
+// Compares the rounds of loop() that the executor reports with the sketch's, which toggles pin 13 once per
+// round.
 
 #include <algorithm>
 
@@ -16,10 +17,10 @@ class AvrLoopTest : public AvrTest {
     return avr_->resources().value_or(Resources{});
   }
 
-  /// Expects that the reported rounds are those of `text`, each of which toggles pin 13 once.
+  /// Expects that the executor reports the rounds of the sketch `text`, which toggles pin 13 once per round.
   void expect_true_rounds(const std::string& text, SimTime duration = 300 * kMillisecond) {
     const Resources r = run_for(text, duration);
-    const std::vector<SimTime> times = changes(13);  // the first change makes it an output
+    const std::vector<SimTime> times = changes(13);  // the first change makes the pin an output
     ASSERT_GT(times.size(), 20u) << text;
     const auto rounds = static_cast<double>(times.size() - 1);
     EXPECT_NEAR(static_cast<double>(r.loops), rounds, 1.0) << text;
@@ -27,8 +28,8 @@ class AvrLoopTest : public AvrTest {
     for (std::size_t i = 1; i < times.size(); ++i) longest = std::max(longest, times[i] - times[i - 1]);
     const double mean_us = 1e-3 * static_cast<double>(times.back() - times[1]) / (rounds - 1.0);
     EXPECT_NEAR(r.loop_us_mean, mean_us, 0.02 * mean_us) << text;
-    // A handler that runs between the toggle and the detected place makes one round longer and another
-    // shorter.
+    // A handler may run between the toggle and the place where the executor detects a round. One reported
+    // round is then longer, and another is shorter.
     EXPECT_NEAR(r.loop_us_max, 1e-3 * static_cast<double>(longest), 25.0) << text;
   }
 
@@ -110,7 +111,7 @@ TEST_F(AvrLoopTest, TheRoundsOfAMainOfItsOwnAreThoseOfItsEndlessLoop) {
 }
 
 TEST_F(AvrLoopTest, WhatCannotBeToldIsNotSaid) {
-  // Compiles to the same machine code as `if (n < 50) { …; continue; }`.
+  // The inner loop compiles to the same machine code as `if (n < 50) { …; continue; }` in the outer loop.
   expect_nothing_said(
       "volatile byte n;\nint main() {\n  DDRB = 32;\n  for (;;) {\n"
       "    while (n < 50) {\n      n = n + 1;\n      PIND = 1;\n    }\n    n = 0;\n    PINB = 32;\n  }\n}");
@@ -119,7 +120,7 @@ TEST_F(AvrLoopTest, WhatCannotBeToldIsNotSaid) {
 }
 
 TEST_F(AvrLoopTest, TheShareOfHandlersIsWhatTheLoopLoses) {
-  // Timer 1 counts all cycles: the fixed number that the delay loop needs, and those of handlers.
+  // Timer 1 counts all cycles: the constant number that the delay loop takes, and the cycles of handlers.
   const std::string text = R"(#include <util/delay_basic.h>
 volatile byte table[8];
 ISR(TIMER2_COMPA_vect) { for (byte i = 0; i < 8; ++i) table[i] = i; }

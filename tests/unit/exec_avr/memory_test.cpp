@@ -45,7 +45,7 @@ TEST_F(MemoryTest, VariablesAndFlashAreThoseOfTheImage) {
   EXPECT_GT(r.flash_bytes, 400u);
 }
 
-// The detection of loop()'s rounds and of wait loops does not modify the flash that a program may read.
+// A program may read its flash. The detection of loop()'s rounds and of wait loops must not modify the flash.
 TEST_F(MemoryTest, AProgramThatChecksItsOwnFlashFindsItAsItWasBuilt) {
   output(R"(extern const char __data_load_end;
 void setup() { Serial.begin(115200); }

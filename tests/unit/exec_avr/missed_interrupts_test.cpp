@@ -13,8 +13,8 @@ using testing::SizeIs;
 class LossesTest : public AvrTest {
  protected:
   void before_power_on() override { avr_->detect({2}); }
-  /// Returns the findings for a sketch whose loop() is `line`, the fourth line. Pulses of 0.2 ms arrive at
-  /// pin 2, 1000 per second.
+  /// Returns the findings for a sketch whose loop() executes `line`, on line 4. Pulses of 0.2 ms arrive at
+  /// pin 2, one per millisecond.
   std::vector<Detected> seen(const std::string& line, const std::string& handler = "++count;") {
     start("volatile unsigned count; volatile float f = 1;\nvoid pulse() { " + handler +
           " }\nvoid setup() { Serial.begin(115200); attachInterrupt(0, pulse, RISING); }\nvoid loop() { " +

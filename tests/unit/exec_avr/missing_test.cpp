@@ -1,4 +1,4 @@
-// Replaces this folder's tests if Robosim was built without the target's libraries.
+// Replaces this folder's tests if Robosim is built without libdw, and therefore without target avr.
 
 #include <gtest/gtest.h>
 

@@ -35,7 +35,7 @@ TEST_F(PwmTest, AnalogWriteOf0And255IsADigitalWrite) {
 }
 
 TEST_F(PwmTest, TimerOneAt20kHzHasItsOwnTop) {
-  // Phase correct, TOP = ICR1 = 400: 16 MHz / 800 = 20 kHz.
+  // In phase-correct mode with TOP = ICR1 = 400, the frequency is 16 MHz / 800 = 20 kHz.
   EXPECT_DOUBLE_EQ(
       after("pinMode(9, OUTPUT); pinMode(10, OUTPUT); TCCR1A = _BV(COM1A1) | _BV(COM1B1) | _BV(WGM11); "
             "TCCR1B = _BV(WGM13) | _BV(CS10); ICR1 = 400; OCR1A = 300; OCR1B = 100;",

@@ -1,5 +1,5 @@
-// Tests torn reads, torn writes and lost updates. An image with checks stops at them, and a detector finds
-// them in the flashed image.
+// Tests the detection of torn reads, torn writes and lost updates. An image with checks (--sanitize) crashes
+// at each of them. In the image that is flashed, a detector finds them.
 
 #include <array>
 
@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(In, TearingTest, testing::Bool(), [](const auto& test) 
   return test.param ? "AnImageWithChecks" : "TheImageThatIsFlashed";
 });
 
-/// Returns a sketch whose timer counts 20,000 times a second, and whose loop() is `line`.
+/// Returns a sketch whose loop() executes `line`, and whose timer executes `handler` 20,000 times per second.
 std::string pluralize(const std::string& line, const std::string& handler = "ticks += 40;") {
   return "#include <util/atomic.h>\n"
          "volatile unsigned long ticks; volatile bool ready; volatile unsigned long seen;\n"
@@ -110,7 +110,7 @@ TEST_P(TearingTest, AByteThatNoHandlersWriteIsUndoneOfIsNone) {
   }
 }
 
-// Tests correct ways to share the number. The handler runs as often as in the tests above.
+// Tests correct ways to share `ticks` with the handler, which runs as often as in the tests above.
 TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
   const std::string kHandsOver = "if (!ready) { ticks = ticks + 777; ready = true; }";
   const std::array<std::string, 2> right[] = {
@@ -126,12 +126,13 @@ TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
       {"seen = ticks;", "ready = !ready;"}};
   for (const auto& [line, handler] : right) {
     start(pluralize(line, handler));
-    run(20 * kMillisecond);  // 400 handlers; the torn read above is found within 60
+    run(20 * kMillisecond);  // the handler runs 400 times; 60 reveal the torn read above
     EXPECT_EQ(torn().text, "") << line;
   }
 }
 
-// tone() writes the number of pin changes (4 bytes) while the previous tone is still counting them down.
+// tone() writes a 4-byte number of pin changes, which a handler may still be counting down for the previous
+// tone.
 TEST_P(TearingTest, WhatTheCoreDoesWithItsOwnNumbersIsNotTheSketchs) {
   start("void setup() {}\nvoid loop() { tone(11, 4000, 512); delayMicroseconds(random(1000)); }\n");
   run(500 * kMillisecond);

@@ -10,7 +10,7 @@ class SerialTest : public AvrTest {};
 TEST_F(SerialTest, BytesLeaveAtTheBaudRate) {
   output("void setup() { Serial.begin(9600); Serial.print(\"0123456789\"); }\nvoid loop() {}");
   EXPECT_EQ(serial_, "0123456789");
-  // 10 bits at 9600 baud. With 16 MHz the nearest rate is 9615 (UBRR = 207).
+  // A byte takes 10 bits. At 16 MHz, the rate nearest to 9600 baud is 9615 baud (UBRR = 207).
   EXPECT_NEAR(static_cast<double>(byte_times_[9] - byte_times_[2]) / 7, 1.04e6, 1e3);
 }
 

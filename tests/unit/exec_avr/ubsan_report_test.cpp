@@ -1,4 +1,4 @@
-// Tests the findings of a sketch built with --sanitize on the chip, and their messages.
+// Tests the findings, and their messages, of a sketch that is built with --sanitize for target avr.
 
 #include "tests/unit/exec_avr/fixture.h"
 
@@ -10,7 +10,7 @@ using testing::HasSubstr;
 class CheckTest : public AvrTest {
  protected:
   CheckTest() { sanitize_ = true; }
-  /// Returns the crash of a sketch in which `line` is the first line of loop(). There x is 600 and zero is 0.
+  /// Returns the crash of a sketch whose loop() executes `line`. The variable x is 600, and zero is 0.
   Crash crash_of(const std::string& line) {
     start(
         "volatile int x = 600, zero; volatile long big = 2000000000L; volatile float f = 40000.5;\n"
@@ -67,7 +67,8 @@ TEST_F(CheckTest, TheCallsThatAreOpenBeginInTheSketch) {
   EXPECT_EQ(crash.calls[0].function, "loop");
 }
 
-// Checks need more memory than the chip has: this program has 20 KB of variables and 40 KB of code.
+// With checks, the chip has more memory, because checks enlarge a program. This one has 20 KB of variables
+// and 40 KB of code.
 TEST_F(CheckTest, ThereIsMoreMemoryThanOnTheChipButNotForOthers) {
   const std::string large =
       "byte table[20000];\nconst PROGMEM byte one[20000] = {1}, two[20000] = {2};\nvolatile unsigned i = "

@@ -1,4 +1,5 @@
-// Tests the backup domain (RM0008 5, 6, 7.3.9, 18), and two small units: CRC (4) and the cycle counter.
+// Tests the backup domain (RM0008, chapters 5, 6 and 18, and 7.3.9). Also tests the CRC unit (chapter 4) and
+// the cycle counter.
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
@@ -15,7 +16,7 @@ class BackupTest : public BusFixture {
     BusFixture::SetUp();
     store(kPwr, 1u << 8);
   }
-  /// Starts the RTC, which counts hundredths of a second from LSI.
+  /// Starts the RTC, which counts hundredths of a second. Its clock is LSI.
   void start_rtc() {
     store(kRccCsr, kLsiOn);
     store(kRccBdcr, 1u << 15 | 2u << 8);

@@ -1,4 +1,4 @@
-// Drives the chip's peripherals without its processor: reads and writes registers, and advances time.
+// Drives the Blue Pill's peripherals without its processor: reads and writes registers, and advances time.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -12,7 +12,7 @@ class BusFixture : public testing::Test {
   std::uint32_t load(Address address) { return bus_.load(address, 4); }
   void store(Address address, std::uint32_t value) { bus_.store(address, value, 4); }
   Cycle now() { return bus_.link().clock.now; }
-  /// Advances time by `cycles`, and stops at each event as the processor does.
+  /// Advances time by `cycles`. Updates the peripherals at each event, as the processor does.
   void pass(Cycle cycles) {
     Cycle& clock = bus_.link().clock.now;
     for (const Cycle end = clock + cycles; clock < end;) {

@@ -1,4 +1,4 @@
-// Tests SPI (RM0008 25) and I2C (26), without devices at their pins.
+// Tests SPI (RM0008, chapter 25) and I2C (chapter 26), without devices at their pins.
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {

@@ -1,4 +1,4 @@
-// Builds a sketch, given as text, with Robosim's core, and runs it tick by tick on an executor.
+// Builds a sketch, given as text, with Robosim's core for the Blue Pill. Runs it tick by tick on an executor.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -29,7 +29,7 @@ class Stm32ChipTest : public testing::Test, protected SerialWatcher {
     std::filesystem::remove_all(folder_, error);
   }
 
-  /// Builds `text` as Test.ino, and switches it on.
+  /// Builds `text` as Test.ino, and switches on a board with the image.
   void start(const std::string& text) {
     std::filesystem::create_directories(folder_ / "Test");
     write_file(folder_ / "Test/Test.ino", text);
@@ -53,7 +53,7 @@ class Stm32ChipTest : public testing::Test, protected SerialWatcher {
     EXPECT_FALSE(chip_->crash()) << chip_->crash()->reason;
     return serial_;
   }
-  /// Returns the crash of a sketch whose setup() calls a function with this statement, on line 2.
+  /// Returns the crash of a sketch whose setup() calls a function that executes `statement`, on line 2.
   const std::optional<Crash>& crash_of(const std::string& statement, SimTime duration = kSecond) {
     start("volatile int n;\nvoid __attribute__((noinline)) work() { " + statement +
           " }\nvoid setup() { work(); }\nvoid loop() {}\n");

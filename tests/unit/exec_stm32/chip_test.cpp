@@ -1,4 +1,4 @@
-// Tests sketches on the emulated chip: exceptions, sleep, time, and every way in which firmware can crash it.
+// Tests sketches on the emulated STM32F103: exceptions, sleep, time, and every kind of crash.
 
 #include <utility>
 
@@ -40,7 +40,7 @@ TEST_F(Stm32ChipTest, ASketchMayHaveAMainOfItsOwn) {
 }
 
 TEST_F(Stm32ChipTest, DelaysLastTheirTimeAtBothClocks) {
-  // The calls themselves make the periods longer, and take nine times as long at 8 MHz.
+  // The calls lengthen the periods. A call takes nine times as long at 8 MHz as at 72 MHz.
   for (const auto& [board, calls_ns] : {std::pair{"bluepill", 10e3}, std::pair{"bluepill8", 80e3}}) {
     board_name_ = board;
     start(
@@ -62,7 +62,7 @@ TEST_F(Stm32ChipTest, DelaysLastTheirTimeAtBothClocks) {
 }
 
 TEST_F(Stm32ChipTest, AnInterruptPreemptsAndReturnsToTheVeryInstruction) {
-  // A long computation's checksum is the same with and without interrupts of SysTick and a timer.
+  // The checksum of a long computation must not depend on whether SysTick and a timer interrupt it.
   const std::string sum =
       "uint32_t work() { uint32_t h = 1; double d = 1; for (uint32_t i = 0; i < 3000; ++i) { h = h * 31 + i "
       "/ "
@@ -80,7 +80,8 @@ TEST_F(Stm32ChipTest, AnInterruptPreemptsAndReturnsToTheVeryInstruction) {
   EXPECT_GT(quiet.size(), 3u);
 }
 
-// Handlers of three exceptions, which log their runs, and `busy()`, which takes enough time for them to run.
+// The code defines three exception handlers, which log that they run. busy() takes enough time for them to
+// run.
 const char* const kHandlers =
     "#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\nString log_;\n"
     "void busy() { for (volatile int i = 0; i < 50; ++i); }\n"
@@ -263,7 +264,7 @@ TEST_F(Stm32ChipTest, WfeSleepsUntilAnEventThatMayHaveBeenBefore) {
       "0y");
 }
 
-// The code after WFI runs once a handler has cleared SLEEPONEXIT (PM0056 2.5.1).
+// The code after WFI does not run before a handler clears SLEEPONEXIT (PM0056, 2.5.1).
 TEST_F(Stm32ChipTest, WithSleeponexitOnlyHandlersRun) {
   EXPECT_EQ(
       output("volatile uint32_t& scr = *(volatile uint32_t*)0xE000ED10;\n"

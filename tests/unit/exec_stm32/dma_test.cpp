@@ -1,4 +1,4 @@
-// Tests DMA1 (RM0008 13), alone and with the ADC (11) and the USARTs (27).
+// Tests DMA1 (RM0008, chapter 13) alone, with the ADC (chapter 11), and with the USARTs (chapter 27).
 #include <string>
 
 #include "tests/unit/exec_stm32/bus_fixture.h"
@@ -51,7 +51,7 @@ TEST_F(DmaTest, CopiesMemoryInItsTimeAndTellsOfTheHalf) {
   pass(10);
   EXPECT_EQ(flags(3), 0b011u);
   EXPECT_EQ(left(3), 0u);
-  // A wider target is filled with zeros.
+  // If the target items are wider, DMA fills them up with zeros.
   for (Address i = 0; i < 4; ++i) {
     EXPECT_EQ(half(kTable + 0x40 + 4 * i), half(kTable + 2 * i));
     EXPECT_EQ(half(kTable + 0x42 + 4 * i), 0u);
@@ -118,7 +118,7 @@ class AdcTest : public DmaTest {
   }
   static constexpr std::uint32_t kScan = 1u << 8, kEocie = 1u << 5, kJeocie = 1u << 7, kCont = 1u << 1,
                                  kDma = 1u << 8, kTsVrefE = 1u << 23, kJswStart = 7u << 12 | 1u << 15;
-  static constexpr Cycle kConversion = 14 * 2;  // with the shortest sampling time
+  static constexpr Cycle kConversion = 14 * 2;  // in cycles, with the shortest sampling time
   static constexpr Address kJdr1 = kAdc1 + 0x3C, kJsqr = kAdc1 + 0x38, kJofr1 = kAdc1 + 0x14;
   Level quarter_{0.25}, half_{0.5}, most_{0.75};
 };

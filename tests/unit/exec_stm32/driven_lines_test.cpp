@@ -23,7 +23,7 @@ class Stm32DrivenLinesTest : public Stm32ChipTest, PinWatcher {
     lines_[chip_->board().spec().pins[pin].name].push_back(chip_->driving(pin, drive).line);
   }
 
-  std::map<std::string, std::vector<int>> lines_;  // 0 = unknown line
+  std::map<std::string, std::vector<int>> lines_;  // source lines; 0 = unknown
 };
 
 TEST_F(Stm32DrivenLinesTest, AreThoseOfTheSketchThatCallTheCore) {
@@ -42,8 +42,8 @@ void loop() {})");
   EXPECT_THAT(lines_["D22"], ElementsAre(8));
 }
 
-// A new duty takes effect at a timer's next update: up to 2 ms after its analogWrite(), when another line
-// runs.
+// A new duty takes effect at the timer's next update, up to 2 ms after the analogWrite(). Another line is
+// running then.
 TEST_F(Stm32DrivenLinesTest, AreThoseThatWroteADutyWhichIsTakenOverLater) {
   start(R"(void setup() {
   analogWrite(12, 50);

@@ -1,4 +1,4 @@
-// Tests external lines (RM0008 10.2, 10.3).
+// Tests the external interrupt lines (RM0008, 10.2 and 10.3).
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
@@ -39,7 +39,7 @@ TEST_F(ExtiTest, ALineOfTheEventMaskWakesWithoutAnInterrupt) {
   EXPECT_EQ(load(kExtiPr), 1u);
 }
 
-// RM0008 9.1.10: the input stays connected while the pin is an output.
+// While the pin is an output, its input stays connected (RM0008, 9.1.10).
 TEST_F(ExtiTest, AnOutputOfTheChipsOwnIsHeard) {
   enable(kIrqExti0);
   store(kGpioA + kBsrr, 1);

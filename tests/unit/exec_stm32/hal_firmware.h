@@ -1,4 +1,5 @@
-// Declares functions of hal/stm32 for tests, which cannot include Arduino.h with its macros and libc.
+// Declares functions of hal/stm32 for tests. Tests cannot include Arduino.h, because of its macros and its
+// libc.
 #pragma once
 
 #include <cstddef>

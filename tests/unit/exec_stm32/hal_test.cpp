@@ -1,4 +1,4 @@
-// Tests every function of hal/stm32 that accesses registers, against the model of the chip. hal/stm32 is
+// Tests every function of hal/stm32 that accesses registers, with the model of the chip. hal/stm32 is
 // compiled for this machine, and its loads and stores go to the emulated processor's bus.
 
 #include <gmock/gmock.h>
@@ -16,7 +16,7 @@ namespace hal_test {
 
 using testing::ElementsAre;
 
-/// Replaces the processor. Time passes with every access, and handlers run when their interrupts are due.
+/// Replaces the processor. Time passes with every register access, and handlers of due interrupts run.
 class Chip {
  public:
   Chip(BoardState& state, FlashMemory& flash) : board(state), bus(board, flash, 0) {}
@@ -254,7 +254,7 @@ TEST_F(HalTest, AnalogReadTakesAnotherResolution) {
   analogReadResolution(10);
 }
 
-/// A duty takes effect at the next period.
+/// The PWM period in cycles. A new duty takes effect at the next period.
 constexpr Cycle kPwmPeriod = 73'440;
 
 TEST_F(HalTest, AnalogWriteTakesAnotherResolution) {
@@ -380,7 +380,7 @@ TEST_F(HalTest, TheEepromKeepsWhatIsWrittenThroughItsChangesOfBanks) {
 TEST_F(HalTest, AWriteThatPowerOffInterruptsLeavesTheValueBefore) {
   robosim_eeprom_write(5, 50);
   robosim_eeprom_write(5, 51);
-  // Erases the address, which is the second half of the record, as if it had not been written yet.
+  // Erases the second halfword of the record, which is the address, as if it had not been written yet.
   for (std::uint8_t* half = flash_.data(); half < flash_.data() + robosim::stm32::kFlashBytes; half += 4)
     if (half[0] == 51 && half[1] == 0xA5) half[2] = half[3] = 0xFF;
   EXPECT_EQ(robosim_eeprom_read(5), 50);

@@ -1,5 +1,4 @@
-// Tests the bus of the bluepill's chip without firmware: registers, their clocks, resets and
-// interrupts.
+// Tests the peripherals on the Blue Pill's bus without firmware: registers, clocks, resets and interrupts.
 
 #include <gmock/gmock.h>
 
@@ -83,7 +82,7 @@ TEST(BusTest, TheOtherUsartsSendInTheirTimeAndAreHeardByNobody) {
   Bus bus(clocked, flash, 0);
   Clock& clock = bus.link().clock;
   bus.store(kRccApb2Enr, kIopaEn, 4);
-  bus.store(kRccCfgr, kPpre1Half, 4);  // their bus has half the processor's clock
+  bus.store(kRccCfgr, kPpre1Half, 4);  // the bus of USART2 and USART3 has half the processor's clock
   for (const auto& [usart, irq] : {std::pair{2, 38}, std::pair{3, 39}}) {
     const Address base = stm32f103c8::kUarts[usart - 1].address;
     const auto at = [&](Address of_usart1) { return base + of_usart1 - kUsart1; };

@@ -1,4 +1,5 @@
-// Tests that a chip continues unchanged from snapshots, taken during every operation that takes time.
+// Tests that a chip continues unchanged from a snapshot. The snapshots are taken during every operation that
+// takes time.
 #include <algorithm>
 #include <random>
 
@@ -9,7 +10,7 @@
 namespace robosim::exec {
 namespace snapshots_test {
 
-// Lets a sketch write registers, and install handlers of 60 interrupts in RAM.
+// The code lets a sketch access registers, and install handlers for 60 interrupts in a vector table in RAM.
 const std::string kBegins = R"(#define R(address) (*(volatile unsigned*)(address))
 static unsigned vectors[76] __attribute__((aligned(512)));
 volatile unsigned counts[8];
@@ -28,8 +29,8 @@ static void dawdle(unsigned n) { for (volatile unsigned i = 0; i < n; i++); }
 struct Case {
   const char* name;
   const char* text;
-  bool is_cut = false;  ///< whether its power is cut once
-  int us = 350;         ///< longest time between two moments
+  bool is_cut = false;  ///< whether the test cuts the power once
+  int us = 350;         ///< longest time between two snapshots, in us
 };
 
 const Case kCases[] = {
@@ -233,7 +234,8 @@ class Stm32Snapshots : public Stm32ChipTest, public testing::WithParamInterface<
     told_.add(static_cast<std::uint64_t>(t) + byte);
   }
 
-  /// Runs to `t`. If the case has a power cut, switches the power off at moment 250, and on at 254.
+  /// Runs to `t`, the time of snapshot number `moment`. If the case has a power cut, switches the power off
+  /// at snapshot 250, and on at snapshot 254.
   void go_to(std::size_t moment, SimTime t) {
     chip_->run_until(t);
     if (!GetParam().is_cut) return;

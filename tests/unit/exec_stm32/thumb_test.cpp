@@ -1,5 +1,5 @@
 // Compares the emulator with libunicorn, instruction by instruction: registers, flags, RAM and time. An IT
-// and its instructions are one step, and their time is not compared.
+// instruction and its block count as one instruction, and their time is not compared.
 
 #include <gtest/gtest.h>
 
@@ -70,11 +70,12 @@ std::vector<std::uint16_t> random_code(std::mt19937& random) {
     if (random() % 2) first = static_cast<std::uint16_t>(0xE800 | (first & 0x17FF));
     const Thumb thumb = decode_thumb(kCode + 2 * static_cast<std::uint32_t>(code.size()), first, second);
     const bool jumps = thumb.op >= Op::b && thumb.op <= Op::tbh;
-    // libunicorn keeps the lowest bits of a value that is moved to SP. The chip clears them (B1.4.7).
+    // libunicorn keeps the lowest bits of a value that is moved to SP. The chip clears them (DDI 0403E,
+    // B1.4.7). The program therefore contains no such moves.
     const bool to_pc = thumb.d == 15 || thumb.op == Op::add_high || thumb.op == Op::mov_high ||
                        (thumb.op == Op::ldm && thumb.value & 1u << 15);
-    // In IT blocks, and for some instructions after them, loads and stores seldom access RAM, so most are
-    // skipped.
+    // In IT blocks, and shortly after them, the addresses of loads and stores are seldom in RAM. Most of
+    // these instructions are therefore not added to the program.
     const bool transfers = thumb.op >= Op::ldr && thumb.op <= Op::stm;
     const bool goes_wrong = transfers && block > -4 && random() % 8 != 0;
     if (thumb.op == Op::other || thumb.op >= Op::it || jumps || to_pc || goes_wrong) {
@@ -87,7 +88,7 @@ std::vector<std::uint16_t> random_code(std::mt19937& random) {
   return code;
 }
 
-/// Makes most loads and stores access RAM, not always aligned.
+/// Sets the registers of most loads and stores so that their addresses are in RAM, but not always aligned.
 void find_ram(const Thumb& thumb, std::mt19937& random, Chip& ours, Chip& referee) {
   if (thumb.op < Op::ldr || thumb.op > Op::stm || random() % 200 == 0) return;
   const std::uint32_t base = kRam + 0x1000 + random() % 0x2000, offset = random() % 0x100;
@@ -129,7 +130,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
       const Cycle began = ours.now(), referee_began = referee.now();
       ours.step();
       referee.step();
-      // After a block with skipped instructions, one emulator may be ahead of the other.
+      // After a block with skipped instructions, one emulator may be ahead, so the other emulator catches up.
       for (int i = 0; i < 16 && (ours.cpu.fault().has_value() != referee.cpu.fault().has_value() ||
                                  ours.cpu.next_pc() != referee.cpu.next_pc());
            ++i) {
@@ -142,7 +143,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
       for (std::uint32_t at = pc; at <= ours.cpu.pc() + 2; at += 2) text << " " << firmware.half(at);
       const std::string where = text.str();
       ASSERT_EQ(ours.cpu.fault().has_value(), referee.cpu.fault().has_value()) << where;
-      // After a fault within a block, libunicorn executes further instructions.
+      // After a fault within a block, libunicorn executes further instructions, so nothing more is compared.
       went_wrong_in_block = ours.cpu.fault() && is_block;
       if (went_wrong_in_block) break;
       for (int number = 0; number < Cpu::kPc; ++number)
@@ -163,7 +164,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
   EXPECT_GT(blocks, 300);
 }
 
-// Saturates values below, within and above the bounds. Random values rarely include all of these.
+// Saturates values below, within and above the bounds. Random values rarely include all three kinds.
 TEST(Thumb, SaturatesAsLibunicornDoes) {
   std::mt19937 random(1);
   std::vector<std::uint16_t> code;

@@ -1,4 +1,4 @@
-// Tests the timers (RM0008 14, 15), and the pins that AFIO_MAPR assigns to them (9.3).
+// Tests the timers (RM0008, chapters 14 and 15), and the pins that AFIO_MAPR assigns to them (9.3).
 #include <vector>
 
 #include "tests/unit/exec_stm32/bus_fixture.h"
@@ -25,7 +25,7 @@ class TimersTest : public BusFixture, protected PinWatcher {
     const int shift = 4 * (bit % 8);
     store(at, (load(at) & ~(15u << shift)) | kAlternate << shift);
   }
-  /// Schedules an edge in `in` cycles of 8 MHz.
+  /// Schedules an edge in `in` cycles of 8 MHz, and runs until one cycle after the edge.
   void edge(Pin pin, bool level, Cycle in) {
     levels_[pin] = level;
     board_.schedule_edge(pin, level, bus_.link().clock.time_of(now() + in));
@@ -133,8 +133,8 @@ TEST_F(TimersTest, TheProgramReadsTheLevelOfItsOwnPwm) {
   store(kTim3 + kTimCcr1, 30);
   store(kTim3 + kTimCcer, 1);
   const Address idr = kGpioA + kIdr, bit = 0x42000000 + (idr - 0x40000000) * 32 + 6 * 4;
-  // RM0008 14.3.10: the output is active below CCR when counting up, and up to CCR when counting down. A
-  // centre-aligned timer counts up and down.
+  // In PWM mode 1, the output is active while CNT < CCR when counting up. When counting down, the output is
+  // active while CNT <= CCR (RM0008, 14.3.10). A centre-aligned timer counts up and down.
   for (const auto& [control, mode, high] : {std::tuple{0u, kPwmMode1, 30},
                                             {1u << 4, kPwmMode1, 31},
                                             {1u << 5, kPwmMode1, 60},

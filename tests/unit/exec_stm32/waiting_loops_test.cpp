@@ -1,5 +1,5 @@
-// Tests that skipping busy-wait loops is not observable. Runs the same program on two chips, only one of
-// which skips loops, and compares the chips repeatedly.
+// Tests that skipping busy-wait loops is not observable. Runs the same program on two emulated chips, of
+// which one skips loops, and compares the chips repeatedly.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -41,7 +41,7 @@ class Program {
     load_value(0, value);
     store(address, 0);
   }
-  /// Branches to `to`, which is nearby. Condition 14 means always.
+  /// Adds a branch to `to`, which must be nearby. Condition 14 means always.
   void branch(unsigned condition, std::uint32_t to) {
     const auto offset = (to - here() - 4) / 2;
     half(condition == 14 ? 0xE000 | (offset & 0x7FF) : 0xD000 | condition << 8 | (offset & 0xFF));
@@ -50,7 +50,7 @@ class Program {
   std::vector<std::uint16_t> code;
 };
 
-/// Programs with all kinds of wait loops, including loops that no compiler would generate.
+/// A random program with all kinds of wait loops, including loops that no compiler would generate.
 class RandomProgram : public Program {
  public:
   explicit RandomProgram(unsigned seed) : engine_(seed) {
@@ -100,7 +100,7 @@ class RandomProgram : public Program {
     made.globals_end = kRam + 0x100;
     return made;
   }
-  /// Returns where a round of loop() begins.
+  /// Returns the address at which a round of loop() begins.
   LoopMarks rounds() const {
     LoopMarks rounds;
     rounds.each = {round_};
@@ -122,7 +122,7 @@ class RandomProgram : public Program {
     }
   }
 
-  // Adds a loop that ends after some interrupts, or when one of its parts jumps out.
+  // Adds a loop of one to four random parts, which ends after one to five interrupts.
   void wait() {
     put(kCount, 0);
     if (below(3) == 0) put(kUsartDr, below(256));
@@ -141,7 +141,7 @@ class RandomProgram : public Program {
     switch (below(12)) {
       case 0:
         return load(reg, pick({kUsartSr, kAdcSr, kRccCr, kStkLoad, kScbIcsr, kGpioA + kOdr}));
-      case 1:  // one pin (of a button), or all pins
+      case 1:  // reads one pin, or all pins
         return load(reg, below(2) ? bit_band(kGpioA + kIdr, below(16)) : kGpioA + kIdr);
       case 2:
         return store(kMemory + 4 * below(3), reg);
@@ -150,7 +150,7 @@ class RandomProgram : public Program {
       case 4:
         if (below(6) == 0) return load(reg, pick({kStkVal, kStkCtrl, kUsartDr, kAdcDr}));
         return junk(2);
-      case 5:  // counts passes
+      case 5:  // seldom counts iterations
         if (below(3)) return junk(1);
         load(reg, kMemory + 12);
         half(0x3001 | reg << 8);
@@ -160,7 +160,7 @@ class RandomProgram : public Program {
         half(0xF400 | (offset >> 12 & 0x3FF));
         return half(0xF800 | (offset >> 1 & 0x7FF));
       }
-      case 7:  // if-then (it)
+      case 7:  // an IT block
         half(0xBF08 | below(14) << 4);
         return junk(1);
       case 8:  // counts down in an inner loop
@@ -184,7 +184,7 @@ class RandomProgram : public Program {
   std::uint32_t handler_ = 0, function_ = 0, main_ = 0, round_ = kCode;
 };
 
-/// A level that changes occasionally, and reports its next change.
+/// A source whose level changes occasionally, and which reports the time of its next change.
 class Level final : public PinSource {
  public:
   double volts(SimTime t) override { return level(t) ? 3.3 : 0.0; }

@@ -1,4 +1,4 @@
-// Tests the watchdogs (RM0008 19, 20), and the causes of resets in RCC_CSR (7.3.10).
+// Tests the watchdogs (RM0008, chapters 19 and 20), and the causes of resets in RCC_CSR (7.3.10).
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
@@ -6,7 +6,7 @@ namespace watchdogs_test {
 
 using namespace robosim::stm32;
 
-constexpr Cycle kMs = 8000;  // cycles of HSI
+constexpr Cycle kMs = 8000;  // cycles of the 8 MHz clock HSI
 
 class WatchdogsTest : public BusFixture {
  protected:
@@ -18,8 +18,8 @@ TEST_F(WatchdogsTest, TheIndependentOneResetsBehindItsTimeUnlessItIsReloaded) {
   EXPECT_EQ(load(kIwdg + 4), 0u) << "it is locked";
   store(kIwdg, 0xCCCC);
   store(kIwdg, 0x5555);
-  store(kIwdg + 4, 3);    // 32 / 40 kHz = 0.8 ms
-  store(kIwdg + 8, 124);  // 100 ms
+  store(kIwdg + 4, 3);    // a count takes 32 / 40 kHz = 0.8 ms
+  store(kIwdg + 8, 124);  // 125 counts, which is 100 ms
   EXPECT_EQ(load(kIwdg + 12), 0u);
   store(kIwdg, 0xAAAA);
   pass(99 * kMs);
@@ -31,7 +31,7 @@ TEST_F(WatchdogsTest, TheIndependentOneResetsBehindItsTimeUnlessItIsReloaded) {
 }
 
 TEST_F(WatchdogsTest, TheIndependentOneTakesItsOwnTimeWhateverTheProcessorsClock) {
-  store(kIwdg, 0xCCCC);  // 4 * 4096 / 40 kHz = 409.6 ms
+  store(kIwdg, 0xCCCC);  // the default timeout is 4 * 4096 / 40 kHz = 409.6 ms
   pass(kMs);
   store(kRccCr, kHsiOn | kPllOn);
   store(kRccCfgr, kPllMul9 | kSwPll);  // 36 MHz
@@ -42,7 +42,7 @@ TEST_F(WatchdogsTest, TheIndependentOneTakesItsOwnTimeWhateverTheProcessorsClock
 }
 
 TEST_F(WatchdogsTest, TheWindowWatchdogResetsWhenItIsWrittenTooLateOrTooEarly) {
-  store(kWwdg + 4, 0x50 | 1u << 7);  // the window; a step has 8192 cycles
+  store(kWwdg + 4, 0x50 | 1u << 7);  // sets the window; a count takes 8192 cycles
   store(kWwdg, 0xFF);
   pass(0x2E * 8192);
   EXPECT_EQ(load(kWwdg), 0xD1u);

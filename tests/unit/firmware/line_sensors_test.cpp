@@ -12,7 +12,7 @@ class LineSensorsTest : public ::testing::Test {
  protected:
   void SetUp() override { fake::board = fake::Board{}; }
 
-  // Sets the values that the analog pins of kFive read.
+  // Sets the values that analogRead() returns for the five pins kFive.
   static void see(int a, int b, int c, int d, int e) {
     const int values[] = {a, b, c, d, e};
     for (int i = 0; i < 5; ++i) fake::board.pins[kFive[i]].analog = values[i];
@@ -29,12 +29,12 @@ TEST_F(LineSensorsTest, PutTheLineWhereTheMeanOfWhatTheySeeIs) {
 }
 
 TEST_F(LineSensorsTest, AddUpInMoreThanTheSixteenBitsOfAnUnosInt) {
-  // 1000 * 3500 + 1000 * 2500 = 6,000,000, which is -29,824 in 16 bits.
+  // The sum 1000 * 3500 + 1000 * 2500 = 6,000,000 would be -29,312 in 16 bits.
   const std::uint16_t values[] = {0, 0, 0, 0, 0, 0, 1000, 1000};
   EXPECT_EQ(LineSensors::weightedPosition(values, 8, 99), 3000);
-  // 818 * 100 = 81,800, which is 16,264 in 16 bits.
+  // The product 818 * 100 = 81,800 would be 16,264 in 16 bits.
   EXPECT_EQ(LineSensors::scaled(818, 0, 1023), 799);
-  // Times of an RC sensor above 32,767 us.
+  // Times of an RC sensor may be above 32,767 us, the largest 16-bit int.
   EXPECT_EQ(LineSensors::scaled(60000, 20000, 60000), 1000);
 }
 

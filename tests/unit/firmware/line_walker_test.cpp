@@ -11,8 +11,8 @@ namespace line_walker_test {
 
 using namespace walked;
 
-// The expected values of each trip are exact, because a map is built from them. A robot that drives
-// differently measures other places, costs and times.
+// The expected values of each trip are exact, because the navigator builds its map from such values. If the
+// robot drove differently, it would measure other places, costs and times.
 TEST(LineWalkerTest, ComesToBothEndsOfALine) {
   Walk walk({{-300, 0, 300, 0}});
   walk.go({kBack, kBack});
@@ -214,7 +214,7 @@ end 1000, heading 2 at -299,3, cost 161; axle at -298.2,0.0, 9.42 rad, 9205 ms
 )");
 }
 
-// The outer sensor gets as dark as over an arm, but the other sensors do not.
+// The outer sensor reads as dark as over an arm of a junction, but the other sensors do not.
 TEST(LineWalkerTest, FollowsALineThatComesUnderItsOuterSensorAslant) {
   for (const int length : {40, 80, 150, 300}) {
     const double slant = 36 * M_PI / 180, x = 200 + length * std::cos(slant), y = length * std::sin(slant);
@@ -294,7 +294,7 @@ end 0001, heading 1 at 295,288, cost 57; axle at 300.0,299.6, 7.85 rad, 5800 ms
 
 TEST(LineWalkerTest, FollowsARoundBend) {
   std::vector<walked::Line> lines{{-300, 0, 200, 0}};
-  for (int i = 0; i < 15; ++i) {  // a quarter of a circle
+  for (int i = 0; i < 15; ++i) {  // draws a quarter of a circle
     const double a = i * M_PI / 30, b = (i + 1) * M_PI / 30;
     lines.push_back({200 + 200 * sin(a), 200 - 200 * cos(a), 200 + 200 * sin(b), 200 - 200 * cos(b)});
   }

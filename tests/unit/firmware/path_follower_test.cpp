@@ -10,7 +10,7 @@ namespace path_follower_test {
 using Side = PathFollower::Side;
 using State = PathFollower::State;
 
-// Readings of the three sensors, for followers of either side. `near` is the sensor on the preferred side.
+// Readings of the three sensors. `near` is the sensor on the follower's preferred side, left or right.
 struct Seen {
   bool near, middle, far;
 };
@@ -22,7 +22,7 @@ constexpr Seen kTee{true, true, true};
 
 class PathFollowerTest : public ::testing::TestWithParam<Side> {
  protected:
-  // Applies `seen` to the sensors for `ms`, read every 2 ms.
+  // Updates the follower with the readings `seen` for `ms`, every 2 ms.
   void see(Seen seen, int ms) {
     for (int i = 0; i < ms; i += 2) {
       now += 2;
@@ -30,13 +30,13 @@ class PathFollowerTest : public ::testing::TestWithParam<Side> {
       path.update(left ? seen.near : seen.far, seen.middle, left ? seen.far : seen.near, now);
     }
   }
-  // Returns the difference between the wheels' PWM: positive is a turn to the preferred side.
+  // Returns the difference between the wheels' PWM values. A positive result is a turn to the preferred side.
   int turn() const {
     const int to_the_left = path.rightSpeed() - path.leftSpeed();
     return GetParam() == Side::left ? to_the_left : -to_the_left;
   }
   int speed() const { return (path.leftSpeed() + path.rightSpeed()) / 2; }
-  // Applies `seen` until the state changes. Returns the time in ms.
+  // Updates the follower with the readings `seen` until its state changes. Returns the time in ms.
   int see_until_change(Seen seen, int most_ms = 2000) {
     const State before = path.state();
     int ms = 0;
@@ -137,7 +137,7 @@ TEST_P(PathFollowerTest, TurnsToTheOtherSideWhereTheLineEnds) {
 
 TEST_P(PathFollowerTest, DoesNotTakeTheFloorBesideTheEdgeForTheEndOfTheLine) {
   see(kLine, 300);
-  see(kOffTheEdge, 76);  // the widest part of the zigzag: slightly more than a line's width
+  see(kOffTheEdge, 76);  // the widest part of a zigzag takes slightly more than the 70 ms of a line's width
   EXPECT_EQ(path.state(), State::following);
 }
 
@@ -199,7 +199,7 @@ TEST_P(PathFollowerTest, KeepsItsMeasureWhereABranchCannotHaveBeenOneWidth) {
   EXPECT_EQ(path.widthMs(), PathFollower::Settings().width_ms);
 }
 
-// Checks the millisecond of each change, with the settings of a real robot.
+// Checks at which millisecond each output changes, with the settings of a real robot.
 TEST_P(PathFollowerTest, KeepsToItsTimetable) {
   static const char* const states[] = {"following", "crossing", "rolling", "stopping", "turning", "settling"};
   std::string said = "\n", before;
@@ -218,12 +218,12 @@ TEST_P(PathFollowerTest, KeepsToItsTimetable) {
   look(kBranch, 50);  // a branch, slightly narrower than the initial width
   look(kLine, 430);   // the old line, while turning away
   look(kOffTheEdge, 60);
-  look(kLine, 200);  // the branch, which ends the turn
+  look(kLine, 200);  // the branch, at which the turn ends
   look(kOffTheEdge, 40);
   look(kFarOnly, 10);
   look(kOffTheEdge, 300);  // the end of the line
   look(kLine, 100);
-  look(kBranch, 154);  // the line itself, which moved sideways
+  look(kBranch, 154);  // the line itself, after moving sideways
   look(kOffTheEdge, 63);
   look(kLine, 10);  // not an end: the line reappears while the robot rolls on
   EXPECT_EQ(said, R"(

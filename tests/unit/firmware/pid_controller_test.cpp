@@ -53,9 +53,9 @@ TEST(PidController, TakesLimitsInEitherOrder) {
 TEST(PidController, DoesNotWindUpWhileItsOutputIsAtTheLimit) {
   PidController pid(10, 10, 0);
   pid.setLimits(-100, 100);
-  for (int i = 0; i < 10000; ++i) pid.update(20.0f, 0.01f);  // 100 s, far beyond the limit
+  for (int i = 0; i < 10000; ++i) pid.update(20.0f, 0.01f);  // 100 s with the output at its limit
   EXPECT_LT(pid.integral(), 1.0f);
-  // The error is gone, so the output drops immediately.
+  // The error is now 0, so the output drops immediately.
   EXPECT_LT(pid.update(0.0f, 0.01f), 10.0f);
 }
 
@@ -79,7 +79,7 @@ TEST(PidController, SmoothsItsDerivative) {
   PidController pid(0, 0, 1);
   pid.setDerivativeSmoothing(0.03f);
   pid.update(0.0f, 0.01f);
-  EXPECT_NEAR(pid.update(1.0f, 0.01f), 25.0f, 1e-3f);  // a quarter of 100: dt / (dt + smoothing)
+  EXPECT_NEAR(pid.update(1.0f, 0.01f), 25.0f, 1e-3f);  // 100 * dt / (dt + smoothing), a quarter of 100
 }
 
 TEST(PidController, DoesNotSmoothAnyMoreWhenToldSo) {

@@ -18,11 +18,11 @@ using testing::ElementsAre;
 constexpr std::uint8_t kPonyBumper = 7;
 constexpr std::uint8_t kSensors[] = {A0, A1, A2};
 
-/// The pony's motors follow register 0 with a time constant of 50 ms. Its sensors read HIGH on the line.
+/// A pony whose motors follow register 0 with a time constant of 50 ms. Its sensors read HIGH on the line.
 class PonyBody : public walked::Body {
  public:
   explicit PonyBody(std::vector<walked::Line> lines) : Body(std::move(lines), kPonyBumper) { look(); }
-  double left_wheel = 1;  ///< as a share of the commanded speed
+  double left_wheel = 1;  ///< actual speed as a share of the commanded speed
 
   void look() {
     for (int i = 0; i < 3; ++i)
@@ -323,7 +323,7 @@ class PonyTest : public testing::Test {
   ~PonyTest() override { fake::board = fake::Board{}; }
 
   static int bits(int reg) { return fake::board.shifted[fake::board.shifted.size() - 1 - reg]; }
-  /// Makes `count` steps. Returns the number of steps that set all bits of `mask`.
+  /// Makes `count` steps. Returns the number of steps after which all bits of `mask` are set in register 0.
   int steps(int mask, int left, int right, int count = 15) {
     int set = 0;
     for (int i = 0; i < count; ++i) {
@@ -391,7 +391,7 @@ TEST_F(PonyTest, BelievesASensorAfterTwoLooks) {
 }
 
 TEST_F(PonyTest, ShowsEachNumberByItsSegments) {
-  // The lit segments of the digits 0..9, from bit 0 to bit 6: e g f a b c d.
+  // The lit segments of the digits 0 to 9. The bits 0 to 6 are the segments e, g, f, a, b, c, d.
   const int digits[] = {0x7D, 0x30, 0x5B, 0x7A, 0x36, 0x6E, 0x6F, 0x38, 0x7F, 0x3E};
   for (int n = 0; n < 100; ++n) {
     pony.show(static_cast<std::uint8_t>(n));

@@ -14,7 +14,7 @@ class PushButtonTest : public ::testing::Test {
     button.begin();
   }
 
-  // Keeps the pin at a level for `ms`, while the button reads it every millisecond.
+  // Keeps the pin at `level` for `ms`. The button reads the pin every millisecond.
   void hold(int level, int ms) {
     fake::board.pins[kPin].reads = level;
     for (int i = 0; i < ms; ++i) {
@@ -84,7 +84,7 @@ TEST_F(PushButtonTest, TakesAButtonToTheSupply) {
 }
 
 TEST_F(PushButtonTest, DebouncesAcrossTheWrapAroundOfItsClock) {
-  fake::board.millis_at_start = 0xFFFFFFF8u;  // wraps in 8 ms, as after 49.7 days
+  fake::board.millis_at_start = 0xFFFFFFF8u;  // millis() wraps in 8 ms, as after 49.7 days
   button.begin();
   hold(LOW, 15);
   EXPECT_EQ(presses, 0);

@@ -1,6 +1,7 @@
-// A painted floor and bodies that move on it. Robot is an ideal robot for LineWalker. Its motors reach the
-// commanded speed immediately, and its encoders never miss a count. Its sensors return the share of line
-// under them. x is the distance ahead of the start, y to the right, in mm. Angles are clockwise.
+// Simulates a floor with lines, and bodies that move on it. Robot is an ideal robot for LineWalker: its
+// motors reach the commanded speed immediately, and its encoders never miss a count. Its sensors return the
+// darkness below them. x is the distance ahead of the start and y to the right, both in mm. Angles are
+// clockwise.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +16,10 @@
 namespace walked {
 
 struct Line {
-  double x1, y1, x2, y2;  ///< ends of its centre line
+  double x1, y1, x2, y2;  ///< ends of the centre line
 };
 
-/// Pins that Robot's parts are connected to.
+/// The pins to which Robot's parts are connected.
 enum : std::uint8_t {
   kLeftPwm = 3,
   kLeft1,
@@ -31,7 +32,7 @@ enum : std::uint8_t {
   kBumper
 };
 
-/// A body that moves on the floor with its wheels' commanded speed.
+/// A body that moves on the floor.
 class Body {
  public:
   Body(std::vector<Line> lines, std::uint8_t bumper_pin) : lines_(std::move(lines)), bumper_pin_(bumper_pin) {
@@ -42,15 +43,16 @@ class Body {
   virtual ~Body() { fake::board = fake::Board{}; }
 
   double x = 0, y = 0, angle = 0;
-  /// The bumper is pressed for `wall_ms` while the robot's front is at this x or beyond.
+  /// The x of a wall. While the robot's front is at this x or beyond, the bumper is pressed, for at most
+  /// `wall_ms`.
   double wall_x = 1e9;
   std::uint32_t wall_ms = 1000000;
 
-  /// Returns 0 (floor) to 1000 (line) for a sensor at this position relative to the axle.
+  /// Returns the reading of a sensor at this position relative to the axle: 0 (floor) to 1000 (line).
   int darkness(double ahead, double aside) const {
     const double at_x = x + ahead * std::cos(angle) - aside * std::sin(angle);
     const double at_y = y + ahead * std::sin(angle) + aside * std::cos(angle);
-    double nearest = 1e9;  // squared
+    double nearest = 1e9;  // square of the distance
     for (const Line& line : lines_) {
       const double dx = line.x2 - line.x1, dy = line.y2 - line.y1;
       double t = ((at_x - line.x1) * dx + (at_y - line.y1) * dy) / (dx * dx + dy * dy);
@@ -58,7 +60,7 @@ class Body {
       const double off_x = at_x - line.x1 - t * dx, off_y = at_y - line.y1 - t * dy;
       nearest = std::min(nearest, off_x * off_x + off_y * off_y);
     }
-    const double dark = (14 - std::sqrt(nearest)) / 8;  // falls from 6 to 14 mm off the centre line
+    const double dark = (14 - std::sqrt(nearest)) / 8;  // 1 up to 6 mm from the centre line, 0 from 14 mm
     return static_cast<int>(1000 * (dark < 0 ? 0 : dark > 1 ? 1 : dark));
   }
 
@@ -66,7 +68,7 @@ class Body {
   static constexpr std::uint32_t kPieceUs = 1000;
   static constexpr double kPieceS = 1e-6 * kPieceUs;
 
-  /// Moves the body for the next kPieceUs, by calling go().
+  /// Calls go() with the wheels' speeds to move the body for the next kPieceUs.
   virtual void drive() = 0;
   void go(double left, double right) {
     const double ds = (left + right) / 2 * kPieceS;
@@ -96,7 +98,7 @@ class Robot : public Body {
  public:
   explicit Robot(std::vector<Line> lines) : Body(std::move(lines), kBumper) {}
 
-  double left_wheel = 1, right_wheel = 1;  ///< as a share of the commanded speed
+  double left_wheel = 1, right_wheel = 1;  ///< actual speed as a share of the commanded speed
   std::uint32_t reading_us = 0;            ///< time for reading the sensors
 
  private:

@@ -45,7 +45,7 @@ std::string message_of(Act act) {
   return "no error";
 }
 
-// Computes the mean pixel by pixel, in floating point.
+// Compares the mean with a reference that adds up all pixels in floating point.
 TEST(FloorImage, ItsMeanOverARectangleIsThatOfThePixelsInIt) {
   constexpr int kWide = 37, kHigh = 23;
   constexpr double kPixel = 0.0005;
@@ -122,7 +122,7 @@ TEST(FloorImage, BadPicturesAreToldInASentence) {
   const Folder folder;
   const std::string huge_header = [] {
     std::string png = grey_png(4, 4, noise);
-    png.replace(16, 8, std::string("\0\0\xFF\xFF\0\0\xFF\xFF", 8));  // its CRC is now wrong, too
+    png.replace(16, 8, std::string("\0\0\xFF\xFF\0\0\xFF\xFF", 8));  // changes the size, but not the CRC
     return png;
   }();
   std::string wrong_crc = grey_png(60, 60, noise);
@@ -150,7 +150,7 @@ TEST(FloorImage, BadPicturesAreToldInASentence) {
   }
 }
 
-// A decompression bomb of 100,000 x 100,000 pixels: 97 KB expand to 10 GB.
+// The PNG is a decompression bomb: with 100,000 x 100,000 pixels, 97 KB could expand to 10 GB.
 TEST(FloorImage, AHugePictureIsRefusedByItsHeader) {
   std::string png;
   {

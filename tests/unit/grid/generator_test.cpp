@@ -19,7 +19,7 @@ constexpr Family kAll[] = {Family::tree, Family::cycles, Family::grid};
 
 TrueGraph graph_of(const Map& map) { return true_graph(map, default_start(map)); }
 
-// Generates maps of a family with up to about 200 junctions, each with its own seed.
+// Calls `visit` for maps of a family, with up to about 200 junctions. Each map has its own seed.
 template <typename Visit>
 void for_many(Family family, int maps, Visit visit) {
   const int most = family == Family::tree ? 202 : family == Family::cycles ? 100 : 60;
@@ -32,7 +32,7 @@ void for_many(Family family, int maps, Visit visit) {
 
 // Counts the line cells of a graph without blocked lines: its nodes, and the cells between them.
 std::size_t cells_of(const TrueGraph& graph) {
-  std::size_t between = 0;  // each line is counted at both ends
+  std::size_t between = 0;  // twice the number, because each line is counted at both ends
   for (const GraphStation& station : graph.stations)
     between += static_cast<std::size_t>(station.arm.length - 1);
   for (const GraphJunction& junction : graph.junctions)

@@ -1,4 +1,4 @@
-// Tests surfaces in a map's legend: their cells, their text, and rejected legends.
+// Tests surfaces in a map's legend: the cells that they apply to, writing them, and invalid legends.
 #include "sim/grid/legend.h"
 
 #include <gmock/gmock.h>
@@ -15,7 +15,7 @@ namespace legend_test {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Returns grip and rolling resistance of each cell, or 0 and 0 for the normal floor.
+// Returns the grip and the rolling resistance of each cell. Both are 0 for the normal floor.
 std::vector<std::pair<double, double>> surfaces_of(const Map& map) {
   std::vector<std::pair<double, double>> all;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
@@ -56,7 +56,7 @@ TEST(ALegend, DrawsItsSpreadsByTheSeed) {
   EXPECT_NEAR(drawn, 0.5, 0.1);
 }
 
-// Start and goal are on surfaces, which S and G cannot describe.
+// The start and the goal are on cells with surfaces, which the characters S and G cannot describe.
 TEST(ALegend, IsReadBackAsItWasWritten) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const NoiseStream noise(seed, 0, "map", "legend");

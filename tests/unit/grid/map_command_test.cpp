@@ -185,7 +185,7 @@ TEST_F(MapCommand, GenerateOverwritesNothing) {
   }
   EXPECT_EQ(read_file(mine), "...\n");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "tree-4-1.map"));
-  EXPECT_THROW(generate_maps({"tree", 4, 1, 1, mine}, out_), InputError);  // a file is not a folder
+  EXPECT_THROW(generate_maps({"tree", 4, 1, 1, mine}, out_), InputError);  // a file instead of a folder
 }
 
 TEST_F(MapCommand, ShowDrawsTheMap) {

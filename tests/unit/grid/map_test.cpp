@@ -15,7 +15,7 @@ namespace map_test {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Returns parse_map's message for an invalid text.
+// Returns parse_map()'s error message, or "accepted".
 std::string complaint(std::string_view text) {
   try {
     parse_map(text, "m.map");
@@ -25,7 +25,7 @@ std::string complaint(std::string_view text) {
   return "accepted";
 }
 
-// v1 wrote digits. Its display drew floor, line and wall as space, '.' and '#'.
+// Robosim v1 wrote a map's cells as digits. Its display drew floor, line and wall as space, '.' and '#'.
 constexpr const char* kClassic =
     "22222\n"
     "20002\n"

@@ -29,8 +29,8 @@ std::vector<CellAt> cells_of(const std::vector<Station>& stations) {
   return cells;
 }
 
-// A smaller version of v1's sample map: seven ends and five forks with the same connections, and the same
-// letters at the ends.
+// A smaller version of Robosim v1's sample map. Its seven ends and five forks have the same connections, and
+// its ends have the same letters.
 constexpr const char* kV1Tree =
     "+++\n"
     "[stations]\n"
@@ -50,7 +50,7 @@ constexpr const char* kV1Tree =
 
 TEST(Network, StationsAreNumberedAsV1NumbersThem) {
   const Map map = parse_map(kV1Tree, "m.map");
-  // v1 prints these orders for its sample map.
+  // Robosim v1 prints these orders for its sample map.
   EXPECT_EQ(order(map, "4,1"), "ACGHFDB");
   EXPECT_EQ(order(map, "11,1"), "BACGHFD");
   EXPECT_EQ(order(map, "15,6"), "FDBACGH");
@@ -142,7 +142,7 @@ TEST(Network, AWallBesideALineOrFarFromTheNextLineIsNoObstacle) {
   const Map parallel = parse_map("._.\n.2.\n._.\n", "m.map");
   EXPECT_THAT(cells_of(trace(parallel, "0,0").stations), ElementsAre(CellAt{0, 0}, CellAt{0, 2}));
   EXPECT_FALSE(blocks_line(parallel, {0, 1}, Direction::east));
-  // A single cell has no line that a wall could block.
+  // A wall cannot block a line of a single cell.
   EXPECT_THAT(cells_of(trace(parse_map(".2..\n", "m.map"), "0,0").stations), ElementsAre(CellAt{0, 0}));
 }
 
@@ -215,7 +215,7 @@ TEST(Network, ALoopWithAnObstacleOrAForkIsNoLoop) {
   EXPECT_THAT(trace(parse_map("...\n._.\n...\n.__\n", "m.map"), "0,1").loop, IsEmpty());
 }
 
-// Random maps of all densities: the walk ends, and every dead end is either numbered or unreachable.
+// Tests random maps of all densities: the walk ends, and every dead end is either numbered or unreachable.
 TEST(Network, EveryDeadEndIsNumberedOrUnreachable) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const NoiseStream noise(seed, 0, "map", "test");

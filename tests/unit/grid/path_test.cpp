@@ -23,7 +23,8 @@ using ::testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
 
-// Two straights of 600 mm and two half circles of 300 mm: 1.2 m + 0.6 m pi.
+// The path has two straights of 600 mm and two half circles of 300 mm radius. Its length is 1.2 m + pi * 0.6
+// m.
 constexpr const char* kOval = R"(+++
 line = "19 mm"
 size = ["2 m", "1 m"]
@@ -93,7 +94,7 @@ segments = [{ radius = "200 mm", angle = "-90 deg" }, { angle = "-90 deg" }, { l
   EXPECT_FALSE(path.is_closed(0.02));
 }
 
-// The reference does not use stripes. It searches points a tenth of a millimetre apart along the path.
+// Compares distances to stripes with the smallest distance to points that are 0.1 mm apart on the path.
 TEST(Path, StripesAreAsFarAsThePathIs) {
   const Map map = map_of(R"([[path]]
 from = ["300 mm", "300 mm"]
@@ -117,7 +118,7 @@ segments = [{ length = "400 mm" }, { radius = "150 mm", angle = "250 deg" }, { l
   }
 }
 
-// Includes points where an arc extends beyond the bounding box of its ends.
+// The points include those where an arc extends beyond the bounding box of its ends.
 TEST(Path, StripesAreNearEachPointBesideIt) {
   const Map map = map_of(R"([[path]]
 from = ["1357 mm", "226 mm"]

@@ -188,7 +188,7 @@ TEST(AHillWithASpread, IsAsItsFileInIdealAndDrawnByTheSeedElse) {
   EXPECT_LT(most, 0.6 * std::sin(std::numbers::pi / 9));
 }
 
-// Collects places and sizes for 40 seeds, on a floor of 2 x 1 m with a straight path along y = 500 mm.
+// The floor has 2 x 1 m, and a straight path along y = 500 mm. Draws places and sizes with 40 seeds.
 TEST(APlaceWithASpread, IsAsItsFileInIdealAndDrawnByTheSeedElse) {
   const std::string text =
       "+++\nsize = [\"2 m\", \"1 m\"]\n"

@@ -1,4 +1,4 @@
-// Tests that each map of maps/ can be read, and has the features that its name promises.
+// Tests that each map of the folder maps can be read, and has the features that its name promises.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -102,14 +102,14 @@ TEST(SampleMaps, DashedHasGapsOf25To50Millimetres) {
   EXPECT_GE(gaps, 10);
 }
 
-// Properties of these maps. docs/reference/maps.md lists some of them.
+// Properties of a map of the folder maps. docs/reference/maps.md lists some of these properties.
 struct Facts {
   const char* name;
   std::size_t line_cells;
   std::size_t stations;  ///< number of reachable stations
   std::size_t junctions;
   std::size_t crossings;  ///< four-way junctions
-  std::size_t cycles;     ///< independent cycles of the whole line
+  std::size_t cycles;     ///< independent cycles of the map's line
 };
 
 void PrintTo(const Facts& facts, std::ostream* out) { *out << facts.name; }
@@ -132,7 +132,7 @@ TEST_P(Sample, HasTheFactsOfTheDocumentation) {
   EXPECT_EQ(ends / 2 + pieces - cells.size(), GetParam().cycles);
 }
 
-// A driven robot needs space: before a landmark, next to a line, and beyond a line's end.
+// A robot with motors needs space before a landmark, next to a line, and beyond a line's end.
 TEST_P(Sample, LeavesThreeCellsBetweenLandmarksAndAroundLines) {
   const Map map = sample(GetParam().name);
   for (const CellAt cell : line_cells(map)) {
@@ -162,8 +162,9 @@ INSTANTIATE_TEST_SUITE_P(All, Sample,
                                          Facts{"island", 48, 4, 2, 0, 1}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// Expects the paper's scan times, by v1's formula T = 2(L-1) + S + 2W + W0 for trees of three-way forks. W
-// and W0 count the stations that face a wall; these maps have none.
+// Expects the paper's scan times. Robosim v1's formula for trees of three-way forks is T = 2(L-1) + S + 2W +
+// W0. L is the number of line cells, and S is the number of stations. W and W0 count the stations that face a
+// wall; these maps have none.
 TEST(SampleMaps, CToFTakeTheScanTimesOfThePaper) {
   const std::pair<const char*, std::size_t> times[] = {{"c", 94}, {"d", 141}, {"e", 129}, {"f", 247}};
   for (const auto& [name, time] : times) {
@@ -178,13 +179,13 @@ TEST(SampleMaps, CToFTakeTheScanTimesOfThePaper) {
   }
 }
 
-// The direct route from the first station to the second is 24 cells long, and the obstacle is on it.
+// The obstacle is on the direct route from the first station to the second, which is 24 cells long.
 TEST(SampleMaps, BlockedHasADetour) {
   Map map = sample("blocked");
   const auto obstacle = std::find(map.cells.begin(), map.cells.end(), Cell::obstacle);
   ASSERT_NE(obstacle, map.cells.end());
   *obstacle = Cell::floor;
-  EXPECT_EQ(network_of(map).stations.size(), 5u);  // the obstacle's two ends, and all three stations
+  EXPECT_EQ(network_of(map).stations.size(), 5u);  // the two new line ends, and all three stations
 }
 
 }  // namespace samples_test

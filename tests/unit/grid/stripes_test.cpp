@@ -28,7 +28,7 @@ double nearest(const Stripes& stripes, Vec2 p, bool painted_only = false) {
   return d;
 }
 
-// Returns the length of the centre line, with arcs as quarter circles.
+// Returns the length of the centre line, including its arcs.
 double total_length(const Stripes& stripes) {
   double total = 0.0;
   for (const Stripe& s : stripes.all())
@@ -88,7 +88,7 @@ TEST(Stripes, ACornerIsAQuarterCircleTangentToItsLegs) {
   EXPECT_DOUBLE_EQ(arc->radius, 0.2);
   EXPECT_NEAR(length(arc->centre - (bend + Vec2{0.2, -0.2})), 0.0, 1e-12);
   EXPECT_NEAR(total_length(stripes), 0.1 + 0.1 + 0.1 * 3.14159265358979, 1e-12);
-  // The corner's cell is cut off: its centre is off the line, and the arc's middle represents the cell.
+  // The arc does not reach the centre of the corner's cell, so the arc's middle represents the cell.
   EXPECT_NEAR(nearest(stripes, bend), 0.2 * (std::sqrt(2.0) - 1.0), 1e-12);
   EXPECT_NEAR(nearest(stripes, stripes.point_of({1, 1})), 0.0, 1e-12);
 }
@@ -109,7 +109,7 @@ TEST(Stripes, APointStandsForEveryLineCell) {
     EXPECT_NEAR(nearest(stripes, stripes.point_of(cell)), 0.0, 1e-12) << cell.x << ',' << cell.y;
     EXPECT_LT(length(stripes.point_of(cell) - map.centre(cell)), 0.125) << cell.x << ',' << cell.y;
   }
-  EXPECT_EQ(stripes.point_of({1, 5}), map.centre({1, 5}));  // a fork stays square
+  EXPECT_EQ(stripes.point_of({1, 5}), map.centre({1, 5}));  // a fork is not rounded
 }
 
 TEST(Stripes, JunctionsStaySquare) {
@@ -148,7 +148,7 @@ TEST(Stripes, AGapIsFollowedButNotSeenAndIsAsLongAsItsCells) {
   const Vec2 west_edge = (map.centre({2, 1}) + map.centre({3, 1})) * 0.5;
   const Vec2 east_edge = (map.centre({4, 1}) + map.centre({5, 1})) * 0.5;
   EXPECT_NEAR(nearest(stripes, map.centre({3, 1})), 0.0, 1e-12);
-  // Paint reaches line/2 beyond the stripes' ends, exactly to the edges of the gap's cells.
+  // Paint reaches half a line's width beyond the stripes' ends, exactly to the edges of the gap's cells.
   EXPECT_NEAR(nearest(stripes, west_edge, true), map.line_m / 2, 1e-12);
   EXPECT_NEAR(nearest(stripes, east_edge, true), map.line_m / 2, 1e-12);
   EXPECT_NEAR(total_length(stripes), 0.6, 1e-12);
@@ -179,8 +179,8 @@ TEST(Stripes, AGapWithinAnArcLeavesTheRestOfItPainted) {
     EXPECT_NEAR(nearest(stripes, stripes.point_of(cell), true), 0.0, 1e-12);
 }
 
-// Tests random lines with random corners. The centre line is unbroken. A query by cell finds every stripe
-// within reach that a search of all stripes finds.
+// Tests random lines with random corners. A query by cell must find every stripe within reach that a search
+// of all stripes finds. The centre line must be unbroken.
 TEST(Stripes, AQueryByCellFindsEveryStripeWithinReach) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const NoiseStream noise(seed, 0, "map", "test");

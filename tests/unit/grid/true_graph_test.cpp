@@ -20,7 +20,8 @@ using Behind = Arm::Behind;
 
 TrueGraph graph_of(const Map& map, const char* start) { return true_graph(map, parse_start(map, start)); }
 
-// Formats a junction's slots as "1:0 2 - 3:2 x": junction:slot, stations in brackets, x = blocked.
+// Formats a junction's slots, such as "1:0 (2) - x". These slots lead to slot 0 of junction 1, to station 2,
+// to nothing, and to a blocked line.
 std::string slots(const GraphJunction& junction) {
   std::string text;
   for (const Arm& arm : junction.arms) {
@@ -81,7 +82,7 @@ TEST(TrueGraph, OfACycleHasEachJunctionOnceAndBothEndsOfALineKnowEachOther) {
 TEST(TrueGraph, AStartOnAJunctionWalksTheArmBehindItLast) {
   const Map map = parse_map("__.__\n__.__\n.....\n", "m.map");
   const TrueGraph east = graph_of(map, "2,2,E");
-  EXPECT_EQ(slots(east), "(3) (1) (2)");  // back, straight (no arm to the right), left
+  EXPECT_EQ(slots(east), "(3) (1) (2)");  // back, straight and left; there is no arm to the right
   EXPECT_EQ(east.stations[0].cell, (CellAt{4, 2}));
   EXPECT_EQ(east.stations[1].cell, (CellAt{2, 0}));
   const TrueGraph south = graph_of(map, "2,2,S");
@@ -171,8 +172,8 @@ TEST(TrueGraph, OfBlockedHasADetourRoundTheObstacle) {
   EXPECT_EQ(line_count(graph), 7u);
 }
 
-// Returns the moves from one cell to all others, by breadth-first search over cells. It is the reference for
-// distances_from.
+// Returns the number of moves from one cell to each other cell, by breadth-first search over cells. This is
+// the reference for distances_from().
 std::vector<int> moves_from(const Map& map, CellAt from) {
   std::vector<int> moves(map.cells.size(), -1);
   std::queue<CellAt> queue;

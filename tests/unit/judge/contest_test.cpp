@@ -1,4 +1,4 @@
-// Tests drag races and Rescue Line, with a robot of 60 mm radius that is moved along paths.
+// Tests drag races and Rescue Line. The tests move a robot of 60 mm radius along paths.
 #include "sim/judge/contest.h"
 
 #include <gmock/gmock.h>
@@ -45,7 +45,7 @@ TEST(DragRace, IsTimedFromTheSignalToTheFinishLineAndEndsWhereTheRobotStops) {
   race.wait(1500 * kMillisecond);
   EXPECT_EQ(race.summary(), "the finish line was not passed");
   race.push({3.5, 0.3});
-  // From 0.2 m the robot moves 3.3 m - 0.06 m at 1 m/s, starting half a second after the signal.
+  // The robot starts half a second after the signal. It moves at 1 m/s from x = 0.2 m to x = 3.3 m - 0.06 m.
   EXPECT_NEAR(race.score().run_s, 3.54, 0.01);
   EXPECT_FALSE(race.progress.reached());
   race.wait(500 * kMillisecond);
@@ -76,8 +76,8 @@ TEST(DragRace, WhoLeavesBeforeTheSignalIsOut) {
   EXPECT_EQ(race.summary(), "the robot left before the starting signal and is disqualified");
 }
 
-// Returns a map with the tiles start, gap, checkpoint, intersection, obstacle and end. A cell has 100 mm, a
-// tile three cells.
+// Returns a map with six tiles in a row: start, gap, checkpoint, intersection, obstacle and end. A cell has
+// 100 mm, and a tile has 3 x 3 cells.
 std::string rescue(const char* league = "line") {
   const std::string empty(18, '_');
   std::string text = std::string("+++\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") + league + R"("
@@ -100,10 +100,10 @@ TEST(RescueLine, GivesThePointsOfItsRules) {
   run.follow(0.0, 0.35);
   EXPECT_EQ(run.score().score, 5.0);  // the start tile
   run.follow(0.35, 0.5);
-  EXPECT_EQ(run.score().score, 5.0 + 10.0 + 2 * 5.0);  // gap, and two tiles at the checkpoint
+  EXPECT_EQ(run.score().score, 5.0 + 10.0 + 2 * 5.0);  // plus the gap, and two tiles at the checkpoint
   run.follow(0.5, 1.1);
-  EXPECT_EQ(run.score().score, 35.0);  // intersection
-  run.push({1.2, 0.7});                // around the obstacle at 1.35 m
+  EXPECT_EQ(run.score().score, 35.0);  // plus the intersection
+  run.push({1.2, 0.7});                // drives around the obstacle at 1.35 m
   run.push({1.5, 0.7});
   EXPECT_EQ(run.lacks(), 0);
   run.push({1.55, 0.45});
@@ -128,8 +128,8 @@ TEST(RescueLine, EntryCountsItsOwnHazardsOnlyAndLessForAnObstacle) {
   EXPECT_TRUE(run.progress.contest().over(360 * kSecond));
 }
 
-// Returns a map. After the first tile come a bump, a ramp of two tiles, its top and a seesaw. The last two
-// are a tile that is 3 mm too high, and one with two bumps and two gaps.
+// Returns a map. After the first tile come a tile with a bump, a ramp of two tiles, the ramp's top and a
+// seesaw. Then come a tile that is 3 mm high, and a tile with two bumps and two gaps.
 std::string hills(const char* league) {
   std::string text =
       std::string("+++\nsize = [\"3 m\", \"300 mm\"]\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") +
@@ -183,7 +183,7 @@ TEST(RescueLine, WithoutAnEndTileEndsAtTheEvacuationZone) {
 TEST(RescueLine, ALackOfProgressBringsItBackAndCostsPoints) {
   Pushed run(rescue());
   run.follow(0.0, 0.5);
-  run.push({0.65, 0.75});  // off the checkpoint's tile
+  run.push({0.65, 0.75});  // leaves the checkpoint's tile
   EXPECT_EQ(run.lacks(), 1);
   const std::optional<Pose> hand = run.progress.contest().take_hand();
   ASSERT_TRUE(hand);
@@ -191,13 +191,13 @@ TEST(RescueLine, ALackOfProgressBringsItBackAndCostsPoints) {
   EXPECT_FALSE(run.progress.contest().take_hand());
   run.put(hand->position);
   EXPECT_EQ(run.lacks(), 1);
-  EXPECT_TRUE(run.progress.contest().give_up(run.events));  // completely lost
+  EXPECT_TRUE(run.progress.contest().give_up(run.events));  // as if the robot is completely lost
   run.put(run.progress.contest().take_hand()->position);
   run.follow(0.6, 1.1);
   run.push({1.2, 0.7});
   run.push({1.5, 0.7});
   run.push({1.55, 0.45});
-  EXPECT_EQ(run.score().score, 35.0 + 20.0 + 3 * 1.0);  // 5 - 2 x 2 points for each tile
+  EXPECT_EQ(run.score().score, 35.0 + 20.0 + 3 * 1.0);  // each tile gives 5 - 2 x 2 points
   run.wait(5100 * kMillisecond);
   EXPECT_EQ(run.score().score, 58.0 + 50.0);
 }
@@ -219,7 +219,7 @@ TEST(RescueLine, AndDragRacesNeedTheirTables) {
   EXPECT_THROW(Pushed{text}, InputError);
   text = kStrip;
   text.replace(text.find("drag-race"), 9, "robotrace");
-  EXPECT_THROW(Pushed{text}, InputError);  // an open path
+  EXPECT_THROW(Pushed{text}, InputError);  // the path is not closed
   text = kStrip;
   text.erase(text.find("[race]"), text.find("+++", 10) - text.find("[race]"));
   EXPECT_THROW(Pushed{text}, InputError);

@@ -1,5 +1,5 @@
-// Tests findings about a sketch's EEPROM: wear, records torn by a power cut, and records that were never
-// stored.
+// Tests findings about a sketch's EEPROM: wear, records that a power cut can tear, and records of which all
+// bytes were written to one address.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ class Told final : public exec::Executor {
 
 class EepromTest : public testing::Test {
  protected:
-  /// Writes a byte as EEPROM.write() does: each byte waits until the previous one is written.
+  /// Writes a byte as EEPROM.write() does: waits until the previous byte is written.
   void write(std::uint16_t address, std::uint8_t value) {
     std::uint8_t& cell = cells_.try_emplace(address, 0xFF).first->second;
     now = std::max(now, ready_);
@@ -155,7 +155,7 @@ TEST_F(EepromTest, ANumberWithAChecksumOrAMarkIsNotTorn) {
     update(2, static_cast<std::uint8_t>(n * 7));
   }
   sketch.line = 5;
-  for (int n = 0; n < 20; ++n, now += kSecond) put(10, n % 256 | (~n & 0xFF) << 8);  // {n, ~n}
+  for (int n = 0; n < 20; ++n, now += kSecond) put(10, n % 256 | (~n & 0xFF) << 8);  // bytes n, ~n
   EXPECT_THAT(record.found(), IsEmpty());
 }
 

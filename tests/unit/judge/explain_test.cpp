@@ -12,7 +12,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// A run on a fork of three stations, with a button on pin 4 and a motor on pins 5 and 7.
+/// Provides the evidence of a run on a fork with three stations. The robot has a button on pin 4 and a motor
+/// on pins 5 and 7.
 class Explain : public ::testing::Test {
  protected:
   Explain() {
@@ -45,7 +46,8 @@ class Explain : public ::testing::Test {
     judge_.look(now);
     e.moved = true;
   }
-  /// The robot last sees the line in the middle of cell 3,1 at 2 s.
+  /// Reports that the robot sees the line at 2 s, in the middle of cell 3,1. It does not see the line
+  /// afterwards.
   void lose_the_line() { robot_is_at(2 * kSecond, {3, 1}, true, true); }
 
   Evidence e;
@@ -130,7 +132,7 @@ TEST_F(Explain, APinThatNothingIsWiredToIsCalledSo) {
   e.activity.polled = 11;
   EXPECT_THAT(why(Verdict::timeout), HasSubstr("pin 11 (nothing is wired to it)"));
   robot_is_at(11 * kSecond, {4, 1}, true, true);
-  robot_is_at(12 * kSecond, {5, 1}, true, true);  // a driving robot does not wait for an input
+  robot_is_at(12 * kSecond, {5, 1}, true, true);  // a moving robot does not wait for an input
   e.activity.call = "delay(1)";
   EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in delay(1)."));
 }

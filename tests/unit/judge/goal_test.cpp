@@ -13,7 +13,7 @@ namespace goal_test {
 
 struct Course : HandMoved {
   explicit Course(const char* text, const char* goal) : HandMoved(text, goal ? goal : "") {}
-  // Visits a cell. Returns whether the goal is reached, as wait() does.
+  // Puts the robot on a cell for 10 ms. Like wait(), returns whether the goal is reached.
   bool visit(int x, int y) {
     put(map.centre({x, y}));
     for (int i = 0; i < 9; ++i) look();
@@ -124,7 +124,7 @@ TEST(Goal, RobotraceIsTimedFromTheStartLineToTheGoalLineAndEndsAtRestBetweenThem
   EXPECT_TRUE(c.progress.laps_s().empty());
   c.drive(length + 3.0, 2 * length - 0.25);
   ASSERT_EQ(c.progress.laps_s().size(), 1u);
-  // 3.9566 m at 5 m/s, to the accuracy of a check every 4 mm.
+  // 3.9566 m at 5 m/s take 0.7913 s. The judge checks the robot's place only every 4 mm.
   EXPECT_NEAR(c.progress.laps_s()[0], 0.7913, 0.002);
   EXPECT_FALSE(c.wait(1900 * kMillisecond));
   EXPECT_THAT(c.progress.summary(), testing::HasSubstr("but the robot was not at rest for 2 s"));
@@ -167,7 +167,7 @@ TEST(Goal, TheFirstLapBeginsWhenTheRobotLeavesItsStart) {
   Course c(kRing, "laps:1");
   c.wait(5 * kSecond);
   const Vec2 start = c.body.pose().position;
-  for (const double turned : {0.5, -0.5}) {  // it turns left and right to calibrate
+  for (const double turned : {0.5, -0.5}) {  // turns left and right, as a robot does to calibrate
     c.body.place({start + Vec2{0.008, 0.0}, {std::cos(turned), std::sin(turned)}});
     c.wait(kSecond);
   }

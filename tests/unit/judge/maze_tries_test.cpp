@@ -31,11 +31,11 @@ struct Maze : HandMoved {
 TEST(LineMaze, TheBetterOfTwoTriesCountsAndStoppingOnTheDiscTakesTenSecondsOff) {
   Maze maze;
   maze.wait(3 * kSecond);
-  maze.push(1.1);  // over the disc, whose end is at 1.1 m
+  maze.push(1.1);  // moves over the disc, which ends at 1.1 m
   EXPECT_TRUE(std::isnan(maze.score().score));
   EXPECT_EQ(maze.score().score_unit, "s");
   maze.push(1.25);
-  // The robot drives from 0.16 m to 0.94 m at 0.5 m/s.
+  // The robot drives from x = 0.16 m to x = 0.94 m at 0.5 m/s, which takes 1.56 s.
   EXPECT_NEAR(maze.score().score, 1.56, 0.01);
   EXPECT_FALSE(maze.progress.reached());
   EXPECT_THAT(maze.progress.summary(), HasSubstr("1 of 2 tries made, the disc was reached after 1.5"));
@@ -57,7 +57,7 @@ TEST(LineMaze, TheBetterOfTwoTriesCountsAndStoppingOnTheDiscTakesTenSecondsOff) 
 TEST(LineMaze, ATryThatAHandEndsIsLost) {
   Maze maze;
   maze.push(0.6);
-  maze.put(0.9);  // carried towards the disc
+  maze.put(0.9);  // a manual move towards the disc
   maze.push(1.0);
   maze.wait(2 * kSecond);
   EXPECT_TRUE(std::isnan(maze.score().score));

@@ -50,7 +50,7 @@ class UsageTest : public testing::Test {
 
 TEST_F(UsageTest, ATimerThatListensToItsUnwiredCaptureInputDoesNotMeanThatTheSketchReadsIt) {
   wiring.clear();
-  board.set_wants_edges(8, true, 0);  // ICP1
+  board.set_wants_edges(8, true, 0);  // ICP1, the capture input
   board.set_wants_edges(9, true, 0);  // a pin-change interrupt
   EXPECT_THAT(told(usage().unwired), ElementsAre("D9 read"));
   board.read_level(8, 0);
@@ -80,8 +80,8 @@ TEST_F(UsageTest, WhatASketchNeverTouchesIsUnusedByElementAndByPart) {
 TEST_F(UsageTest, PinsThatAreUsedWithNothingWiredToThemAreNamed) {
   EXPECT_THAT(usage().unwired, IsEmpty());
   set(6, PinMode::output);
-  set(13, PinMode::output);  // the board's own LED
-  set(7, PinMode::output);   // connected
+  set(13, PinMode::output);  // the LED on the board
+  set(7, PinMode::output);   // the robot's motor
   set(2, PinMode::input_pullup);
   board.read_level(2, kMillisecond);
   board.read_volts(16, kMillisecond);
@@ -95,7 +95,7 @@ TEST_F(UsageTest, APinThatIsReadWithItsWholePortIsNotBlamed) {
 }
 
 TEST_F(UsageTest, PinsThatAreLookedAtInOneReadAreAllNamedAndSoIsOneThatIsReadOnce) {
-  for (const Pin pin : {2, 3}) board.read_level(pin, kMillisecond);  // PIND & 0x0C
+  for (const Pin pin : {2, 3}) board.read_level(pin, kMillisecond);  // as PIND & 0x0C does
   board.read_level(5, kSecond);
   EXPECT_THAT(told(usage().unwired), ElementsAre("D2 read", "D3 read", "D5 read"));
 }

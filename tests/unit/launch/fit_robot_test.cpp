@@ -7,7 +7,7 @@
 namespace robosim::launch {
 namespace fit_robot_test {
 
-/// Describes a robot whose file has the board uno.
+/// Returns the description of a robot whose file names the board uno.
 wire::RobotInfo describe(const std::string& robot) {
   const std::string board = parse_robot_name(robot).board;
   wire::RobotInfo info;

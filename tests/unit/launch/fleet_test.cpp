@@ -117,7 +117,7 @@ TEST(Fleet, IsOneResultThatNamesTheFirstRobotThatFailed) {
 struct Bad {
   const char* name;
   const char* text;
-  const char* sentence;  ///< beginning of the message, after the file's name
+  const char* sentence;  ///< beginning of the error message after the file's name
 };
 
 void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }

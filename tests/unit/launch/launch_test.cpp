@@ -15,7 +15,7 @@ namespace launch_test {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Provides finished images for both chips, so that nothing is compiled.
+/// Provides image files for both chips, so that no test compiles a sketch.
 class LaunchTest : public ::testing::Test {
  protected:
   LaunchTest() {
@@ -35,7 +35,8 @@ class LaunchTest : public ::testing::Test {
     Launcher launcher({[this](const std::string& sentence) { told_.push_back(sentence); }, {}, {}, {}});
     return launcher.prepare(launch, choose(launch), describe, {});
   }
-  /// Describes any robot as an Uno, except for Blue Pills.
+  /// Describes bluepill5 as a Blue Pill, and any other robot as an Uno. A board in the robot's name has
+  /// priority.
   static wire::RobotInfo describe(const std::string& robot) {
     const std::string board = parse_robot_name(robot).board;
     wire::RobotInfo info;

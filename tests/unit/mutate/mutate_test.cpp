@@ -31,7 +31,8 @@ TEST(Edits, AreMadeFromTheLastToTheFirst) {
   EXPECT_EQ(changed("int a = a + b;", {{"", 4, 5, "other"}, {"", 8, 9, "other"}}), "int other = other + b;");
 }
 
-// clang omits a place's file if it equals the previous place's. Places in other files are included code.
+// In clang's tree, a place has a file only if its file differs from the previous place's. The declarations in
+// other files come from included code.
 TEST(SyntaxTree, NamesTheFileOfEachPlaceAndLeavesOutDeclarationsOfOthers) {
   const auto tree = read_tree(
       R"({"kind": "TranslationUnitDecl", "loc": {}, "inner": [
@@ -45,7 +46,7 @@ TEST(SyntaxTree, NamesTheFileOfEachPlaceAndLeavesOutDeclarationsOfOthers) {
   EXPECT_EQ(tree["inner"][0]["inner"][0]["range"]["end"]["in"], 0);
 }
 
-/// A sketch in a separate folder, parsed by clang.
+/// A sketch in a temporary folder, which clang parses.
 class Sketch : public testing::Test {
  protected:
   void SetUp() override {
@@ -64,7 +65,7 @@ class Sketch : public testing::Test {
   void file(const std::string& name, const std::string& text) { write_file(folder_ / "S" / name, text); }
   Tree tree() { return parse(build::parse_context_of({folder_ / "S", *find_board("uno")})); }
 
-  /// Returns the changes of the file, in the form "relational < -> <=".
+  /// Returns the mutations of the file `name`, in the form "relational < -> <=".
   std::multiset<std::string> changes(const std::string& name) {
     std::multiset<std::string> all;
     for (const Mutation& one : mutations(tree()))

@@ -21,8 +21,8 @@ typedef nav::FixedTree<> Tree;
 FloorWalker& floorWalker(SeeingWalker& walker) { return walker; }
 FloorWalker& floorWalker(BlindWalker& walker) { return walker.walker; }
 
-/// Scans a floor. Expects a correct map of everything that can be reached, and at most one run along each
-/// line from each end.
+/// Scans a floor. Expects a correct map of everything that can be reached. Also expects at most one run along
+/// each line from each of its ends.
 template <class Walker, class Network>
 void expectScan(Floor& floor, Stand start, Network& network, int32_t drift = 0) {
   Walker walker(floor, start);
@@ -50,7 +50,8 @@ void expectScan(Floor& floor, Stand start, Network& network, int32_t drift = 0) 
 constexpr nav::Heading kN = 0, kE = 1, kS = 2, kW = 3;
 
 TEST(Explorer, NumbersStationsAndJunctionsByTheRightHandWalk) {
-  // An H on its side: stations 0 and 1 on the left, 2 and 3 on the right, junctions 4 and 5.
+  // The floor is an H. Stations 0 and 1 end the left bar, and stations 2 and 3 the right bar. The junctions
+  // are 4 and 5.
   Floor floor;
   for (int i = 0; i < 6; ++i) floor.addNode();
   floor.join({4, kN}, {0, kS});
@@ -97,7 +98,7 @@ TEST(Explorer, KnowsASpotAloneALineAndALineBegunInItsMiddle) {
 }
 
 TEST(Explorer, ClosesLoopsAndParallelLines) {
-  // Two junctions, three lines between them, and a loop at the second junction.
+  // Three lines join junctions 0 and 1. Another line leads from junction 1 to junction 2, which has a loop.
   Floor floor;
   floor.addNode();
   floor.addNode();
@@ -119,7 +120,7 @@ TEST(Explorer, LearnsRandomTreesWithoutOdometry) {
     SCOPED_TRACE(seed);
     Dice dice(seed);
     Floor floor = randomTree(dice, 2 + dice.below(199), dice.oneIn(2));
-    for (Floor::Line& line : floor.lines) line.cost = 1;  // the cost that a tree stores
+    for (Floor::Line& line : floor.lines) line.cost = 1;  // a tree stores no costs, and assumes 1
     if (dice.oneIn(3)) blockSome(dice, floor, 20);
     Tree tree;
     expectScan<BlindWalker>(floor, randomStand(dice, floor), tree);
@@ -192,7 +193,7 @@ TEST(Explorer, GoesToTheNodeItLeftWhenItsWayBackIsCutOff) {
   const int last = floor.join({1, kS}, {3, kN});
   SeeingWalker walker(floor, {{0, kE}});
   walker.block_line = last;
-  walker.block_before = 2;  // 0 to 1 and 1 to 3, then back from 3
+  walker.block_before = 2;  // cuts off the way back after 0, 1, 3
   Map map;
   nav::Explorer<SeeingWalker, Map> explorer(walker, map);
   while (explorer.step()) {
@@ -213,7 +214,7 @@ TEST(Explorer, GoesOnToTheJunctionItKnowsIfAnObstacleCutsItOffBehindACycle) {
   const int round = floor.join({1, kN}, {2, kN});
   SeeingWalker walker(floor, {{0, kE}});
   walker.block_line = round;
-  walker.block_before = 5;  // 0 to 1, 2 and 3, back to 2, around to 1, and then back
+  walker.block_before = 5;  // cuts off the way back after 0, 1, 2, 3, 2, 1
   Map map;
   nav::Explorer<SeeingWalker, Map> explorer(walker, map);
   while (explorer.step()) {
@@ -242,7 +243,7 @@ TEST(Explorer, DoesNotGoBackToAnObstacleThatItMetBeforeItsFirstNode) {
   EXPECT_EQ(walker.follows, 6) << "to the obstacle, to the junction, and to each station and back";
 }
 
-/// Returns landmarks from a list, regardless of its commands.
+/// A walker that ignores its commands, and returns landmarks from a list.
 struct ScriptedWalker {
   static const bool kKnowsPlaces = true;
   std::deque<Landmark> script;
@@ -302,7 +303,8 @@ TEST(Explorer, IsLostRatherThanLedAstray) {
 }
 
 TEST(Explorer, TakesAnArmForOpenThatItComesBackBy) {
-  // A ring of two junctions. An obstacle on one line disappears after the robot met it from one side.
+  // Two lines join two junctions to a ring. The obstacle on one of these lines disappears after the robot has
+  // met the obstacle from one side.
   Floor floor;
   for (int i = 0; i < 4; ++i) floor.addNode();
   floor.join({0, kE}, {1, kW});
@@ -315,7 +317,7 @@ TEST(Explorer, TakesAnArmForOpenThatItComesBackBy) {
   nav::Explorer<SeeingWalker, Map> explorer(walker, map);
   explorer.step();
   explorer.step();
-  explorer.step();  // the robot has met the obstacle, and is back at the junction
+  explorer.step();  // the robot is back at the junction after meeting the obstacle
   ASSERT_EQ(map.link(1, 1), Map::kBlocked);
   floor.lines[ring].blocked = false;
   while (explorer.step()) {

@@ -21,7 +21,7 @@ struct Sink {
   void put(uint8_t byte) { bytes.push_back(byte); }
 };
 
-/// An EEPROM that is empty after the record.
+/// An EEPROM that holds `bytes`, and 0xFF after them.
 struct Source {
   const Bytes& bytes;
   size_t at = 0;
@@ -72,7 +72,7 @@ void expectSame(const Network& a, const Network& b) {
   }
 }
 
-/// Returns a ring of junctions, whose other arms end in stations.
+/// Returns a ring of junctions. Each junction also has a line to a station of its own.
 Floor ring(int junctions) {
   Floor floor;
   for (int i = 0; i < junctions; ++i) floor.addNode();
@@ -81,8 +81,8 @@ Floor ring(int junctions) {
   return floor;
 }
 
-/// Returns a row of junctions, each with its own station, and a station at both ends: 2 · junctions + 2
-/// nodes.
+/// Returns a row of junctions with a station at each end. Each junction also has a line to a station of its
+/// own, so the floor has 2 · junctions + 2 nodes.
 Floor comb(int junctions) {
   Floor floor;
   for (int i = 0; i < junctions + 2; ++i) floor.addNode();
@@ -135,7 +135,8 @@ TEST(FixedNetwork, Holds64JunctionsInACycleAndRefusesOneMore) {
 }
 
 TEST(FixedNetwork, Holds64JunctionsWithFourArmsAllJoined) {
-  // A torus of 8 by 8 junctions: 63 lines of the tree and 65 side lines.
+  // The floor is a torus of 8 by 8 junctions. Of its 128 lines, 63 form the scan's tree, and 65 are side
+  // lines.
   Floor floor;
   for (int i = 0; i < 64; ++i) floor.addNode({1000 * (i % 8), 1000 * (i / 8)});
   for (int i = 0; i < 64; ++i) {
@@ -176,14 +177,14 @@ TEST(FixedTree, KeepsSixteenBlockedArms) {
   Floor floor = comb(40);
   Tree tree;
   for (int blocked : {16, 17}) {
-    for (int i = 0; i < blocked; ++i) floor.lines[45 + i].blocked = true;  // stations along the row
+    for (int i = 0; i < blocked; ++i) floor.lines[45 + i].blocked = true;  // lines to stations along the row
     EXPECT_EQ((explore<BlindWalker>(floor, {{0, 1}}, tree)),
               blocked == 16 ? nav::ScanState::complete : nav::ScanState::full);
   }
 }
 
-// The check value of CRC-16/CCITT-FALSE in catalogues of checksums. It ensures that stored maps stay
-// readable.
+// 0x29B1 is the check value of CRC-16/CCITT-FALSE in catalogues of checksums. With another checksum, stored
+// maps would no longer be readable.
 TEST(Record, HasTheChecksumThatItSays) {
   std::uint16_t crc = 0xFFFF;
   for (const char c : std::string("123456789")) crc = nav::crc16(crc, static_cast<std::uint8_t>(c));
@@ -228,7 +229,7 @@ TEST(Record, OfFullStorageFitsAnEeprom) {
   ASSERT_EQ((explore<SeeingWalker>(floor, {{0, 1}}, map)), nav::ScanState::complete);
   int blocked = 0;
   while (map.addStation(0, 0, 1, 2, 0) != Map::kNone) ADD_FAILURE() << "not full";
-  for (uint8_t node = 0; node < 200; ++node)  // as if the scan had met them
+  for (uint8_t node = 0; node < 200; ++node)  // as if the scan had met obstacles
     if (!map.isStation(node) && map.block(node, 3)) ++blocked;
   EXPECT_EQ(blocked, 31);
   EXPECT_LE(saved(map).size(), 1024u);
@@ -254,7 +255,8 @@ TEST(Record, WithAnyByteDamagedIsRefusedAndLeavesNothing) {
   EXPECT_TRUE(load(loaded, whole));
 }
 
-/// Expects that any loaded network is harmless: every id is valid, and every function returns.
+/// Expects that a network that was loaded from any bytes is harmless: every id is valid, and every function
+/// returns.
 template <class Network>
 void expectHarmless(const Network& network) {
   nav::FixedPath<200> path;

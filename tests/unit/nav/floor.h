@@ -1,5 +1,5 @@
-// A network of lines as an abstract floor, and a robot on it that meets nav's Walker contract. Any two arms
-// may be joined: the line between them bends as needed.
+// Simulates an abstract floor, which is a network of lines, and a robot on it that meets nav's Walker
+// contract. Any two arms may be joined, because lines bend as needed.
 #pragma once
 
 #include <array>
@@ -13,14 +13,14 @@ namespace nav_test {
 using nav::rotated;
 using nav::rotatedArms;
 
-/// An arm of a node.
+/// An arm of a node: the beginning of a line in one of four directions.
 struct Arm {
   int node;
   nav::Heading heading;
   friend bool operator==(const Arm&, const Arm&) = default;
 };
 
-/// A floor. Its headings and places are in the floor's own frame.
+/// A network of lines. Headings and places are in the floor's own frame, not in the robot's.
 class Floor {
  public:
   struct Node {
@@ -43,14 +43,15 @@ class Floor {
   int join(Arm a, Arm b, uint32_t cost = 10);
   int degree(int node) const { return nav::slotCount(nodes[node].arms); }
   bool isStation(int node) const { return degree(node) <= 1; }
-  /// Returns the other end of a line.
+  /// Returns the arm at the other end of a line.
   Arm across(int line, Arm from) const { return lines[line].a == from ? lines[line].b : lines[line].a; }
 
   std::vector<Node> nodes;
   std::vector<Line> lines;
 };
 
-/// The start of a robot: on a node with some heading, or on a line after leaving through an arm.
+/// The start of a robot: on a node, with the arm's heading. With `on_line`, the robot has left the node
+/// through the arm, and is on the line.
 struct Stand {
   Arm arm;
   bool on_line = false;
@@ -65,9 +66,9 @@ class FloorWalker {
   void leave(nav::Turn turn);
   void relocate(const nav::Place& at);
 
-  /// Returns the rotation of the walker's frame against the floor's.
+  /// Returns the rotation of the walker's frame relative to the floor's frame.
   int frame() const { return frame_; }
-  /// Returns whether the robot is on a node. at() has the node, and the heading in the floor's frame.
+  /// Returns whether the robot is on a node. at() returns the node, and the heading in the floor's frame.
   bool onNode() const { return line_ < 0; }
   Arm at() const { return at_; }
 
@@ -77,11 +78,11 @@ class FloorWalker {
   /// Number of invalid commands: to follow a missing line, to turn where turning is impossible, or to
   /// relocate to a wrong place.
   int errors = 0;
-  /// Odometry's error at each landmark, in the unit of places. It does not accumulate.
+  /// The error of odometry at each landmark, in the unit of places. The error does not accumulate.
   int32_t drift = 0;
-  /// The robot started at another place than the origin, so the first relocate() may set any place.
+  /// Whether the first relocate() may set any place, because the robot did not start at the origin.
   bool strange = false;
-  /// Before follow() number `block_before`, an obstacle appears on line `block_line`.
+  /// An obstacle appears on line `block_line` before follow() number `block_before`, counted from 0.
   int block_before = -1, block_line = -1;
 
  private:
@@ -89,15 +90,15 @@ class FloorWalker {
   nav::Landmark arriveBy(Arm in, uint32_t cost);
 
   Floor& floor_;
-  Arm at_;               ///< on a node: the robot's heading; on a line: the arm on its side of the obstacle
+  Arm at_;               ///< on a node: the node and the heading; on a line: the arm where the robot entered
   int line_ = -1;        ///< the line on which the robot is
-  bool inward_ = false;  ///< on a line: the robot faces that arm
+  bool inward_ = false;  ///< on a line: whether the robot faces the arm at_
   bool must_turn_ = false;
   int frame_ = 0;
   nav::Place origin_{0, 0}, offset_{0, 0};
 };
 
-/// A walker without odometry: headings follow from the commanded turns, and bends are not noticed.
+/// A walker without odometry. It computes headings from the commanded turns, and does not notice bends.
 class BlindWalker {
  public:
   static const bool kKnowsPlaces = false;

@@ -25,7 +25,7 @@ typedef nav::FixedTree<200, 40> Tree;
 FloorWalker& floorWalker(SeeingWalker& walker) { return walker; }
 FloorWalker& floorWalker(BlindWalker& walker) { return walker.walker; }
 
-/// A robot that has scanned a floor. `where` has the floor's node for each node of the robot's network.
+/// A robot that has scanned a floor. `where` contains the floor's node for each node of the robot's network.
 template <class Walker, class Network>
 struct Scanned {
   Walker walker;
@@ -75,7 +75,7 @@ void expectTrips(Dice& dice, Floor& floor, Walker& walker, const Network& networ
       EXPECT_EQ(navigator.here(), to);
     } else {
       EXPECT_EQ(end, NavState::no_way);
-      // The robot stores only real obstacles, so if it finds no path, no path exists.
+      // The robot stores only real obstacles. If the robot finds no path, no path must exist.
       nav::FixedPath<200> path;
       nav::FixedWork<200> work;
       EXPECT_EQ(nav::bfs(network, navigator.here(), uint8_t(to), path, work), nav::Plan::no_way);
@@ -124,7 +124,7 @@ TEST(Navigator, TakesTheCheapestWay) {
     Dice dice(seed);
     Floor floor = randomNet(dice, 2 + dice.below(20), 10);
     for (Floor::Line& line : floor.lines)
-      if (floor.isStation(line.a.node) || floor.isStation(line.b.node)) line.cost = 1;  // as in networks
+      if (floor.isStation(line.a.node) || floor.isStation(line.b.node)) line.cost = 1;  // as networks assume
     Scanned<SeeingWalker, Map> robot(floor, randomStand(dice, floor));
     nav::Navigator<SeeingWalker, Map, nav::TreeOrDijkstra<>> navigator(robot.walker, robot.network);
     navigator.start(0, robot.heading);
@@ -269,7 +269,7 @@ TEST(PathPlanner, HasNoNextNodeWhereItIs) {
   EXPECT_EQ(planner.next(map, 2, 2), Map::kNone);
 }
 
-/// Returns landmarks from a list, regardless of its commands.
+/// A walker that ignores its commands, and returns landmarks from a list.
 struct ScriptedWalker {
   static const bool kKnowsPlaces = true;
   std::deque<Landmark> script;

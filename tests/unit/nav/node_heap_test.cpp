@@ -9,7 +9,8 @@
 namespace nav_test {
 namespace node_heap_test {
 
-// Checks the heap directly: on a network, a disordered heap gives a wrong path only one time in a thousand.
+// Tests the heap without a network, because a disordered heap rarely causes a wrong path: one time in a
+// thousand.
 TEST(NodeHeap, GivesTheNearestFirstAlsoWhenOthersHaveComeNearer) {
   constexpr uint8_t kNodes = 40;
   for (uint32_t seed = 0; seed < 500; ++seed) {

@@ -24,7 +24,7 @@ typedef nav::FixedNetwork<60> Map;
 typedef nav::LinkTable<200, 4> Links;
 typedef std::vector<int> Way;
 
-/// A map that accepts only queries of existing nodes and arms.
+/// A map that fails the test at a query for a node or an arm that does not exist.
 class StrictMap : public Map {
  public:
   bool isStation(Id node) const { return known(node), Map::isStation(node); }
@@ -51,8 +51,8 @@ void explore(Dice& dice, Floor& floor, Network& network) {
   ASSERT_EQ(explorer.state(), nav::ScanState::complete);
 }
 
-/// Reference for all planners: computes every distance from one node by relaxing all lines until nothing
-/// changes.
+/// Computes the distances of all nodes from one node, by relaxing all lines until nothing changes. This is
+/// the reference for all planners.
 template <class Network>
 std::vector<int> distances(const Network& network, int from, bool by_cost) {
   std::vector<int> far(network.size(), -1);
@@ -73,7 +73,7 @@ std::vector<int> distances(const Network& network, int from, bool by_cost) {
   return far;
 }
 
-/// Returns the number of lines in a path, or their cost; -1 if it is not a path.
+/// Returns the number of lines in `way`, or with `by_cost` their cost. Returns -1 if `way` is not a path.
 template <class Network>
 int length(const Network& network, const Way& way, bool by_cost) {
   int sum = 0;
@@ -100,7 +100,8 @@ Planned plan(Planner planner, const Network& network, int from, int to) {
 
 #define PLANNER(name) [](auto& n, auto f, auto t, auto& p, auto& w) { return nav::name(n, f, t, p, w); }
 
-/// Expects a path of the given length from one node to another, or no path if the length is negative.
+/// Expects that `planned` is a path of length `least` between the nodes. If `least` is negative, expects that
+/// no path was found.
 template <class Network>
 void expectWay(const char* name, const Network& network, const Planned& planned, int from, int to, int least,
                bool by_cost) {
@@ -117,7 +118,8 @@ void expectWay(const char* name, const Network& network, const Planned& planned,
   EXPECT_EQ(std::set<int>(planned.way.begin(), planned.way.end()).size(), planned.way.size());
 }
 
-/// Follows next(here) until it arrives. Returns the length, or -1 if there is no path.
+/// Drives from node to node as `next` chooses, until `to` is reached. Returns the cost of the way, or a
+/// negative number if `next` does not lead to `to`.
 template <class Network>
 int drive(const Network& network, int from, int to, const std::function<int(int)>& next) {
   Way way{from};
@@ -130,7 +132,7 @@ int drive(const Network& network, int from, int to, const std::function<int(int)
   return length(network, way, true);
 }
 
-/// Checks all planners for any network, from one node to another.
+/// Checks the planners that work on any network, from one node to another.
 template <class Network>
 void expectSearches(const Network& network, int from, int to, const std::vector<int>& lines,
                     const std::vector<int>& costs) {
@@ -149,7 +151,7 @@ void expectTreePlanners(const Network& network, int from, int to, int lines) {
   expectWay("interval", network, plan(PLANNER(interval), network, from, to), from, to, lines, false);
 }
 
-/// Returns the same links, without places, costs and headings.
+/// Returns the links of `network`, without its places, costs and headings.
 template <class Network>
 Links linksOf(const Network& network) {
   Links links;
@@ -247,7 +249,7 @@ TEST(Planners, AgreeOnThousandsOfNetsWithCycles) {
   }
 }
 
-/// Returns the same tree with other ids. The root keeps its id, and parents stay in slot 0.
+/// Returns the tree `links` with the new ids `id`. The root keeps its id, and parents stay in slot 0.
 Links renumbered(const Links& links, const std::vector<int>& id) {
   Links other;
   other.clear(links.size());
@@ -267,7 +269,7 @@ TEST(Planners, ThatNeedPreorderRefuseAnyOtherNumbering) {
     explore(dice, floor, map);
     std::vector<int> id(map.size());
     std::iota(id.begin(), id.end(), 0);
-    // Exchanges two ids, or shuffles all of them.
+    // Shuffles all ids except the root's, or exchanges two ids.
     if (dice.oneIn(2)) {
       for (int i = map.size() - 1; i > 1; --i) std::swap(id[i], id[1 + dice.below(i)]);
     } else {
@@ -286,7 +288,7 @@ TEST(Planners, ThatNeedPreorderRefuseAnyOtherNumbering) {
         EXPECT_EQ(planned.way, right.way);
       }
     }
-    const Planned climbed = plan(PLANNER(climb), links, from, to);  // gives a right path, or refuses
+    const Planned climbed = plan(PLANNER(climb), links, from, to);  // finds the right path, or refuses the tree
     EXPECT_TRUE(climbed.plan == Plan::not_preorder || climbed.way == right.way);
     if (HasFailure()) return;
   }
@@ -400,12 +402,12 @@ TEST(DijkstraNext, TakesTheShorterOfTwoWaysOfManyMinutes) {
 }
 
 TEST(DijkstraNext, HalvesCostsThatAreTooLongForSixteenBits) {
-  // A row of 64 junctions, connected by lines of ten minutes each.
+  // `map` is a row of 64 junctions. Each line between them takes ten minutes.
   Map map;
   map.clear();
   map.addJunction(Map::kNone, 0, 0b0101, 0, {0, 0}, 0);
   for (int i = 1; i < 64; ++i) map.addJunction(i - 1, 1, 0b0101, 0, {100 * i, 0}, 31744);
-  // The root's slot 0 points backward, and closes the ring with one line.
+  // `ring` is the same row, closed to a ring by a line from its last junction to the root's slot 0.
   Map ring;
   ring.clear();
   ring.addJunction(Map::kNone, 0, 0b0101, 0, {0, 0}, 0);

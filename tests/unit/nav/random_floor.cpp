@@ -20,7 +20,7 @@ Arm take(std::vector<Arm>& free, int i) {
 }
 
 int addSomewhere(Dice& dice, Floor& floor) {
-  // Nodes are farther apart than any tolerance: each has its own row of a lattice.
+  // Each node has its own row of a lattice, so nodes are farther apart than any tolerance.
   const int n = static_cast<int>(floor.nodes.size());
   return floor.addNode({200 * dice.below(100) - 10000, 100 * n - 5000});
 }
@@ -35,7 +35,7 @@ void addStation(Dice& dice, Floor& floor, Arm arm) {
 Floor randomTree(Dice& dice, int nodes, bool four_way) {
   Floor floor;
   std::vector<Arm> free{{addSomewhere(dice, floor), static_cast<nav::Heading>(dice.below(4))}};
-  // Each free arm needs a station at the end.
+  // Counts each free arm as a node, because each of them gets a station at the end.
   while (static_cast<int>(floor.nodes.size() + free.size()) + (four_way ? 3 : 2) <= nodes) {
     const Arm from = take(free, dice.below(static_cast<int>(free.size())));
     const int node = addSomewhere(dice, floor);

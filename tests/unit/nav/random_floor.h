@@ -1,4 +1,4 @@
-// Random networks for the tests of navigation. The same seed gives the same floor on every machine.
+// Generates random networks for the tests of navigation. A seed gives the same floor on every machine.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace nav_test {
 
-/// Random numbers below `n`. The standard library's distributions are not used, because they differ between
-/// libraries.
+/// A source of random numbers. It does not use the standard library's distributions, because these differ
+/// between libraries.
 class Dice {
  public:
   explicit Dice(uint32_t seed) : engine_(seed) {}
@@ -20,15 +20,15 @@ class Dice {
   std::mt19937 engine_;
 };
 
-/// Returns a tree of stations and junctions with three arms (with `four_way`, some with four). It has `nodes`
-/// nodes, or slightly fewer.
+/// Returns a tree of stations and junctions, with `nodes` nodes or slightly fewer. Junctions have three arms;
+/// with `four_way`, some have four.
 Floor randomTree(Dice& dice, int nodes, bool four_way);
 
-/// Returns junctions whose arms are joined at random: cycles, parallel lines, lines from a junction to
-/// itself, and stations at the remaining arms. The network is connected.
+/// Returns a connected network of junctions whose arms are joined at random. It has cycles, parallel lines,
+/// and lines from a junction to itself. Some arms end in stations.
 Floor randomNet(Dice& dice, int junctions, int percent_stations);
 
-/// Puts obstacles on some lines.
+/// Puts an obstacle on each line with a probability of 1 / `one_in`.
 void blockSome(Dice& dice, Floor& floor, int one_in);
 
 /// Returns a random place on the floor with a random heading.

@@ -11,14 +11,15 @@
 
 namespace nav_test {
 
-/// A network node's place on the floor: the floor's node, and the rotation of the robot's headings there.
+/// The place of a network's node on the floor: the floor's node, and the rotation of the robot's headings at
+/// this node.
 struct Found {
   int node = -1;
   int frame = 0;
 };
 
-/// Returns where each node of the network is on the floor. Fails the test at the first difference: a node,
-/// arm, line, cost or obstacle that does not exist, is missing, or leads elsewhere.
+/// Returns the place of each node of the network on the floor. Fails the test at the first difference between
+/// their nodes, arms, lines, costs or obstacles.
 template <class Network>
 std::vector<Found> expectTruth(const Network& network, const Floor& floor, Found root, bool one_frame) {
   std::vector<Found> where(network.size());

@@ -1,4 +1,4 @@
-// The part of Arduino that the library uses, with a clock and pins that tests set and read.
+// Declares the part of Arduino's core that the library uses. Tests set and read its clock and pins.
 #pragma once
 
 #include <cstdint>
@@ -28,17 +28,17 @@ struct Pin {
   int analog = 0;                 ///< result of analogRead()
   std::uint32_t drains_us = 0;    ///< time for which an input stays HIGH after it was an output
   std::uint32_t released_us = 0;  ///< when the pin became an input
-  int rises = 0;                  ///< how often the firmware changed it from LOW to HIGH
+  int rises = 0;                  ///< how often the firmware changed the pin from LOW to HIGH
   void (*handler)() = nullptr;    ///< the function passed to attachInterrupt()
   int handler_mode = 0;
 };
 
 struct Board {
   Pin pins[32];
-  std::vector<std::uint8_t> shifted;  ///< bytes of shiftOut
+  std::vector<std::uint8_t> shifted;  ///< bytes of shiftOut()
   std::uint32_t now_us = 0;
-  std::function<void()> on_wait;      ///< called when the firmware waits, to move the world
-  std::uint32_t millis_at_start = 0;  ///< millis() at now_us = 0; it wraps at 2^32
+  std::function<void()> on_wait;      ///< called while the firmware waits; a test moves its robot here
+  std::uint32_t millis_at_start = 0;  ///< millis() at now_us = 0; millis() wraps at 2^32
 };
 
 /// The board that the functions below use. Each test creates a new one.
