@@ -1,10 +1,11 @@
-# Builds Arduino libraries and sketches for a chip as CMake targets. avr_firmware.cmake and stm32_firmware.cmake include
-# this file.
+# Builds Arduino libraries and sketches for a chip as CMake targets. avr_firmware.cmake and
+# stm32_firmware.cmake include this file.
 #
 #   robosim_arduino_library(LineKit FOLDER firmware)
 #   robosim_arduino_sketch(PidFollower FOLDER firmware/examples/PidFollower LIBRARIES LineKit BOARDS uno nano)
 #
-# makes PidFollower-uno.elf and the file to flash, and prints its size as Arduino does. The including file defines
+# These calls build PidFollower-uno.elf and the file to flash, and print the sketch's size as Arduino does.
+# The including file must define
 #
 #   robosim_board(BOARD)           makes the targets arduino-BOARD, the core, and arduino-BOARD-flags
 #   robosim_finish(TARGET BOARD)   makes further files from a linked sketch
@@ -18,15 +19,15 @@ if(NOT ARDUINO_CTAGS)
 endif()
 set(ROBOSIM_TOOLCHAIN ${CMAKE_CURRENT_LIST_DIR})
 
-# robosim_arduino_library(<name> FOLDER <folder>): an Arduino library with src/ or only with headers. Only its needed
-# objects are linked.
+# robosim_arduino_library(<name> FOLDER <folder>): registers an Arduino library in the folder's src/, which
+# may contain only headers. The linker uses only the objects that a sketch needs.
 function(robosim_arduino_library name)
   cmake_parse_arguments(arg "" FOLDER "" ${ARGN})
   cmake_path(ABSOLUTE_PATH arg_FOLDER)
   set_property(GLOBAL PROPERTY robosim_arduino_library_${name} ${arg_FOLDER})
 endfunction()
 
-# Compiles a library for a board: the target NAME-BOARD.
+# Creates the target NAME-BOARD, which compiles a library for a board.
 function(robosim_library_for_board name board)
   if(TARGET ${name}-${board})
     return()
@@ -43,7 +44,8 @@ function(robosim_library_for_board name board)
   endif()
 endfunction()
 
-# robosim_arduino_sketch(<name> FOLDER <folder> [LIBRARIES <names>] BOARDS <boards>)
+# robosim_arduino_sketch(<name> FOLDER <folder> [LIBRARIES <names>] BOARDS <boards>): builds a sketch for
+# boards.
 function(robosim_arduino_sketch name)
   cmake_parse_arguments(arg "" FOLDER "LIBRARIES;BOARDS" ${ARGN})
   cmake_path(ABSOLUTE_PATH arg_FOLDER)

@@ -1,11 +1,11 @@
-# Builds Arduino sketches for an ATmega328P with avr-atmega328p.cmake, for the boards uno and nano: .elf and .hex. The
-# core is the genuine core of the package arduino-core-avr. The flags are from its platform.txt, as in
-# sim/build/target.cpp.
+# Builds Arduino sketches with avr-atmega328p.cmake for the boards uno and nano: a .elf and a .hex file. The
+# core is Arduino's own core from the package arduino-core-avr. As in sim/build/target.cpp, the flags are
+# those of its platform.txt.
 include(${CMAKE_CURRENT_LIST_DIR}/arduino_firmware.cmake)
 find_program(AVR_OBJCOPY avr-objcopy)
 find_program(AVR_SIZE avr-size)
 
-# Board: macro, folder of pins, bytes of flash for a sketch.
+# For each board: its macro, the folder of its pins, and the bytes of flash for a sketch.
 set(ROBOSIM_AVR_uno ARDUINO_AVR_UNO standard 32256)
 set(ROBOSIM_AVR_nano ARDUINO_AVR_NANO eightanaloginputs 30720)
 set(ROBOSIM_AVR_RAM 2048)
@@ -18,7 +18,7 @@ function(robosim_board board)
   list(GET ROBOSIM_AVR_${board} 0 macro)
   list(GET ROBOSIM_AVR_${board} 1 variant)
   add_library(arduino-${board}-flags INTERFACE)
-  # Never SYSTEM: avr-gcc would treat headers in such folders as C.
+  # These folders must not be SYSTEM folders, in which avr-gcc would treat headers as C.
   target_include_directories(arduino-${board}-flags INTERFACE
     ${ARDUINO_AVR}/cores/arduino ${ARDUINO_AVR}/variants/${variant})
   target_compile_definitions(arduino-${board}-flags INTERFACE
@@ -32,7 +32,7 @@ function(robosim_board board)
 
   file(GLOB sources CONFIGURE_DEPENDS ${ARDUINO_AVR}/cores/arduino/*.cpp ${ARDUINO_AVR}/cores/arduino/*.c
     ${ARDUINO_AVR}/cores/arduino/*.S)
-  list(SORT sources)  # the linker uses archive members in this order: the result equals `robosim build`'s
+  list(SORT sources)  # in the order of `robosim build`, so the linked images are equal
   add_library(arduino-${board} STATIC ${sources})
   target_link_libraries(arduino-${board} PUBLIC arduino-${board}-flags)
   # avr-libc 2.0 has no DECIMAL_DIG, which WString.cpp needs.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# toolchain/chip_size.sh SIZE ELF NAME FLASH RAM: prints a program's use of flash and RAM, as Arduino does. Exits with
-# status 1 if the program does not fit the chip.
+# toolchain/chip_size.sh SIZE ELF NAME FLASH RAM: prints a program's use of flash and RAM, as Arduino does.
+# SIZE is the tool, such as avr-size. Exits with status 1 if the program does not fit the chip.
 set -euo pipefail
 
 "$1" -A "$2" | awk -v name="$3" -v flash="$4" -v ram="$5" '

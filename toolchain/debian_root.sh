@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # toolchain/debian_root.sh RELEASE [STEP...]: tests this checkout's HEAD in a fresh minimal root of a Debian release
-# (bookworm, trixie), as on a newly installed machine. Steps, in this order; by default all:
+# (bookworm, trixie), as on a newly installed machine. By default, runs all steps, in this order:
 #
 #   run       as root: the README's first command, which installs missing packages and builds
 #   samples   as root: the checks of every sample, on the targets that they name
@@ -9,9 +9,9 @@
 #   pi        as root: the golden tests, cross-built for a Raspberry Pi with 64 and 32 bits, under qemu-user
 #   user      as an ordinary user, with the packages installed: both commands
 #
-# Prints a table at the end: the versions, and each step's seconds and last line. Status 1 if a step failed.
-# Requires root, and mmdebstrap. Packages come from this machine's mirror; nothing else is downloaded.
-# The root stays in build/roots/RELEASE, with the log of each step in its /var/log/robosim.
+# Prints a table at the end: the versions, and the seconds and the last line of each step. Exits with status 1
+# if a step fails. Requires root and mmdebstrap. Downloads only packages, from this machine's mirror. The root
+# stays in build/roots/RELEASE, and its folder /var/log/robosim contains the log of each step.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/..
@@ -33,8 +33,9 @@ fi
 root=$here/build/roots/$release
 logs=$root/var/log/robosim
 
-# Runs a command in the root. Mounts devices, /proc and /tmp only for this command. Changes the root of the mount
-# namespace, not only of the process, because the kernel allows no user namespaces in a chroot.
+# Runs a command in the root. Mounts devices, /proc and /tmp only for this command. Changes the root of the
+# mount namespace. A chroot, which changes only the root of the process, would not suffice: the kernel does
+# not allow user namespaces in it.
 inside() {  # FOLDER COMMAND...
   unshare --mount --pid --fork --kill-child bash -euc '
     mount --bind "$0" "$0"
@@ -68,8 +69,8 @@ try() {  # NAME LINE-TO-SHOW FOLDER COMMAND...
   record "$1" $((SECONDS - begin)) "$status" "$(grep -E "$2" "$log" | tail -n 1)"
 }
 
-# Runs every sample, and compares it on host and AVR. Any verdict is a result: status 0, 1, or 4 if time is up. The
-# host rejects some samples, which are only for a chip: they run on the AVR.
+# Runs every sample, and compares it on host and AVR. Accepts every verdict: status 0, 1, or 4 if time is up.
+# The host rejects samples that are only for a chip, so these run on the AVR.
 each_sample='
   ran=0 compared=0 chip=0
   sample() {  # COMMAND... : succeeds if the status is a verdict, otherwise stores the output

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# toolchain/join_inos.sh CTAGS OUT.cpp INO...: joins .ino files to a C++ source, as Arduino does: adds Arduino.h at
-# the top, and a prototype of each function before the first function. Handles only plain functions without default
-# arguments; `robosim build` handles all.
+# toolchain/join_inos.sh CTAGS OUT.cpp INO...: joins .ino files to a C++ source, as Arduino does. Adds
+# Arduino.h at the top, and prototypes of all functions before the first function. Handles only plain
+# functions without default arguments; `robosim build` handles all functions.
 set -euo pipefail
 
 ctags=$1 out=$2
@@ -15,8 +15,8 @@ shift 2
   done
 } >"$out.joined"
 
-# Fields: name, file, pattern, then "kind:function". A function with a scope is a member; a `template` needs no
-# prototype.
+# The fields of a ctags line are name, file and pattern, and then "key:value". A function with a scope is a
+# member. A template does not need a prototype.
 "$ctags" -u --language-force=c++ -f - --c++-kinds=f --fields=KSTtzns "$out.joined" | awk -F'\t' '
   { line = signature = type = scope = "" }
   {

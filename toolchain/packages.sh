@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # toolchain/packages.sh GROUP...: installs the missing packages of these groups of packages.txt.
 #
-# With a terminal, prints the command and asks the user. As root without a terminal (CI, a container), installs at
-# once. Otherwise prints the command and ends with status 5; a failed installation has the same status. Prints nothing
-# and needs no network if nothing is missing. Its own output and apt's go to stderr.
+# With a terminal, prints the command and asks the user. As root without a terminal (CI, a container),
+# installs at once. Otherwise prints the command and ends with status 5, which is also the status of a failed
+# installation. If nothing is missing, prints nothing and needs no network. All output, also that of apt, goes
+# to stderr.
 set -euo pipefail
 
 list=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/packages.txt
@@ -36,7 +37,7 @@ missing_of() {  # PACKAGE...
 }
 
 if ! command -v dpkg-query >/dev/null; then
-  exit 0  # not a Debian: CMake and the build report what is missing
+  exit 0  # this is not a Debian system, so CMake and the build report what is missing
 fi
 mapfile -t wanted < <(packages_of "$@")
 ((${#wanted[@]})) || fail "no group '$*' in $list"
@@ -70,13 +71,13 @@ no_packages() {
   fail "apt-get could not install these (is there a network?): ${missing[*]}"
 }
 
-# One answering server is enough, since existing lists may be new enough.
+# It is enough if one server answers, because the existing lists of the other servers may be new enough.
 apt apt-get update -o Acquire::Retries=0 >"$log" 2>&1 || :
 if ! grep -qE '^(Get|Hit):' "$log"; then
   tail -n 15 "$log" >&2
   no_packages
 fi
-# If this release does not have a package, apt reports only "unable to locate".
+# Finds packages that this release does not have, because apt reports only "unable to locate" for them.
 available=" $(apt-cache policy "${missing[@]}" | sed -n '/^[^ ]/{s/:$//;h;d}; /Candidate: [^(]/{g;p}' | tr '\n' ' ')"
 for package in "${missing[@]}"; do
   [[ $available == *" $package "* ]] || absent+=("$package")

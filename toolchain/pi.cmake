@@ -1,5 +1,5 @@
-# The common part of pi64.cmake and pi32.cmake: Debian's cross compiler, with the libraries that pi_sysroot.sh
-# unpacks.
+# Contains the common part of pi64.cmake and pi32.cmake: uses Debian's cross compiler, with the libraries that
+# pi_sysroot.sh unpacks.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_C_COMPILER ${CMAKE_LIBRARY_ARCHITECTURE}-gcc)
 set(CMAKE_CXX_COMPILER ${CMAKE_LIBRARY_ARCHITECTURE}-g++)

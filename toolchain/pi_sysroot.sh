@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# toolchain/pi_sysroot.sh arm64|armhf [FOLDER]: unpacks the libraries that Robosim and its tests link, for this
-# architecture, into FOLDER. pi64.cmake and pi32.cmake use them. These are the groups [host], [test], [avr] and [stm32]
-# of packages.txt, with their dependencies. FOLDER is build/ARCHITECTURE-sysroot by default. The system's own packages
-# and lists stay unchanged. About 60 MB are downloaded.
+# toolchain/pi_sysroot.sh arm64|armhf [FOLDER]: downloads the libraries that Robosim and its tests link, about 60 MB,
+# for this architecture. Unpacks them into FOLDER, where pi64.cmake and pi32.cmake find them. The libraries are those of
+# the groups [host], [test], [avr] and [stm32] of packages.txt, with their dependencies. By default, FOLDER is
+# build/ARCHITECTURE-sysroot. Does not change the system's own packages and lists.
 set -euo pipefail
 
 architecture=${1:-}
@@ -12,7 +12,7 @@ if [[ $architecture != arm64 && $architecture != armhf ]]; then
 fi
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 folder=${2:-$here/../build/$architecture-sysroot}
-[[ ! $folder/complete -nt $here/packages.txt ]] || exit 0  # the list of packages may have changed
+[[ ! $folder/complete -nt $here/packages.txt ]] || exit 0  # the folder is up to date
 rm -rf "$folder"
 mkdir -p "$folder"/apt/{lists,archives}/partial
 folder=$(readlink -f "$folder")
@@ -29,7 +29,7 @@ for package in "$folder"/apt/archives/*.deb; do
   dpkg-deb --extract "$package" "$folder"
 done
 rm -r "$folder/apt"
-# Since Debian 13, everything is in /usr. The package that links /lib to it is not unpacked here.
+# Since Debian 13, all libraries are in /usr. The package that links /lib to /usr/lib is not unpacked here.
 [[ -e $folder/lib ]] || ln -s usr/lib "$folder/lib"
 
 # Makes absolute links relative, because they would leave the folder.

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs the tests of a built preset: `toolchain/run_tests.sh PRESET [CTEST-ARGUMENTS]`. Prints a progress line, and each
-# failure with its output and the command to repeat it. Then prints the skipped tests with their reasons, and the
-# totals. Saves the complete output in build/PRESET/tests.log. With options about ctest's output, such as -V or -N,
-# prints ctest's own output. Status: ctest's; 130 after Ctrl-C.
+# toolchain/run_tests.sh PRESET [CTEST-ARGUMENTS]: runs the tests of a built preset. Prints a progress line,
+# and each failed test with its output and the command to repeat it. Then prints the totals, and the reasons
+# of skipped tests. Saves the complete output in build/PRESET/tests.log. With options about ctest's output,
+# such as -V or -N, prints only ctest's own output. Exits with the status of ctest, or with 130 after Ctrl-C.
 set -uo pipefail
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." || exit
 
@@ -10,7 +10,7 @@ preset=$1
 log=build/$preset/tests.log
 ctest=(ctest --preset "$preset" -j "$(nproc)" "${@:2}")
 again='./robosim test'
-if [[ ${2-} == --browser ]]; then  # only the tests that every preset excludes
+if [[ ${2-} == --browser ]]; then  # runs only the tests that every preset excludes
   ctest=(ctest --test-dir "build/$preset" -j "$(nproc)" --output-on-failure --no-tests=error -L '^browser$' "${@:3}")
   again='./robosim test --browser'
 fi

@@ -1,18 +1,18 @@
-# Builds Arduino sketches for an STM32F103C8 with stm32f103.cmake, for the boards bluepill (72 MHz) and bluepill8 (8
-# MHz): .elf and .bin. The core is hal/stm32 and hal/arduino with the portable sources of the package
+# Builds Arduino sketches with stm32f103.cmake for the boards bluepill (72 MHz) and bluepill8 (8 MHz): a .elf
+# and a .bin file. The core consists of hal/stm32, hal/arduino and the portable sources of the package
 # arduino-core-avr. The flags are those of sim/build/target.cpp.
 include(${CMAKE_CURRENT_LIST_DIR}/arduino_firmware.cmake)
 find_program(STM32_OBJCOPY arm-none-eabi-objcopy)
 find_program(STM32_SIZE arm-none-eabi-size)
 cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH ROBOSIM_STM32_ROOT)
 
-# The processor's clock for each board. Bytes of flash for a sketch, and of RAM.
+# The clock of each board in Hz, the bytes of flash for a sketch, and the bytes of RAM.
 set(ROBOSIM_STM32_bluepill 72000000)
 set(ROBOSIM_STM32_bluepill8 8000000)
 set(ROBOSIM_STM32_FLASH 65536)
 set(ROBOSIM_STM32_RAM 20480)
 
-# The genuine core's portable sources, without AVR-specific files.
+# The portable sources of Arduino's own core, which are not specific to AVR.
 set(ROBOSIM_STM32_PORTABLE Print.h Print.cpp Printable.h Stream.h Stream.cpp WString.h WString.cpp WCharacter.h
   IPAddress.h IPAddress.cpp binary.h Client.h Server.h Udp.h new new.h new.cpp abi.cpp)
 set(ROBOSIM_STM32_STAGE ${CMAKE_BINARY_DIR}/core)
@@ -44,7 +44,8 @@ function(robosim_board board)
   target_link_options(arduino-${board}-flags INTERFACE
     -nostartfiles --specs=nano.specs -Wl,--gc-sections -Wl,--build-id=none "SHELL:-T ${hal}/stm32/stm32f103c8.ld")
 
-  # The linker uses archive members in this order: the result equals `robosim build`'s (sim/build/toolchain.cpp).
+  # Sorts the sources in the order of `robosim build` (sim/build/toolchain.cpp), so the linked images are
+  # equal.
   set(sources)
   foreach(folder ${hal}/stm32 ${hal}/arduino ${ROBOSIM_STM32_STAGE})
     file(GLOB found CONFIGURE_DEPENDS ${folder}/*.cpp)

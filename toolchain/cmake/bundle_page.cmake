@@ -1,8 +1,9 @@
 # cmake -DFOLDER=sim/page -DOUT=page_text.cpp -P bundle_page.cmake
 #
-# Bundles the page: inserts style.css and the modules into page.html, and embeds the result in a C++ source, unless OUT
-# is an .html. A module may import from earlier modules in the list, by name. All modules share one scope, so the
-# top levels of two modules must not use the same name (a browser reports that at once).
+# Bundles the page: inserts style.css and the modules into page.html. Embeds the result in a C++ source,
+# unless OUT is an .html file. A module may import names from modules that are earlier in the list. All
+# modules share one scope, so the top levels of two modules must not define the same name. A browser reports
+# such a name immediately.
 set(modules recording run colours player live fleet view bodies floor timeline charts now pins lists main)
 
 file(READ ${FOLDER}/style.css style)
@@ -22,7 +23,7 @@ if(OUT MATCHES "\\.html$")
   return()
 endif()
 
-# One literal for each line, because compilers limit a literal's length.
+# Writes one literal for each line, because compilers limit a literal's length.
 string(REPLACE "\n" ")page~\" \"\\n\"\nR\"page~(" page "${page}")
 file(WRITE ${OUT} "#include \"sim/record/page_text.h\"
 

@@ -1,6 +1,7 @@
-# Shortens the first build, without other effects.
+# Shortens the first build, without changing what the programs do.
 
-# Code that waits for disks, compilers and users is compiled with less optimisation, in two thirds of the time.
+# Compiles code that usually waits for disks, compilers or users with less optimisation, in two thirds of the
+# time.
 set(quick $<$<CONFIG:Release>:-O1>)
 foreach(library project build course print calibrate launch play wiring mutate tui client record analysis cli serve)
   if(TARGET robosim_${library})
@@ -13,8 +14,8 @@ if(ROBOSIM_AMPLE_MEMORY)
   target_compile_options(robosim_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2000000>)
 endif()
 
-# nlohmann-json's templates cost a compiler about 5 s, once for all files that are compiled together. So the files
-# that use them are grouped.
+# Groups the files that use nlohmann-json, whose templates take a compiler about 5 s. Files that are compiled
+# together share this time.
 foreach(library course record cli)
   get_target_property(sources robosim_${library} SOURCES)
   set(with_json "")
@@ -31,8 +32,8 @@ foreach(library course record cli)
   set_target_properties(robosim_${library} PROPERTIES SOURCES "${with_json};${sources}")
 endforeach()
 
-# Precompiles the headers of the standard library and fmt for each level of optimisation. This saves about 2 s for
-# each file. ccache caches such files only if its sloppiness is set.
+# Precompiles the headers of the standard library and fmt for each level of optimisation. This saves about 2 s
+# for each file. ccache caches files that use precompiled headers only if its sloppiness is set.
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES ccache AND NOT "$ENV{CCACHE_SLOPPINESS}" MATCHES pch_defines)
   return()
 endif()

@@ -1,5 +1,6 @@
-# Installs and packages Robosim, for `cmake --install` and CPack. sim/base/file.h describes how Robosim finds these
-# files. Each target is a component and a Debian package: host and avr (MIT), stm32 (GPL-2 by Unicorn).
+# Installs and packages Robosim, for `cmake --install` and CPack. sim/base/file.h describes how Robosim finds
+# the installed files. Each target is a component and a Debian package. host and avr have the MIT licence.
+# stm32 has the licence GPL-2 because of Unicorn.
 if(NOT TARGET robosim OR NOT TARGET robosim-host)
   return()
 endif()
@@ -16,8 +17,8 @@ install(DIRECTORY sim/robot/stock/ DESTINATION share/robosim/robots COMPONENT ho
 install(FILES README.md DESTINATION share/doc/robosim COMPONENT host)
 install(DIRECTORY docs DESTINATION share/doc/robosim COMPONENT host FILES_MATCHING PATTERN *.md)
 
-# The built command prints its own manual pages and completion. It does so during the installation, so that a plain
-# build takes no time for them.
+# The built command prints its own manual pages and completion. This happens during the installation, so that
+# it does not lengthen a build.
 set(help ${CMAKE_CURRENT_BINARY_DIR}/help)
 string(REPLACE ";" "\" \"" emulator "${CMAKE_CROSSCOMPILING_EMULATOR}")
 if(emulator)
@@ -36,8 +37,8 @@ install(FILES ${help}/fish DESTINATION share/fish/vendor_completions.d RENAME ro
 
 install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim RENAME copyright COMPONENT host)
 
-# For find_package(robosim): installs the harness as source, the headers that it includes, and the libraries that it
-# needs as one library.
+# Installs what find_package(robosim) needs: the harness as source, the headers that the harness includes, and
+# one library that contains all libraries that it links.
 set(libraries worlds launch analysis record tui client wire build project elf cells grid trace board base)
 set(script "create librobosim.a\n")
 foreach(library ${libraries})
@@ -93,7 +94,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(libraries "")
 set(libelf "")
 set(libnlopt "")
-if(CMAKE_CROSSCOMPILING)  # dpkg-shlibdeps only handles this machine's libraries
+if(CMAKE_CROSSCOMPILING)  # dpkg-shlibdeps handles only the libraries of this machine
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS OFF)
   set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE ${ROBOSIM_PI_ARCHITECTURE})
   set(libraries ", libc6 (>= 2.34), libgcc-s1, libstdc++6 (>= 11), libseccomp2, zlib1g")
@@ -109,7 +110,7 @@ set(CPACK_DEBIAN_HOST_PACKAGE_NAME robosim)
 set(CPACK_DEBIAN_HOST_DESCRIPTION "Firmware test harness for line-follower robots
  Takes an Arduino sketch as it is, lets it drive a simulated robot over a floor drawn as text, and judges the run.")
 set(CPACK_DEBIAN_HOST_PACKAGE_DEPENDS "g++, binutils, arduino-ctags, arduino-core-avr${libraries}${libelf}${libnlopt}")
-set(CPACK_DEBIAN_HOST_PACKAGE_RECOMMENDS "cmake, make, libgmock-dev, libfmt-dev, libelf-dev")  # for tests in C++
+set(CPACK_DEBIAN_HOST_PACKAGE_RECOMMENDS "cmake, make, libgmock-dev, libfmt-dev, libelf-dev")  # for C++ tests
 set(CPACK_DEBIAN_HOST_PACKAGE_SUGGESTS "robosim-avr, robosim-stm32, avrdude")
 set(CPACK_DEBIAN_AVR_PACKAGE_NAME robosim-avr)
 set(CPACK_DEBIAN_AVR_DESCRIPTION "Robosim's target avr

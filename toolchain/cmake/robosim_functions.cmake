@@ -1,14 +1,16 @@
-# For your own project, after find_package(robosim) or FetchContent of Robosim's sources:
+# Defines functions for your own project. Use them after find_package(robosim) or FetchContent of Robosim's
+# sources:
 #
 #   robosim_add_sketch(NAME SKETCH folder [TARGETS host avr stm32] [ROBOT robot])
-#     Adds a target that compiles the sketch for the robot's board, as `robosim build` does, in each build in which it
-#     has changed. The build fails if the sketch does not compile, does not fit the chip, or exceeds the robot's budget.
-#     Images and .hex files go to NAME-TARGET/ in the current binary folder. TARGETS: only host by default.
+#     Adds a target that compiles the sketch for the robot's board, as `robosim build` does. Each build compiles
+#     the sketch again if it has changed. The build fails if the sketch does not compile, does not fit the chip,
+#     or exceeds the robot's budget. Images and .hex files go to NAME-TARGET/ in the current binary folder.
+#     By default, TARGETS is only host.
 #
 #   robosim_add_test(NAME SOURCES file... [SKETCH folder | IMAGE file.elf] [TARGETS host avr stm32])
-#     Adds a GoogleTest of firmware, linked with robosim::testing (#include <robosim/testing.h>), and registers each
-#     test with ctest. The sketch or image is the test's ROBOSIM_SKETCH. AllTargets() returns TARGETS; by default,
-#     all available targets.
+#     Adds a GoogleTest of firmware, linked with robosim::testing (#include <robosim/testing.h>), and registers
+#     each test with ctest. The sketch or image is the ROBOSIM_SKETCH of the test. AllTargets() returns TARGETS,
+#     or by default all available targets.
 include_guard(GLOBAL)
 
 function(robosim_add_sketch name)
@@ -49,7 +51,8 @@ function(robosim_add_test name)
       add_dependencies(${name} ${runner})
     endif()
   endforeach()
-  get_property(installation GLOBAL PROPERTY ROBOSIM_INSTALLATION)  # empty: uses the results in the build folder
+  # If this is not an installation, tests use the programs in the build folder.
+  get_property(installation GLOBAL PROPERTY ROBOSIM_INSTALLATION)
   string(REPLACE ";" "," targets "${arg_TARGETS}")
   target_compile_definitions(${name} PRIVATE
     ROBOSIM_TEST_INSTALLATION="${installation}" ROBOSIM_TEST_TARGETS="${targets}")
@@ -58,6 +61,6 @@ function(robosim_add_test name)
     cmake_path(ABSOLUTE_PATH firmware NORMALIZE)
     target_compile_definitions(${name} PRIVATE ROBOSIM_SKETCH="${firmware}")
   endif()
-  include(GoogleTest)  # here, because it sets variables in this scope
+  include(GoogleTest)  # not at the top, because it sets variables in this scope
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
 endfunction()

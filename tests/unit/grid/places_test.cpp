@@ -5,7 +5,7 @@
 namespace robosim::grid {
 namespace places_test {
 
-// Returns the map 1 ─ J ─ 3 with station 2 below J. From J, stations 1 and 3 are four cells away, and station
+// Returns the map 1 - J - 3 with station 2 below J. From J, stations 1 and 3 are four cells away, and station
 // 2 three cells.
 const Map& tee() {
   static const Map map = parse_map(

@@ -128,8 +128,8 @@ TEST(RescueLine, EntryCountsItsOwnHazardsOnlyAndLessForAnObstacle) {
   EXPECT_TRUE(run.progress.contest().over(360 * kSecond));
 }
 
-// Returns a map. After the first tile come a tile with a bump, a ramp of two tiles, the ramp's top and a
-// seesaw. Then come a tile that is 3 mm high, and a tile with two bumps and two gaps.
+// Returns a map. After the first tile come a bump, a ramp of two tiles, the ramp's top and a seesaw. Then
+// come a tile that is 3 mm high, and a tile with two bumps and two gaps.
 std::string hills(const char* league) {
   std::string text =
       std::string("+++\nsize = [\"3 m\", \"300 mm\"]\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") +

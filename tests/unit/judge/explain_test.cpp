@@ -46,8 +46,7 @@ class Explain : public ::testing::Test {
     judge_.look(now);
     e.moved = true;
   }
-  /// Reports that the robot sees the line at 2 s, in the middle of cell 3,1. It does not see the line
-  /// afterwards.
+  /// Reports that the robot sees the line for the last time, at 2 s in the middle of cell 3,1.
   void lose_the_line() { robot_is_at(2 * kSecond, {3, 1}, true, true); }
 
   Evidence e;

@@ -81,8 +81,8 @@ Floor ring(int junctions) {
   return floor;
 }
 
-/// Returns a row of junctions with a station at each end. Each junction also has a line to a station of its
-/// own, so the floor has 2 · junctions + 2 nodes.
+/// Returns a row of junctions with a station at each end. Each junction also has a line to its own station.
+/// The floor therefore has 2 * junctions + 2 nodes.
 Floor comb(int junctions) {
   Floor floor;
   for (int i = 0; i < junctions + 2; ++i) floor.addNode();

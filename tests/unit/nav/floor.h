@@ -80,7 +80,7 @@ class FloorWalker {
   int errors = 0;
   /// The error of odometry at each landmark, in the unit of places. The error does not accumulate.
   int32_t drift = 0;
-  /// Whether the first relocate() may set any place, because the robot did not start at the origin.
+  /// If the robot did not start at the origin, the first relocate() may set any place.
   bool strange = false;
   /// An obstacle appears on line `block_line` before follow() number `block_before`, counted from 0.
   int block_before = -1, block_line = -1;

@@ -288,7 +288,7 @@ TEST(Planners, ThatNeedPreorderRefuseAnyOtherNumbering) {
         EXPECT_EQ(planned.way, right.way);
       }
     }
-    const Planned climbed = plan(PLANNER(climb), links, from, to);  // finds the right path, or refuses the tree
+    const Planned climbed = plan(PLANNER(climb), links, from, to);  // finds the right path, or refuses
     EXPECT_TRUE(climbed.plan == Plan::not_preorder || climbed.way == right.way);
     if (HasFailure()) return;
   }
@@ -407,7 +407,7 @@ TEST(DijkstraNext, HalvesCostsThatAreTooLongForSixteenBits) {
   map.clear();
   map.addJunction(Map::kNone, 0, 0b0101, 0, {0, 0}, 0);
   for (int i = 1; i < 64; ++i) map.addJunction(i - 1, 1, 0b0101, 0, {100 * i, 0}, 31744);
-  // `ring` is the same row, closed to a ring by a line from its last junction to the root's slot 0.
+  // `ring` is this row with one more line, from the last junction to the root's slot 0.
   Map ring;
   ring.clear();
   ring.addJunction(Map::kNone, 0, 0b0101, 0, {0, 0}, 0);

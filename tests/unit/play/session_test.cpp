@@ -22,7 +22,8 @@ constexpr const char* kMap =
     "#_...__#\n"
     "########\n";
 
-/// A user whose keys are fixed in advance, followed by the end of input. A live console shows every frame.
+/// A console whose user presses the given keys, followed by the end of input. With `live`, it shows every
+/// frame.
 class FakeConsole final : public tui::Console {
  public:
   explicit FakeConsole(const std::string& keys, bool live = false) : live_(live) {
@@ -43,7 +44,7 @@ class FakeConsole final : public tui::Console {
   }
   tui::Press wait(int timeout_ms) override {
     now_us_ += 1000LL * std::max(timeout_ms, 0);
-    // During a displayed walk, `during_walk` presses keys.
+    // While a walk is displayed, the keys come from `during_walk`.
     if (timeout_ms >= 0) return during_walk ? during_walk(*this) : tui::Press{};
     if (keys_.empty()) return at_end;
     const tui::Press press = keys_.front();
@@ -65,7 +66,7 @@ class FakeConsole final : public tui::Console {
   std::int64_t now_us_ = 1;
 };
 
-/// A robot that makes five moves on every trip, over the map's true graph.
+/// A robot that makes five moves on every trip, and knows the map's true graph.
 class FakeDriver final : public CellDriver {
  public:
   FakeDriver(const grid::Map& map, const grid::Start& start, double speed)

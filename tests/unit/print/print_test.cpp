@@ -74,7 +74,7 @@ std::vector<std::string> numbers_of(const Sheets& sheets) {
   return numbers;
 }
 
-// An A4 sheet shows 180 x 267 mm of the floor upright, and 267 x 180 mm sideways.
+// An A4 sheet shows 180 x 267 mm of the floor in portrait format. In landscape format it shows 267 x 180 mm.
 TEST(Print, SheetsLieSideBySideFromTheUpperLeftCornerAndEmptyOnesAreLeftOut) {
   const Printed one = printed(path_map("{ length = \"600 mm\" }"));
   EXPECT_EQ(one.sheets.rows, 4);
@@ -97,14 +97,15 @@ TEST(Print, TheBarOnEachSheetIs100MillimetresLong) {
   }
 }
 
-// The second sheet's own piece begins at the floor's x = 267 mm, 15 mm from the sheet's edge.
+// The second sheet's piece begins at the floor's x = 267 mm, and 15 mm from the sheet's edge.
 TEST(Print, ALineGoesOnAtTheSamePlaceOnTheNextSheet) {
   const auto pages = pages_of(printed(path_map("{ length = \"600 mm\" }")).pdf);
   const auto ends_of = [&](std::size_t page) {
     double least = 1e9, most = -1e9;
     const auto all = operations_of(pages[page]);
     for (std::size_t i = 1; i < all.size(); ++i) {
-      // The line is 100 mm above the floor's edge, and the sheets' lower edge is 60 mm above the floor's.
+      // The line is 100 mm above the floor's lower edge. The pieces on these sheets begin 60 mm above this
+      // edge.
       if (all[i].name != "l" || std::fabs(all[i].mm[1] - (100.0 - 60.0 + 15.0)) > 1e-3) continue;
       least = std::min(least, all[i - 1].mm[0]);
       most = std::max(most, all[i].mm[0]);
@@ -195,7 +196,7 @@ TEST(Print, PaintedAreasArePrintedInTheirColours) {
                "mm\"\n"));
   EXPECT_THAT(numbers_of(one.sheets), ElementsAre("3-1", "3-2", "3-3", "3-4"));
   EXPECT_THAT(pages_of(one.pdf).at(4), HasSubstr("0.12 0.62 0.3 RG"));
-  // Expects a dot with the disc's diameter.
+  // The PDF draws the disc as a dot whose line width is the disc's diameter.
   const auto all = operations_of(pages_of(one.pdf).at(2));
   EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Operation& o) {
     return o.name == "w" && std::fabs(o.mm.back() - 100.0) < 1e-3;

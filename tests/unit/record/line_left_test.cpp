@@ -1,4 +1,4 @@
-// Tests the time at which the line was left, and the sensor that last saw it.
+// Tests when a robot left the line and found it again, and which sensor last saw the line.
 #include "sim/record/line_left.h"
 
 #include <gmock/gmock.h>

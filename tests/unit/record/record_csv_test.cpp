@@ -32,7 +32,7 @@ const std::filesystem::path& path() {
   return path;
 }
 
-/// Finishes the table, and returns it.
+/// Finishes the table. Returns the file's content.
 std::string text_of(CsvRecorder& record) {
   record.finish({});
   return read_file(path());
@@ -106,7 +106,7 @@ TEST(CsvRecorder, HasTheReadingsOfAllRobotsInTheHeaderThoughOneBeginsBehindTheOt
             "0,A,0,0,0,0,0,0,0,0.5,\n0,B,0,0,0,0,0,0,0,,1\n");
 }
 
-// Only a broken runner sends such samples, and it must not crash the command.
+// Only a faulty runner sends samples of a robot that has not started. They must not crash the command.
 TEST(CsvRecorder, ARobotThatHasNotBegunHasNoReadingsAndOneThatCannotBeNoRow) {
   CsvRecorder record(path());
   wire::Sample sample;

@@ -17,7 +17,7 @@ namespace record_trace_test {
 
 using Json = nlohmann::json;
 
-// Returns the events of a trace that have this value at a key.
+// Returns those events of a trace whose `key` has `value`.
 std::vector<Json> those(const Json& trace, const std::string& key, const Json& value) {
   std::vector<Json> found;
   for (const Json& event : trace["traceEvents"])

@@ -14,7 +14,7 @@ namespace record_vcd_test {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Returns the file's identifier of a signal.
+// Returns the identifier that the file declares for a signal.
 std::string id_of(const std::string& vcd, const std::string& signal) {
   const std::size_t end = vcd.find(" " + signal + " $end");
   if (end == std::string::npos) return "undeclared";
@@ -28,7 +28,7 @@ const std::filesystem::path& waves() {
   return path;
 }
 
-/// Finishes the file, and returns it.
+/// Finishes the file. Returns its content.
 std::string text_of(VcdRecorder& record) {
   record.finish({});
   return read_file(waves());
@@ -89,7 +89,7 @@ TEST(VcdOfSeveral, HasAScopeForEachRobotAndKeepsTheirPinsApart) {
   record.add(up);
   up.agent = 2;
   up.t_ns = 2000;
-  record.add(up);  // this robot was not requested
+  record.add(up);  // there is no robot 2, so this change is ignored
   const std::string vcd = text_of(record);
   const std::size_t second = vcd.find("$scope module B $end\n");
   ASSERT_NE(second, std::string::npos);
@@ -129,7 +129,7 @@ TEST_F(Vcd, SortsWhatComesOutOfOrder) {
   EXPECT_LT(vcd.find("#200\n"), vcd.find("#300\n"));
 }
 
-// The run is long enough for the file to be written during the run.
+// The run is so long that the recorder writes parts of the file before the end of the run.
 TEST_F(Vcd, IsInTheOrderOfTimeAndHoldsEachChangeOnceHoweverLongItIs) {
   constexpr int kChanges = 30'000;
   constexpr std::int64_t kEvery_ns = 1'000'000;

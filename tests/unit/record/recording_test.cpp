@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-// Returns the message for an unreadable recording.
+// Returns the error message for an unreadable recording.
 std::string refusal(const std::string& bytes) {
   try {
     Recording::decode(bytes, "x.rec");
@@ -64,7 +64,7 @@ constexpr std::size_t kD2 = 0, kD5 = 1, kA0 = 2;  // indices in `columns`
 
 class TwoRobots : public ARecording {
  protected:
-  TwoRobots() : both(nullptr, 300) {  // limit for the changes of both together, in bytes
+  TwoRobots() : both(nullptr, 300) {  // limit in bytes for the changes of both robots
     run.robots = {{"A", "Mine", "uno5", "host", run.robot_info},
                   {"B", "Yours", "mega5", "avr", run.robot_info}};
     run.request.agents.emplace_back().script = "at 1s power off\n";
@@ -154,7 +154,7 @@ TEST_F(ARecording, GivesBackEverySampleAsFineAsItIsDrawn) {
 
 TEST_F(ARecording, KeepsTimesOfPinsToTheNanosecond) {
   columns.add_pin(kD5, 3'599'999'999'937, wire::PinLevel::pulsing, 0.25, 0);
-  gatherer.add(columns.take());  // the later changes continue from there
+  gatherer.add(columns.take());  // later changes are relative to this one
   columns.add_pin(kD5, 3'600'000'000'000, wire::PinLevel::high, 1.0, 0);
   const auto pin = written().stream("pin D5");
   ASSERT_THAT(pin, SizeIs(4));
@@ -226,7 +226,7 @@ TEST_F(ARecording, KeepsTheLastOfEachSpanWhereAllWouldBeTooMuch) {
   EXPECT_DOUBLE_EQ(volts[1][0], 0.001 * (199 * 7919 % 5000));
 }
 
-/// Counts the bytes that it packs and unpacks.
+/// Packs and unpacks like Deflater, and counts the bytes.
 class CountingPacker final : public Packer {
  public:
   explicit CountingPacker(std::size_t& bytes, std::size_t* unpacked_bytes = nullptr)

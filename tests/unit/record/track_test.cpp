@@ -49,7 +49,7 @@ TEST(ATableOfARealRobot, IsRefusedWithItsLine) {
 
 TEST(TwoTracks, AreHeldAgainstEachOtherAtEqualTimes) {
   const Track one{"", {0, 1, 2, 3}, {0, 100, 200, 300}, {0, 0, 0, 0}};
-  const Track other{"", {0, 2, 4}, {0, 200, 400}, {0, 0, 80}};  // straight until 2 s, then it leaves
+  const Track other{"", {0, 2, 4}, {0, 200, 400}, {0, 0, 80}};  // is straight until 2 s, then turns away
   const Apart a = apart(one, other);
   EXPECT_EQ(a.from_1mm_s, 3.0);
   EXPECT_EQ(a.most_mm, 40.0);

@@ -1,4 +1,4 @@
-// Tests [battery] against closed-form solutions.
+// Compares the model of the table [battery] with closed-form solutions.
 #include "sim/robot/battery.h"
 
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@ namespace battery_test {
 
 using ::testing::HasSubstr;
 
-constexpr double kBoard = 0.05;  // A
+constexpr double kBoard = 0.05;  // the board's current in A
 
 void stall(BenchRobot& bench, double drive) {
   for (const Side side : {world::left, world::right}) {
@@ -19,7 +19,8 @@ void stall(BenchRobot& bench, double drive) {
   }
 }
 
-// Returns the voltage with two stalled motors. Each has 3.75 ohm (6 V, 1.6 A), and its driver 0.5 ohm.
+// Returns the battery's voltage with two stalled motors. A motor has 3.75 ohm (6 V, 1.6 A), and its driver
+// has 0.5 ohm. `rest` is the open-circuit voltage, and `ohms` the battery's resistance.
 double loaded(double rest, double ohms, double drive) {
   const double motor = 6.0 / 1.6 + 0.5;
   return (rest - ohms * kBoard) / (1.0 + 2.0 * drive * ohms / motor);
@@ -49,7 +50,7 @@ TEST(Battery, RunsEmptyAsItsCurrentSays) {
   BenchRobot bench(
       "[battery]\nkind = \"nimh\"\ncells = 5\ncapacity_mAh = 1\nboard = \"100 mA\"\nresistance = \"0 "
       "ohm\"\n");
-  bench.ticks(18000);  // half of 1 mAh at 0.1 A
+  bench.ticks(18000);  // 18 s at 0.1 A use half of 1 mAh
   EXPECT_NEAR(*bench.robot.fed_volts(), 5 * 1.25, 1e-3);
   bench.ticks(18000);
   EXPECT_NEAR(*bench.robot.fed_volts(), 5 * 1.00, 1e-2);

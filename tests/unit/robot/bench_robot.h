@@ -1,4 +1,4 @@
-// A robot on a straight line, for testing parts. The tests control its board.
+// Provides a robot on a straight line for tests of parts. The tests act as the board's firmware.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@
 
 namespace robosim::robot {
 
-inline constexpr Pin kA0 = 14, kA1 = 15;  ///< of the bench's Nano
+inline constexpr Pin kA0 = 14, kA1 = 15;  ///< pins of the robot's Nano
 
-/// A small robot file without parts; tests append theirs.
+/// A small robot file without parts, to which tests append their parts.
 inline const std::string kBareRobot = R"(
 board = "nano"
 [chassis]
@@ -31,8 +31,8 @@ supply = "6 V"
 chip = "tb6612"
 )";
 
-/// A robot on a map with one line, which runs east through `line()`. The line is 20 mm wide unless the map's
-/// front matter sets another width.
+/// A robot on a map with one line, which runs east through the point line(). The line is 20 mm wide, unless
+/// the map's front matter sets another width.
 class BenchRobot {
  public:
   explicit BenchRobot(const std::string& parts, Profile profile = Profile::ideal, std::uint64_t seed = 1)
@@ -74,14 +74,14 @@ class BenchRobot {
   SimTime now = 0;
 };
 
-/// Returns a reflectance sensor "eye" on A0, at the axle's centre, with additional `keys`.
+/// Returns the text of a reflectance sensor "eye" on A0, at the axle's centre. The text ends with `keys`.
 inline std::string reflectance_sensor(const std::string& keys) {
   return "[[part]]\nname = \"eye\"\ntype = \"reflectance\"\npin = \"A0\"\nat = [\"0 mm\", \"0 mm\"]\n"
          "footprint = \"6 mm\"\n" +
          keys;
 }
 
-/// Places the robot parallel to the line, with the axle's centre at this distance from the line's middle.
+/// Places the robot parallel to the line. The axle's centre is `metres` from the line's middle.
 inline void place_beside_line(BenchRobot& bench, double metres) {
   bench.body().place({bench.line() + Vec2{0.0, metres}, {1.0, 0.0}});
 }

@@ -15,7 +15,8 @@ constexpr SimTime kBit = kSecond / 9600;
 constexpr const char* kModule =
     "[[part]]\nname = \"bt\"\ntype = \"bluetooth\"\npins = { txd = 2, rxd = 3 }\n";
 
-// Returns the text that a receiver at the pin decodes in `ticks`, sampling each bit in its middle.
+// Returns the text that a receiver at pin kTxd decodes in `ticks`. The receiver samples each bit in its
+// middle.
 std::string received(BenchRobot& bench, int ticks) {
   std::string text;
   SimTime next = bench.now;
@@ -39,7 +40,7 @@ std::string received(BenchRobot& bench, int ticks) {
   return text;
 }
 
-// Sends bit by bit, as the sketch does. Each bit lasts `bit`.
+// Sends text to the module bit by bit, as a sketch does. Each bit lasts `bit`.
 void send(BenchRobot& bench, const std::string& text, SimTime bit = kBit) {
   SimTime at = bench.now;
   for (const char c : text) {

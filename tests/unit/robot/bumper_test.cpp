@@ -7,8 +7,8 @@ namespace bumper_test {
 
 const std::string kBumper = "[[part]]\nname = \"bumper\"\ntype = \"bumper\"\npin = 4\nresistor = true\n";
 
-/// A robot of 60 mm radius, and a disc of 20 mm radius. The disc's centre is 100 mm from the robot's, in
-/// direction `away`. drive() sets both motors to duty cycle `speed` for 400 ms.
+/// A robot of 60 mm radius, and a disc of 20 mm radius. The disc's centre is 100 mm from the robot's centre,
+/// in direction `away`. drive() sets both motors to duty cycle `speed` for 400 ms.
 struct Crash {
   BenchRobot bench{kBumper};
 

@@ -150,7 +150,7 @@ pin = 11
 
 TEST(Buzzer, HasThePitchAtWhichItsPinToggles) {
   BenchRobot bench("[[part]]\nname = \"buzzer\"\ntype = \"buzzer\"\npin = 11\n");
-  for (int ms = 0; ms < 20; ++ms) {  // 1 kHz
+  for (int ms = 0; ms < 20; ++ms) {  // toggles the pin at 1 kHz
     bench.board.output(11, true, bench.now);
     bench.board.output(11, false, bench.now + kTick / 2);
     bench.tick();

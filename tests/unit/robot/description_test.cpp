@@ -32,7 +32,7 @@ std::string message_of(const std::string& text) {
   return "accepted";
 }
 
-// Returns a bare robot with `from` replaced by `to`.
+// Returns the robot file kBareRobot with `from` replaced by `to`.
 std::string changed(std::string from, const std::string& to) {
   std::string text = kBareRobot;
   text.replace(text.find(from), from.size(), to);
@@ -383,7 +383,7 @@ TEST(StockRobots, FitACircleOf120MillimetresAboutTheAxle) {
 }
 
 TEST(StockRobots, UnosShareOnePinPlan) {
-  // The pin plan of docs/reference/robots.md: motors and buttons have the same pins on all these robots.
+  // By the pin plan of docs/reference/robots.md, motors and buttons have the same pins on all these robots.
   for (const char* name : {"uno2", "uno3", "uno5", "nano8rc", "bluepill2", "bluepill3", "bluepill5"}) {
     const Summary robot = describe(load_description(name));
     const auto pin = [&](const std::string& part_name, const std::string& role) -> int {

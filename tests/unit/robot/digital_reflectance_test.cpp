@@ -1,5 +1,5 @@
-// Tests reflectance sensors that are read as a level: by a threshold, or by the discharge time of a
-// capacitor.
+// Tests reflectance sensors with a digital output. The level depends on a threshold, or a capacitor
+// discharges and keeps the level high meanwhile.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -74,7 +74,7 @@ class RcReflectance : public ::testing::Test {
   static std::string keys() {
     return reflectance_sensor("read = \"rc\"\nwhite_time = \"200 us\"\nblack_time = \"2500 us\"\n");
   }
-  // Charges for `charge` and releases the pin. Returns the exact time until it reads low.
+  // Charges the capacitor for `charge` and releases the pin. Returns the exact time until the pin reads low.
   static SimTime time_discharge(BenchRobot& bench, SimTime charge = 10 * kMicrosecond) {
     const SimTime begin = bench.now;
     bench.board.output(kA0, true, begin);

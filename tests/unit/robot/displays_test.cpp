@@ -1,4 +1,4 @@
-// Tests displays of text and colours, and the sensor for the motors' current.
+// Tests displays of text and colours, and the sensor of the motors' current.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ class Lcd {
     us_ += us;
     for (; us_ >= 1000; us_ -= 1000) bench.tick();
   }
-  // Initialises the display as figure 24 of the data sheet and LiquidCrystal do.
+  // Initialises the display by the sequence of the data sheet's figure 24, which LiquidCrystal also uses.
   void begin() {
     for (int i = 0; i < 3; ++i) {
       nibble(3);
@@ -100,7 +100,7 @@ TEST(LcdPart, ScrollsAndShowsItsWindow) {
 TEST(LcdPart, LosesWhatComesWhileItIsBusy) {
   Lcd lcd;
   lcd.begin();
-  lcd.write(false, 0x01, 500);  // clear takes 1.52 ms
+  lcd.write(false, 0x01, 500);  // clearing takes 1.52 ms, but the sketch waits 0.5 ms
   lcd.print("ab");
   lcd.wait(2000);
   lcd.print("cd");
@@ -109,7 +109,7 @@ TEST(LcdPart, LosesWhatComesWhileItIsBusy) {
 
 constexpr const char* kStrip = "[[part]]\nname = \"strip\"\ntype = \"ws2812\"\npin = 6\nleds = 3\n";
 
-// Sends GRB, the highest bit first. Returns the end time.
+// Sends the 24 bits `grb` (green, red, blue), the highest bit first. Returns the time after the last bit.
 SimTime shift(BenchRobot& bench, SimTime t, std::uint32_t grb) {
   for (int bit = 23; bit >= 0; --bit) {
     bench.board.output(6, true, t);
@@ -155,7 +155,7 @@ pin = "A0"
   bench.robot.fault("left", "stuck", {});
   for (const Pin pin : {Pin{5}, Pin{7}}) bench.board.output(pin, true, bench.now);
   bench.ticks(5);
-  const double stall = 6.0 / (6.0 / 1.6 + 0.5);  // V / (winding + driver)
+  const double stall = 6.0 / (6.0 / 1.6 + 0.5);  // supply / (winding + driver), in A
   EXPECT_NEAR(bench.volts(14), 2.5 + 0.185 * stall, 0.01);
   EXPECT_NEAR(bench.robot.readings().at(0).value, stall, 0.05);
 }

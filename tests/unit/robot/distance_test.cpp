@@ -1,4 +1,4 @@
-// Tests sensors that measure along the floor.
+// Tests sensors that measure distances along the floor.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ void trigger(BenchRobot& bench, SimTime at, SimTime width = 10 * kMicrosecond, P
   bench.board.output(pin, false, at + width);
 }
 
-// Returns the duration of the echo pulse in s, or 0 if the pulse does not begin within 50 ms.
+// Returns the duration of the echo pulse in s, or 0 if no pulse ends within 50 ms.
 double echo(BenchRobot& bench, Pin pin = kEcho) {
   SimTime rise = -1;
   for (int ms = 0; ms < 50; ++ms) {

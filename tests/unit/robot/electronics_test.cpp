@@ -21,8 +21,8 @@ TEST(Electronics, WithoutThemTheSupplyNeverSinks) {
   EXPECT_DOUBLE_EQ(bench.volts(kA0), 2.0);
 }
 
-// A Nano's regulator and diode drop 1.8 V. At 5.8 V the ADC's reference is therefore 4 V instead of 5 V. 2.9
-// V at the divider are then 2.9 / 4 of the ADC's range.
+// A Nano's regulator and diode drop 1.8 V. With a battery of 5.8 V, the ADC's reference is therefore 4 V
+// instead of 5 V. The divider's 2.9 V are then 2.9 / 4 of the ADC's range.
 TEST(Electronics, ABatteryReadsHigherWhereTheReferenceSinksWithIt) {
   BenchRobot bench(electronics("fed_by_battery = true\n"));
   bench.robot.set_battery(7.0);

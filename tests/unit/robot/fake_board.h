@@ -1,4 +1,4 @@
-// A board without firmware: tests drive its pins and read them.
+// Provides a board without firmware, whose pins the tests drive and read.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
     SimTime at;
     bool operator==(const Edge&) const = default;
   };
-  std::vector<Edge> edges;    ///< all scheduled edges, except repeats of a level
+  std::vector<Edge> edges;    ///< scheduled edges, except those that repeat a level
   bool edges_wanted = false;  ///< the result of wants_edges()
 
   void output(Pin pin, bool level, SimTime t) {
@@ -34,7 +34,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
     drive.mode = pullup ? PinMode::input_pullup : PinMode::input;
     set_drive(pin, drive, t);
   }
-  /// Acts as if an interrupt were attached to `pin`: the chip reads its level.
+  /// Attaches an interrupt to `pin`: reads its level, as the chip does, and wants edges from now on.
   void want_edges(Pin pin, SimTime t) {
     edges_wanted = true;
     levels_[pin] = read_level(pin, t);
@@ -90,7 +90,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
   bool pulled_up(Pin pin) const { return drives_[pin].mode == PinMode::input_pullup; }
 
   const BoardSpec& spec_;
-  std::array<std::optional<bool>, kMaxPins> levels_{};  ///< levels that the firmware's side has seen
+  std::array<std::optional<bool>, kMaxPins> levels_{};  ///< the last level that the board has seen
   std::array<PinDrive, kMaxPins> drives_{};
   std::array<PinSource*, kMaxPins> sources_{};
   std::vector<TwoWireDevice*> two_wire_;

@@ -22,7 +22,7 @@ class Fan : public testing::Test {
  protected:
   BenchRobot bench{parse_description(slippery(), "bench.toml")};
 
-  /// Returns the mean acceleration of 100 ms at full power from rest, in m/s2.
+  /// Starts from rest at full power. Returns the mean acceleration during 100 ms, in m/s2.
   double acceleration() {
     bench.body().place({bench.line(), {1.0, 0.0}});
     for (const world::Side side : {world::left, world::right}) bench.body().command(side, {1.0, 0.0});

@@ -1,6 +1,6 @@
-// Compares the models with published measurements: the table of docs/explanation/fidelity.md, between `<!--
-// ledger -->` and `<!-- end of ledger -->`. ROBOSIM_WRITE_DOCS=1 robot_test --gtest_filter='Fidelity.*'
-// regenerates it.
+// Compares the models with published measurements. The results are the table of docs/explanation/fidelity.md
+// between `<!-- ledger -->` and `<!-- end of ledger -->`. To regenerate the table, run ROBOSIM_WRITE_DOCS=1
+// robot_test --gtest_filter='Fidelity.*'.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -29,14 +29,14 @@ struct Range {
   }
 };
 
-/// Returns the range of a value over all seeds, which vary the robot.
+/// Returns the range of a value over all seeds. Each seed gives a different robot.
 Range over_seeds(const std::function<double(std::uint64_t)>& figure) {
   Range range{figure(1), figure(1)};
   for (std::uint64_t seed = 2; seed <= kSeeds; ++seed) range.take(figure(seed));
   return range;
 }
 
-/// A sensor that is moved over a line of 15 mm.
+/// A reflectance sensor that the tests move over a line of 15 mm.
 class Sweep {
  public:
   Sweep(double height_mm, Profile profile, std::uint64_t seed)
@@ -48,21 +48,22 @@ class Sweep {
                               "bench.toml"),
             profile, seed, "+++\nline = \"15 mm\"\n+++\n") {}
 
-  /// Returns the sensor's reading at `beside` m from the line's middle, without noise. 1 is dark; 0 is the
-  /// light from white at the best height.
+  /// Returns the sensor's reading at `beside` m from the line's middle, without noise: 1 without light, and 0
+  /// with the light that white reflects at the best height.
   double blackness(double beside) {
     bench_.body().place({bench_.line() + Vec2{0.0, beside}, {1.0, 0.0}});
     return bench_.robot.readings().front().value;
   }
-  /// Returns the distance from the line's middle, in m, at which the reading has come this share of the way
-  /// to white.
+  /// Returns the distance in m from the line's middle at which the reading has changed by `share`. 0 is the
+  /// reading on the line, and 1 the reading on white.
   double reads(double share) {
     const double dark = blackness(0.0), white = blackness(0.06);
     double beside = 0.0;
     while (blackness(beside) > dark + share * (white - dark)) beside += 1e-5;
     return beside;
   }
-  /// Returns the standard deviation of 1000 readings, as a share of the range from white to black.
+  /// Returns the standard deviation of 1000 readings at `beside` m, as a share of the range from white to
+  /// black.
   double noise(double beside) {
     bench_.body().place({bench_.line() + Vec2{0.0, beside}, {1.0, 0.0}});
     double sum = 0.0, squares = 0.0;
@@ -87,7 +88,7 @@ double half_depth_mm(double height_mm, Profile profile, std::uint64_t seed) {
   return 2e3 * Sweep(height_mm, profile, seed).reads(0.5);
 }
 
-// Returns the light at a height, as a share of white's light at the best height.
+// Returns the light that white reflects at this height, as a share of its light at the best height.
 double light(double height_mm, Profile profile) { return 1.0 - Sweep(height_mm, profile, 1).blackness(0.06); }
 
 double floor_variation(Profile profile, std::uint64_t seed) {
@@ -104,7 +105,7 @@ double floor_variation(Profile profile, std::uint64_t seed) {
   return std::sqrt(std::max(squares / kPoints - sum * sum / kPoints / kPoints, 0.0));
 }
 
-/// An uno5 with both motors at this duty, starting from rest.
+/// An uno5 that starts from rest, with both motors at this duty cycle.
 class Drive {
  public:
   Drive(Profile profile, std::uint64_t seed, double duty)
@@ -122,7 +123,7 @@ class Drive {
   BenchRobot bench_;
 };
 
-// Returns the time from 0 to 63 % of the speed at half the supply, in s.
+// Returns the time in s in which an uno5 at half the supply reaches 63 % of its final speed.
 double time_constant(Profile profile, std::uint64_t seed) {
   std::vector<double> speeds;
   Drive drive(profile, seed, 0.5);
@@ -132,7 +133,7 @@ double time_constant(Profile profile, std::uint64_t seed) {
   return static_cast<double>(risen - speeds.begin() + 1) * 1e-3;
 }
 
-// Returns the voltage that overcomes friction: the motor's voltage below which the wheel does not turn.
+// Returns the voltage that overcomes friction. Below this voltage of its motor, a wheel does not turn.
 double bias(Profile profile, std::uint64_t seed) {
   const world::WheelParams wheel = body_params(load_description("uno5"), seed, profile).wheel[0];
   return wheel.no_load_current * wheel.nominal_volts / wheel.stall_current;
@@ -144,8 +145,8 @@ double wheel_mismatch(Profile profile, std::uint64_t seed) {
   return std::abs(p.wheel[0].radius_m / p.wheel[1].radius_m - 1.0);
 }
 
-/// A lifted micromouse. Its motors have the maker's parameters with uno5's spreads. Its DRV8833 gets pulses
-/// on one input, and coasts between them.
+/// A lifted micromouse. Its motors have the maker's parameters with the spreads of uno5. Its DRV8833 gets
+/// pulses on one input, so the motors coast between the pulses.
 class Lifted {
  public:
   Lifted(Profile profile, std::uint64_t seed)
@@ -174,7 +175,7 @@ pins = { in1 = 5, in2 = 6 }
                profile, seed) {
     bench_.body().lift(true);
   }
-  /// Returns the left wheel's rate after 1 s at this duty, rad/s.
+  /// Returns the left wheel's rate in rad/s after 1 s at this duty cycle.
   double rate_at(double duty) {
     bench_.board.pwm(5, duty, bench_.now);
     bench_.ticks(1000);
@@ -189,8 +190,8 @@ double lifted_rate(Profile profile, std::uint64_t seed, double duty) {
   return Lifted(profile, seed).rate_at(duty);
 }
 
-// Returns the least duty cycle at which a resting wheel starts. If not `from_rest`, returns the duty cycle at
-// which a turning wheel stops. Both are in steps of 1 / 255.
+// Returns the least duty cycle at which a resting wheel starts. If `from_rest` is false, returns the duty
+// cycle at which a turning wheel stops. The duty cycle changes in steps of 1 / 255.
 double least_duty(Profile profile, std::uint64_t seed, bool from_rest) {
   Lifted mouse(profile, seed);
   if (from_rest) {
@@ -201,12 +202,13 @@ double least_duty(Profile profile, std::uint64_t seed, bool from_rest) {
     if (mouse.rate_at(step / 255.0) < 1.0) return step / 255.0;
 }
 
-// Returns the sideways deviation after 1 m. If both wheels turn equally, the robot drives along a circle.
+// Returns the sideways deviation in m after 1 m. The robot drives along a circle, because its wheels turn
+// equally but have different radii.
 double aside(Profile profile, std::uint64_t seed) {
   return 0.5 * wheel_mismatch(profile, seed) / body_params(load_description("uno5"), seed, profile).track_m;
 }
 
-// Returns the ratio of the distance that the wheels measure to the true distance, at this duty.
+// Returns the distance that the wheels measure divided by the true distance, at this duty cycle.
 double way_by_wheels(Profile profile, std::uint64_t seed, double duty) {
   Drive drive(profile, seed, duty);
   double travel = 0.0, distance = 0.0;
@@ -220,13 +222,13 @@ double way_by_wheels(Profile profile, std::uint64_t seed, double duty) {
   return (drive.body().wheel_travel() - travel) / (drive.body().distance() - distance);
 }
 
-// Returns the relative difference between the distances that the wheels measure at these duty cycles.
+// Returns the relative difference between way_by_wheels() at two duty cycles.
 double creep(Profile profile, std::uint64_t seed, double slow, double fast) {
   const double more = std::abs(way_by_wheels(profile, seed, fast) / way_by_wheels(profile, seed, slow) - 1.0);
   return more < 1e-9 ? 0.0 : more;  // rounding error
 }
 
-// Returns the distance that the robot rolls from 0.5 m/s with its motors open or shorted.
+// Returns the distance in m that the robot rolls from 0.5 m/s. The motors are open, or with `brakes` shorted.
 double stops_within(Profile profile, std::uint64_t seed, bool brakes) {
   Drive drive(profile, seed, 0.6);
   while (drive.body().speed() < 0.5) drive.step();
@@ -237,7 +239,7 @@ double stops_within(Profile profile, std::uint64_t seed, bool brakes) {
   return drive.body().distance() - distance;
 }
 
-// Returns the effective track width of a robot that turns on the spot, as a multiple of the real width. The
+// Returns the effective track width of a robot that turns on the spot, divided by the real track width. The
 // robot has two wheels per side.
 double effective_track(Profile profile, std::uint64_t seed, double track_mm, double wheelbase_mm) {
   BenchRobot bench(
@@ -253,7 +255,7 @@ double effective_track(Profile profile, std::uint64_t seed, double track_mm, dou
          bench.body().turn_rate() / (1e-3 * track_mm);
 }
 
-// Returns the voltage drop of the driver and its switches at one ampere.
+// Returns the voltage drop of an L298N at one ampere.
 double l298n_volts(Profile profile, std::uint64_t seed) {
   std::string robot = kBareRobot;
   robot.replace(robot.find("tb6612"), 6, "l298n");
@@ -261,7 +263,7 @@ double l298n_volts(Profile profile, std::uint64_t seed) {
   return p.driver_drop_volts + p.driver_ohms;
 }
 
-// Returns the time from 0 to 63 % of the speed of a lifted wheel.
+// Returns the time in s in which a lifted wheel reaches 63 % of its final speed.
 double lifted_time_constant(Profile profile, std::uint64_t seed) {
   Drive drive(profile, seed, 0.5);
   drive.body().lift(true);
@@ -272,7 +274,7 @@ double lifted_time_constant(Profile profile, std::uint64_t seed) {
   return static_cast<double>(risen - rates.begin() + 1) * 1e-3;
 }
 
-// Returns the relative error of an MPU-6050 during a turn.
+// Returns the relative error of an MPU-6050's turn rate while the robot turns.
 double gyro_error(Profile profile, std::uint64_t seed) {
   BenchRobot bench("[[part]]\nname = \"imu\"\ntype = \"mpu-6050\"\nbias = \"0 deg/s\"\n", profile, seed);
   bench.body().command(world::left, {-0.5, 0.0});
@@ -288,8 +290,8 @@ double alkaline_ohms(Profile profile, std::uint64_t) {
   return robot.battery.resistance.in(profile).value / robot.battery.cells;
 }
 
-// Returns the highest of the currents 0, 0.05, 0.10 ... A, for 20 s each, at which a fresh cell of 2 Ah keeps
-// 1 V.
+// Discharges a fresh alkaline cell of 2 Ah. The current rises by 0.05 A every 20 s. Returns the highest
+// current in A at which the cell still has 1 V.
 double alkaline_amps(Profile profile, std::uint64_t seed) {
   const double ohms = alkaline_ohms(profile, seed), capacity = 2000.0 * 3.6;
   const Description robot = parse_description(
@@ -303,8 +305,8 @@ double alkaline_amps(Profile profile, std::uint64_t seed) {
   return amps;
 }
 
-// Returns the share of the previous channel's voltage that is still on the converter's capacitor, which was
-// charged for 12 to 20 us.
+// Returns the share of the previous channel's voltage that remains on the ADC's capacitor. The new channel
+// charges the capacitor for 12 or 20 us.
 double channel_before(double source_ohms, std::uint64_t seed) {
   return adc_charged(1.0, 0.0, source_ohms, seed % 2 ? 12e-6 : 20e-6);
 }

@@ -11,8 +11,7 @@ using testing::HasSubstr;
 
 constexpr const char* kRemote = "[[part]]\nname = \"ir\"\ntype = \"ir-receiver\"\npin = 2\naddress = 0x04\n";
 
-// Returns the alternating lengths of low and high in microseconds, until the level has been constant for 60
-// ms.
+// Returns the durations of alternating low and high levels in microseconds, until a level lasts 60 ms.
 std::vector<SimTime> heard(BenchRobot& bench) {
   std::vector<SimTime> lengths;
   bool level = true;
@@ -30,7 +29,7 @@ std::vector<SimTime> heard(BenchRobot& bench) {
   return lengths;
 }
 
-// Decodes pulse lengths to a code.
+// Decodes the durations of levels to the 32 bits of a message.
 std::uint32_t decoded(const std::vector<SimTime>& lengths) {
   std::uint32_t bits = 0;
   for (std::size_t bit = 0; bit < 32; ++bit)

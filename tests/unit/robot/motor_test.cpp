@@ -69,8 +69,8 @@ TEST(MotorDriver, TellsHowMuchOfAPeriodIsDrivenAgainstTheRest) {
   EXPECT_EQ(command.period_s, 1e-3);
 }
 
-// Runs fast PWM at 30 %. Measures the remaining share of the speed after 100 ms, and the energy returned to
-// the battery.
+// Drives at full speed, and then with fast PWM of 30 %. Measures the share of the speed that remains after
+// 100 ms, and the energy that returns to the battery.
 TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
   const auto slowed = [](const char* driver, double en, double in1, double in2) {
     std::string robot = kBareRobot;
@@ -97,19 +97,20 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
     bench.ticks(100);
     return std::pair(bench.body().speed() / speed, bench.body().energy_back());
   };
-  // Slow decay, with pulses on EN, or with pulses on one input while the other is high. PWM of 30 % slows the
-  // robot, and returns energy to the battery.
+  // With slow decay, PWM of 30 % slows the robot, and returns energy to the battery. The pulses are on EN, or
+  // on one input while the other input is high.
   for (const auto& [left, back] :
        {slowed("tb6612", 0.3, 1, 0), slowed("drv8833", 1, 1, 0.7), slowed("drv8835", 0.3, 1, 0)}) {
     EXPECT_LT(left, 0.6);
     EXPECT_GT(back, 0.005);
   }
-  // Fast decay: the robot rolls on. A pulse drives it only if its current is larger than the diodes can stop.
+  // With fast decay, the robot rolls on. A pulse drives the robot only if the pulse's current is larger than
+  // the diodes can stop.
   for (const auto& [left, back] : {slowed("l298n", 0.3, 1, 0), slowed("drv8833", 1, 0.3, 0)}) {
     EXPECT_GT(left, 0.8);
     EXPECT_LT(back, 1e-4);
   }
-  // If both inputs are equal, the motor is shorted or open.
+  // If both inputs are equal, the motor is shorted (this loop) or open (the next loop).
   for (const auto& [left, back] : {slowed("l298n", 1, 1, 1), slowed("l298n", 1, 0, 0),
                                    slowed("tb6612", 1, 1, 1), slowed("drv8833", 1, 1, 1)}) {
     EXPECT_LT(left, 0.5);
@@ -122,10 +123,10 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
   }
 }
 
-// The robot drives ahead at full speed v, without friction. If a motor is reversed, the current is driven by
-// the supply and the motor's own voltage. Until the robot is equally fast backward, the battery supplies the
-// charge for the momentum change m 2 v, at V volts. If the motor is shorted, the robot slows down to the
-// speed at which the driver's drop stops the current. If it is open, the robot rolls on.
+// The robot of mass m drives ahead at full speed v, without friction. If a motor is reversed, the supply and
+// the motor's own voltage both drive the current. The battery then supplies the charge for the momentum
+// change 2 m v, until the robot is equally fast backward. If the motors are shorted, the robot slows down to
+// the speed at which the driver's drop stops the current. If the motors are open, the robot rolls on.
 TEST(MotorDriver, ReversedTakesTwiceTheStallCurrentAndBrakedOrOpenNone) {
   constexpr double kWithin = 0.02, kVolts = 6.0, kBrakes_s = 0.1;
   for (const char* const name : {"l298n", "l293d", "tb6612", "drv8833", "drv8835"}) {
@@ -152,8 +153,8 @@ TEST(MotorDriver, ReversedTakesTwiceTheStallCurrentAndBrakedOrOpenNone) {
       world::Body& body = bench->body();
       const world::WheelParams& w = body.params().wheel[world::left];
       const double full = body.speed(), mass = 2.0 * body.kinetic_energy() / (full * full);
-      const double ke = w.nominal_volts / w.no_load_rate / w.radius_m;  // V for each m/s
-      const double kt = w.stall_torque / w.stall_current / w.radius_m;  // N for each A
+      const double ke = w.nominal_volts / w.no_load_rate / w.radius_m;  // in V per m/s
+      const double kt = w.stall_torque / w.stall_current / w.radius_m;  // in N per A
       const double ohms = w.nominal_volts / w.stall_current + driver.resistance;
       EXPECT_NEAR(ke * full, kVolts - driver.drop, kWithin * kVolts);
 
@@ -164,7 +165,7 @@ TEST(MotorDriver, ReversedTakesTwiceTheStallCurrentAndBrakedOrOpenNone) {
       EXPECT_NEAR(body.draw(kVolts).amps, most, kWithin * most);
       bench->ticks(3000);
       EXPECT_NEAR(body.speed(), -full, kWithin * full);
-      const double brakes = wound ? std::max(ke, kt) : kt;  // braking force in N per A of a turning motor
+      const double brakes = wound ? std::max(ke, kt) : kt;  // braking force in N per A
       const double reversal = kVolts * mass * full * (1.0 / brakes + 1.0 / kt);
       EXPECT_NEAR(body.energy() - taken, reversal, kWithin * reversal);
       EXPECT_EQ(body.energy_back(), 0.0);

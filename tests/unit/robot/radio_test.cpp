@@ -21,8 +21,7 @@ bit = "1 ms"
 pins = { clock = 2, enable = 3, data = 5 }
 )";
 
-// Returns the bits of each message that a sketch receives by interrupts while `bench.now` advances by
-// `ticks`.
+// Runs for `ticks`. Returns the bits of each message that a sketch receives by interrupts in this time.
 std::vector<std::vector<bool>> received(BenchRobot& bench, int ticks) {
   bench.board.edges.clear();
   bench.board.edges_wanted = true;

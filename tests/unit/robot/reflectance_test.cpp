@@ -67,8 +67,8 @@ TEST(AnalogReflectance, AHigherSensorSeesLessContrastAndABiggerSpot) {
   EXPECT_NEAR(far.volts(kA0), 4.5 - (4.5 - near.volts(kA0)) / 4.0, 1e-9);
 }
 
-// Returns the sensor's voltage over white, far from the line. The sensor has 0.5 V on white and 4.5 V on
-// black.
+// Returns the sensor's voltage over white, far from the line. The file specifies 0.5 V for white and 4.5 V
+// for black.
 double white_volts(const std::string& keys, Profile profile, std::uint64_t seed = 1) {
   BenchRobot bench(reflectance_sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\nnoise = 0\n" + keys),
                    profile, seed);
@@ -94,7 +94,7 @@ TEST(AnalogReflectance, SeesASmallerSpotFromTypical2OnOneForAllElements) {
   const std::string keys =
       "[[part]]\nname = \"eyes\"\ntype = \"reflectance-array\"\npins = [\"A0\", \"A1\"]\nnoise = 0\n"
       "at = [\"70 mm\", \"0 mm\"]\npitch = \"2 mm\"\nheight = \"8 mm\"\n";
-  const auto edge = [&](BenchRobot& bench, Pin pin) {  // distance in m between white and black
+  const auto edge = [&](BenchRobot& bench, Pin pin) {  // width in m of the change from white to black
     int between = 0;
     double low = 9.0, high = 0.0;
     std::vector<double> seen;
@@ -360,7 +360,7 @@ TEST(Rise, IsTheTimeFromTenToNinetyPercentBehindAnEmitterThatIsSwitched) {
   place_beside_line(bench, 0.03);
   EXPECT_NEAR(bench.volts(kA0), 0.0, 1e-9);
   bench.board.output(3, false, 0);
-  const double lag = 100.0 / std::log(9.0);  // us
+  const double lag = 100.0 / std::log(9.0);  // time constant in us
   const auto tenth = static_cast<SimTime>(lag * std::log(1.0 / 0.9) * 1e3);
   EXPECT_NEAR(bench.board.read_volts(kA0, tenth), 0.5, 1e-3);
   EXPECT_NEAR(bench.board.read_volts(kA0, tenth + 100 * kMicrosecond), 4.5, 1e-3);

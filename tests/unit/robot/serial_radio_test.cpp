@@ -1,4 +1,4 @@
-// Tests radios of several robots on one floor.
+// Tests serial radios of several robots on one floor.
 #include <gtest/gtest.h>
 
 #include "tests/unit/robot/bench_robot.h"
@@ -10,7 +10,7 @@ std::string radio(const std::string& keys, const std::string& pins = "txd = 2, r
   return "[[part]]\nname = \"air\"\ntype = \"serial-radio\"\npins = { " + pins + " }\n" + keys;
 }
 
-/// Two robots in one world, each with a radio. The second radio's keys may differ.
+/// Two robots in one world, each with a radio. The radios may have different keys in their robot files.
 class Pair {
  public:
   explicit Pair(const std::string& keys, const std::string& other_keys, std::uint64_t seed = 1)
@@ -28,14 +28,14 @@ class Pair {
   std::size_t add(const Description& d, grid::CellAt cell) {
     return world.add_body(body_params(d, 1, Profile::ideal), {map.centre({cell.x, cell.y}), {1.0, 0.0}});
   }
-  /// Sends 0xFF from the first robot. Only the start bit of this frame is low.
+  /// Sends the byte 0xFF from the first robot. Only the start bit of its frame is low.
   void send() {
     ticks(1);
     board_a.output(3, false, now);
     board_a.output(3, true, now + kSecond / 9600);
     ticks(2);
   }
-  /// Returns the number of bytes on the second board's line. Each byte has two edges.
+  /// Returns the number of bytes that the second board received. Each byte has two edges.
   std::size_t heard() const { return board_b.edges.size() / 2; }
   void ticks(int count) {
     for (; count > 0; --count) {

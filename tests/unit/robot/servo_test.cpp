@@ -9,7 +9,7 @@ namespace servo_test {
 
 using testing::HasSubstr;
 
-// Sends a pulse from the start of this tick, and then a low level for the rest of `ms`.
+// Sends a pulse of `us`, which begins with this tick, and then a low level for the rest of `ms`.
 void pulse(BenchRobot& bench, Pin pin, SimTime us, int ms = 20) {
   bench.board.output(pin, true, bench.now);
   SimTime left = us * kMicrosecond;
@@ -107,7 +107,7 @@ dead_band = "0 us"
 full = "200 us"
 )";
 
-// Sends both pulses one after another, every 20 ms.
+// Sends a pulse to the left servo, and 10 ms later a pulse to the right servo. Repeats this every 20 ms.
 void both(BenchRobot& bench, SimTime left_us, SimTime right_us, int times = 1) {
   for (int i = 0; i < times; ++i) {
     pulse(bench, 9, left_us, 10);

@@ -12,7 +12,7 @@ std::string digit(const std::string& common) {
 
 double shown(BenchRobot& bench) { return bench.robot.readings()[0].value; }
 
-// Drives a to g on pins 2 to 8; bit 0 is a.
+// Drives the segments a to g, which are on pins 2 to 8. Bit 0 of `high` is segment a.
 void drive(BenchRobot& bench, unsigned high) {
   for (unsigned i = 0; i < 7; ++i) bench.board.output(static_cast<Pin>(2 + i), (high >> i & 1) != 0, 0);
 }
@@ -42,7 +42,7 @@ TEST(SevenSegment, OfThePonyShowsThePapersCodes) {
   BenchRobot bench(load_description("pony"));
   for (const Pin pin : {10, 11, 13}) bench.board.output(pin, false, 0);
   for (int figure = 0; figure < 10; ++figure) {
-    const unsigned bytes = kCodes[9 - figure] << 16 | kCodes[figure] << 8;  // REG3, REG2, REG1
+    const unsigned bytes = kCodes[9 - figure] << 16 | kCodes[figure] << 8;  // for REG3, REG2, REG1
     for (int bit = 23; bit >= 0; --bit) {
       bench.board.output(11, (bytes >> bit & 1) != 0, 0);
       bench.board.output(13, true, 0);

@@ -53,7 +53,7 @@ class RegisterBench : public BenchRobot {
     board.output(kRclk, true, t);
     board.output(kRclk, false, t);
   }
-  /// Returns the states of the LEDs on a register's outputs, Q0 in bit 0.
+  /// Returns the states of the LEDs on a register's outputs. Output Q0 is bit 0.
   unsigned shown(const std::string& reg) {
     unsigned bits = 0;
     for (const Reading& reading : robot.readings())

@@ -31,7 +31,7 @@ std::string steering(const std::string& more = "") {
   return "load_share = 0.5\nsteering = { servo = \"front\", base = \"100 mm\"" + more + " }";
 }
 
-// Repeatedly sends the Servo library's pulse for an angle.
+// Makes the board repeat the pulse that the Servo library sends for this angle.
 void hold(BenchRobot& bench, double degrees) {
   PinDrive drive;
   drive.mode = PinMode::output;
@@ -79,7 +79,7 @@ TEST(Steering, TurnsAsFastAsItsServoUpToItsLimit) {
   BenchRobot bench(parse_description(car(steering(", limit = \"25 deg\", ratio = 0.5")), "car.toml"));
   hold(bench, 170.0);
   bench.ticks(200);
-  EXPECT_NEAR(bench.body().steered(), 10.0 * kDegree, 0.1 * kDegree);  // half of 100 deg/s
+  EXPECT_NEAR(bench.body().steered(), 10.0 * kDegree, 0.1 * kDegree);  // 0.2 s * 100 deg/s * ratio
   bench.ticks(800);
   EXPECT_NEAR(bench.body().steered(), 25.0 * kDegree, 1e-9);
 }

@@ -1,4 +1,4 @@
-// Tests a 28BYJ-48: 4075.77 half steps per turn, so 0.08833 degrees each.
+// Tests a 28BYJ-48, which has 4075.77 half steps of 0.08833 degrees per turn.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,8 @@ class Stepper : public testing::Test {
             "}\n" +
             keys) {}
 
-  /// Switches these coils on, then waits `ms`. As in a sketch, the pins change one after another.
+  /// Switches these coils on and the others off, then waits `ms`. As in a sketch, one pin changes after
+  /// another.
   void coils(unsigned in1_to_in4, int ms = 2) {
     for (int i = 0; i < 4; ++i)
       bench.board.output(static_cast<Pin>(8 + i), in1_to_in4 >> (3 - i) & 1,
@@ -56,7 +57,7 @@ TEST_F(Stepper, LosesStepsWhereTheyComeTooFast) {
 
 TEST_F(Stepper, TremblesWhereTwoOfItsWiresAreExchanged) {
   coils(0b1000);
-  for (int i = 0; i < 50; ++i)  // the Stepper library's order for 8, 9, 10, 11
+  for (int i = 0; i < 50; ++i)  // the Stepper library's order for pins 8, 9, 10, 11
     for (const unsigned on : {0b1010u, 0b0110u, 0b0101u, 0b1001u}) coils(on, 3);
   EXPECT_NEAR(degrees(), 0.0, 8 * kHalfStep);
 }

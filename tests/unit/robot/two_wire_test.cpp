@@ -1,4 +1,4 @@
-// Tests parts on the two-wire bus with the firmware's transfers.
+// Tests parts on the two-wire bus. The tests transfer bytes as firmware does.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class TwoWireBench : public BenchRobot {
                         Profile profile = Profile::ideal, std::uint64_t seed = 1)
       : BenchRobot("[[part]]\nname = \"it\"\ntype = \"" + part + "\"\n" + more, profile, seed) {}
 
-  /// Sends bytes, and returns whether all were acknowledged.
+  /// Sends the address and bytes. Returns whether the part acknowledged all of them.
   bool send(std::uint8_t address, const std::vector<int>& bytes) {
     bool heard = board.two_wire_address(static_cast<std::uint8_t>(address << 1), now);
     for (const int byte : bytes) heard &= board.two_wire_write(static_cast<std::uint8_t>(byte), now);
@@ -34,7 +34,7 @@ class TwoWireBench : public BenchRobot {
   std::uint8_t get(std::uint8_t address, int reg) {
     return static_cast<std::uint8_t>(get16(address, reg) >> 8);
   }
-  /// Reads a register and the next one. The first one is the high byte.
+  /// Returns a 16-bit value: its high byte is register `reg`, and its low byte is the next register.
   int get16(std::uint8_t address, int reg) {
     send(address, {reg});
     board.two_wire_address(static_cast<std::uint8_t>(address << 1 | 1), now);
@@ -111,7 +111,7 @@ TEST(Ssd1306, TellsWhichPixelsAreLit) {
   EXPECT_THAT(bench.told(60), ElementsAre("4092 lit in 0,0 to 127,31"));
 }
 
-// Draws columns of "Lap 2" and, below, "-1.5" at twice the size. The lowest bit is at the top.
+// Draws "Lap 2" by columns, and "-1.5" below at twice the size. The lowest bit of a column is at the top.
 TEST(Ssd1306, TellsTheTextThatItsPixelsSpell) {
   TwoWireBench bench("ssd1306");
   bench.send(0x3C, {0x00, 0x20, 0x00, 0x21, 0, 127, 0x22, 0, 7, 0xAF});
@@ -161,12 +161,12 @@ TEST(Mpu6050, SleepsUntilItIsWokenAndThenMeasuresTheRobotsMotion) {
   EXPECT_EQ(bench.get16(0x68, 0x3F), 16384);
   EXPECT_EQ(bench.get(0x68, 0x3A), 1);
   EXPECT_EQ(bench.get16(0x68, 0x41), static_cast<std::uint16_t>(static_cast<int>((25 - 36.53) * 340)));
-  // Turns left on the spot.
+  // The robot turns left on the spot.
   for (const Pin pin : {8, 9}) bench.board.output(pin, true, bench.now);
   for (const Pin pin : {7, 10}) bench.board.output(pin, false, bench.now);
   for (const Pin pin : {5, 6}) bench.board.output(pin, true, bench.now);
   bench.ticks(300);
-  bench.send(0x68, {0x1B, 0x18});  // +-2000 deg/s: 16.4 LSB/(deg/s)
+  bench.send(0x68, {0x1B, 0x18});  // sets the range to +-2000 deg/s: 16.4 LSB/(deg/s)
   bench.ticks(5);
   const double degrees = bench.body().turn_rate() * 180.0 / std::numbers::pi;
   EXPECT_NEAR(static_cast<std::int16_t>(bench.get16(0x68, 0x47)) / 16.4, degrees,
@@ -181,7 +181,7 @@ TEST(Mpu6050, FeelsHowAHandTiltsTheRobot) {
   bench.send(0x68, {0x6B, 0x00});
   const auto at = [&](int number) { return static_cast<std::int16_t>(bench.get16(0x68, number)); };
   const double degree = std::numbers::pi / 180.0;
-  // The front tilts down, currently by 30 degrees, at 100 degrees per second.
+  // The front is tilted down by 30 degrees, and tilts further at 100 degrees per second.
   bench.body().tilt({{0.5, 0.0}, 0.866025, {100 * degree, 0.0}});
   bench.ticks(5);
   EXPECT_NEAR(at(0x3B), 0, 1);
@@ -189,7 +189,7 @@ TEST(Mpu6050, FeelsHowAHandTiltsTheRobot) {
   EXPECT_NEAR(at(0x3F), 14189, 1);
   EXPECT_NEAR(at(0x43), 13100, 1) << "a turn about the left axis, by the right-hand rule";
   EXPECT_NEAR(at(0x45), 0, 1);
-  bench.body().tilt({{0.0, 1.0}, 0.0, {0.0, 0.0}});  // on its left side, at rest
+  bench.body().tilt({{0.0, 1.0}, 0.0, {0.0, 0.0}});  // the robot lies on its left side, at rest
   bench.ticks(5);
   EXPECT_NEAR(at(0x3B), -16384, 1);
   EXPECT_NEAR(at(0x3F), 0, 1);
@@ -227,10 +227,10 @@ TEST(Mpu6050, IsAsWellMadeAsItsDataSheetSaysInTypical2) {
 
 TEST(Pca9685, TellsThePulsesOfItsChannels) {
   TwoWireBench bench("pca9685");
-  bench.send(0x40, {0xFE, 121});  // 25 MHz / 4096 / 122: 50 Hz
+  bench.send(0x40, {0xFE, 121});  // 25 MHz / 4096 / (121 + 1) = 50 Hz
   bench.send(0x40, {0x00, 0x20});
   bench.send(0x40, {0xFE, 3});                       // ignored while the chip is awake
-  bench.send(0x40, {0x06, 0x00, 0x00, 0x33, 0x01});  // 307 of 4096
+  bench.send(0x40, {0x06, 0x00, 0x00, 0x33, 0x01});  // channel 0: 307 of 4096
   bench.send(0x40, {0x0E, 0x00, 0x10, 0x00, 0x00});
   EXPECT_THAT(bench.told(60), ElementsAre("0:1498us 2:on"));
   bench.send(0x40, {0xFD, 0x10});
@@ -280,7 +280,7 @@ TEST(Tcs34725, TellsTheLineFromTheFloorAfterItsIntegration) {
   for (int i = 0; i < 2; ++i) {
     TwoWireBench& bench = i == 0 ? on_line : beside;
     EXPECT_EQ(bench.get(0x29, 0x80 | 0x12), 0x44);
-    bench.send(0x29, {0x80 | 0x01, 0xEB});  // 50 ms
+    bench.send(0x29, {0x80 | 0x01, 0xEB});  // sets the integration time to 50 ms
     bench.send(0x29, {0x80 | 0x0F, 0x01});
     bench.send(0x29, {0x80, 0x03});
     bench.ticks(49);

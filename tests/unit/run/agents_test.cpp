@@ -1,5 +1,5 @@
-// Tests several robots in one simulation. Each has its own firmware, script, goal and verdict. They share the
-// clock and the floor.
+// Tests several robots in one simulation. Each robot has its own firmware, script, goal and verdict. The
+// robots share the clock and the floor.
 
 #include <gmock/gmock.h>
 
@@ -97,7 +97,7 @@ TEST_F(AgentsTest, ThatNeverMeetLeaveEachOthersRunAsItIsAlone) {
   const judge::Outcome alone = run({agent(other_, "laps:1")}).front();
   ASSERT_EQ(alone.verdict, judge::Verdict::reached) << alone.why;
 
-  // The second robot is lifted.
+  // The script lifts the second robot, so the robots cannot meet.
   const std::vector<judge::Outcome> both =
       run({agent(driver_, "laps:1"), agent(parked_, "none", "20,2,E", "at 0s lift\n")});
 
@@ -153,7 +153,7 @@ TEST_F(AgentsTest, GiveTheSameRunTwice) {
   for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].trace_hash, again[i].trace_hash);
 }
 
-/// Stops the run when the second robot has collided.
+/// Stops the run when the first robot has visited a station, or the second robot has collided.
 struct Referee final : StepController {
   Leg next(Standstill& standstill) override {
     agents = standstill.agent_count();

@@ -21,7 +21,7 @@ TEST(AppendOnlyText, ComesBackAsItWasAndCopiesShareTheirBeginnings) {
     for (auto more = random() % 3000; more > 0; --more) text.add(static_cast<char>(random()));
     moments.push_back({text.save(), text.text()});
     if (i % 20 != 19) continue;
-    // Restores a random moment. From there the text continues differently.
+    // Restores the text of a random earlier moment. The text then continues differently.
     const Moment& before = moments[random() % moments.size()];
     text.restore(before.copy);
     ASSERT_EQ(text.text(), before.text) << i;

@@ -1,4 +1,4 @@
-// Tests blind time (sim/judge/blind_driving.h), with robots that the test drives.
+// Tests the time that a robot drives without reading a sensor (sim/judge/blind_driving.h).
 
 #include <gmock/gmock.h>
 
@@ -13,8 +13,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Reads a sensor occasionally and drives straight on. If `plans`, drives at half power in the second half of
-/// each interval.
+/// Drives straight on, and reads a sensor once per `looks_every`. With `plans`, drives at half power in the
+/// second half of each of these intervals.
 class Distracted : public exec::Executor {
  public:
   Distracted(SimTime looks_every, bool plans) : looks_every_(looks_every), plans_(plans) {}
@@ -53,8 +53,8 @@ class Distracted : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Starts to drive after two seconds. Reads a sensor every millisecond, but stops reading `later` before the
-/// start.
+/// Reads a sensor every millisecond, and starts to drive after two seconds. The last reading is `later`
+/// before the start.
 class Starts final : public Distracted {
  public:
   explicit Starts(SimTime later) : Distracted(kSecond, false), later_(later) {}

@@ -1,4 +1,4 @@
-// Tests that a verdict names the script's fault that preceded it.
+// Tests that the explanation of a verdict names a fault that the script caused before.
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-// Tests that simulating distant robots independently does not change a run: their motion, readings, output
-// and events, and the events' order.
+// Tests that simulating distant robots independently does not change a run. The robots' motion, readings,
+// output and events must be equal, and also the order of all events.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace robosim::run {
 namespace independent_agents_test {
 
-/// Firmware for an Uno that drives at random, reads sensors, prints and occasionally crashes.
+/// Firmware for an Uno that drives randomly, reads sensors, prints and occasionally crashes.
 class Roaming final : public exec::Executor {
  public:
   explicit Roaming(unsigned seed) : random_(seed) {}
@@ -96,7 +96,7 @@ robot::Description seeing_robot() {
 
 class Turns : public testing::TestWithParam<unsigned> {};
 
-// Runs two robots in each of three streets. They may leave their street.
+// Runs two robots in each of three streets. The robots may leave their streets.
 std::string turning_run_of(unsigned seed, bool takes_turns) {
   std::mt19937 random(seed);
   const grid::Map map = grid::read_map(grid::find_map("city"));
@@ -145,7 +145,7 @@ TEST_P(Turns, LeaveNoTrace) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Turns, testing::Range(0u, 4u));
 
-/// Counts how often its own firmware ran directly after another robot's.
+/// Counts how often this firmware ran directly after another robot's firmware.
 class Counting final : public exec::Executor {
  public:
   explicit Counting(const void*& last) : last_(last) {}

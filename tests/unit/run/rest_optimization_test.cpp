@@ -1,5 +1,5 @@
-// Tests that skipping ticks of resting robots and sleeping firmware does not change a run, with random
-// firmware, scripts, goals and neighbours.
+// Tests that skipping ticks of resting robots and sleeping firmware does not change a run. Firmware, scripts,
+// goals and neighbours are random.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace robosim::run {
 namespace rest_optimization_test {
 
-/// Firmware for an Uno, written as an executor that needs no compiler.
+/// Firmware that is an executor, so that no sketch must be compiled.
 class OnBoard : public exec::Executor {
  public:
   explicit OnBoard(const BoardSpec& board) : board_(board) {}
@@ -43,7 +43,7 @@ class OnBoard : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Waits most of the time, and occasionally drives, prints, reads a sensor or crashes.
+/// Firmware that usually waits, and occasionally drives, prints, reads a sensor or crashes.
 class Dozing final : public OnBoard {
  public:
   Dozing(unsigned seed, const BoardSpec& board, bool tells_sleep)
@@ -90,7 +90,7 @@ class Dozing final : public OnBoard {
   const bool tells_sleep_;
 };
 
-/// Starts to drive at a given time.
+/// Firmware that starts to drive at time `begin`.
 class Late final : public OnBoard {
  public:
   explicit Late(SimTime begin) : OnBoard(*find_board("uno")), begin_(begin) {}

@@ -1,5 +1,5 @@
-// Tests two detectors with robots that the test drives: motors that were left on
-// (sim/judge/motors_left_on.h), and slow Serial output (sim/judge/slow_serial.h).
+// Tests two detectors: motors that were left on (sim/judge/motors_left_on.h), and slow Serial output
+// (sim/judge/slow_serial.h). The tests implement the firmware that drives the robots.
 
 #include <gmock/gmock.h>
 
@@ -22,7 +22,7 @@ using testing::SizeIs;
 
 constexpr Pin kSensors[] = {14, 15, 16, 17, 18};  // from the left
 
-/// Firmware whose `step` is called once per millisecond.
+/// Firmware that calls `step` once per millisecond.
 class Driven : public exec::Executor {
  public:
   using Step = std::function<void(Driven&, SimTime)>;
@@ -43,7 +43,7 @@ class Driven : public exec::Executor {
     motor(5, 7, 8, left);
     motor(6, 9, 10, right);
   }
-  /// Returns which sensors read dark, from the left.
+  /// Reads the sensors. Returns whether each sensor is dark, from left to right.
   std::array<bool, 5> look(SimTime t) {
     std::array<bool, 5> dark{};
     for (std::size_t i = 0; i < dark.size(); ++i) dark[i] = board_.read_volts(kSensors[i], t) > 2.5;
@@ -81,7 +81,7 @@ std::vector<wire::Detected> seen(Driven::Step step, SimTime limit = 10 * kSecond
   return simulate(setup).front().detected;
 }
 
-/// Turns right until no sensor sees the line, so that the line leaves on the left. Then calls `after`.
+/// Returns a step that turns right until the line is out of sight on the left, and then calls `after`.
 Driven::Step leaves_to_the_right(std::function<void(Driven&, SimTime since)> after) {
   SimTime lost_at = -1;
   return [after, lost_at](Driven& robot, SimTime t) mutable {
@@ -128,8 +128,8 @@ TEST(MotorsLeftOn, IsNobodyWhoSearchesByPlan) {
               IsEmpty());
 }
 
-/// Reads the sensors at intervals of `every`, and roughly follows the line. In between it sends bytes, and
-/// reports that it is in `call`.
+/// Returns a step that reads the sensors once per `every`, and roughly follows the line. In each millisecond,
+/// the step sends a byte, and the firmware reports that it executes `call`.
 Driven::Step sends(SimTime every, const char* call, bool drives = true) {
   return [=](Driven& robot, SimTime t) {
     robot.call = call;

@@ -1,4 +1,4 @@
-// Tests stop conditions of runs that are controlled step by step.
+// Tests conditions at which a run stops that a controller advances step by step.
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@ namespace stop_conditions_test {
 
 using testing::HasSubstr;
 
-/// The built-in driver, which also sends these bytes, one per millisecond from the start.
+/// The built-in driver, which also sends `text`: one byte per millisecond, beginning at the start.
 class Talker final : public exec::Executor {
  public:
   explicit Talker(std::string text) : text_(std::move(text)) {}
@@ -33,7 +33,7 @@ class Talker final : public exec::Executor {
   test::BuiltInDriver driver_;
 };
 
-/// Continues the run once, until one of its stops or `until`.
+/// Continues the run once, until a stop of `leg` or until `leg.until`. Then ends the run.
 struct OneLeg final : StepController {
   Leg next(Standstill& standstill) override {
     if (went_on) {

@@ -1,5 +1,5 @@
-// Tests runs on the target avr: skipping busy-wait loops changes neither the chip's state at any tick nor
-// the trace.
+// Tests runs on target avr: skipping busy-wait loops changes neither the chip's state at any tick nor the
+// trace.
 #include <gtest/gtest.h>
 
 #include <string_view>
@@ -46,7 +46,7 @@ TEST_P(WaitingLoopsOfRuns, AreLeftOutWithoutATrace) {
   });
   const NotedRun running(what, runs, [&] { return runs.chip() ? sum_of(*runs.chip()) : 0; });
   expect_same(skipping, running);
-  // Pony paces itself only by delayMicroseconds().
+  // PonyNavigator waits only in the counting loops of delayMicroseconds(), so less may be skipped.
   const bool only_counts_down = std::string_view("PonyNavigator") == what.sketch;
   EXPECT_TRUE(only_counts_down || skipped > cycles / 4);
 }

@@ -1,5 +1,5 @@
-// Tests runs on the target stm32: skipping busy-wait loops changes neither the chip's state at any tick nor
-// the trace.
+// Tests runs on target stm32: skipping busy-wait loops changes neither the chip's state at any tick nor the
+// trace.
 #include <gtest/gtest.h>
 
 #include "sim/exec/stm32/stm32_executor.h"
@@ -13,7 +13,7 @@ namespace waiting_test {
 using exec::stm32::Machine;
 
 struct PillRun : StockRun {
-  bool waits;  ///< waits in loops, not asleep as in delay()
+  bool waits;  ///< whether the sketch waits in loops, and not asleep as in delay()
 };
 
 class WaitingLoopsOfPills : public testing::TestWithParam<PillRun> {

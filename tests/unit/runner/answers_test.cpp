@@ -1,4 +1,4 @@
-// Tests the results of a simulation in the protocol's units and names.
+// Tests converting the results of a simulation to the units and names of the runner protocol.
 #include "sim/runner/answers.h"
 
 #include <gmock/gmock.h>

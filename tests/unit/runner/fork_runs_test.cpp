@@ -1,4 +1,5 @@
-// Tests that each branch of a forked run equals a separate run. The firmware needs no compiler.
+// Tests that each branch of a forked run equals a separate run. The firmware is an executor, so that no
+// sketch must be compiled.
 #include "sim/runner/fork_runs.h"
 
 #include <gmock/gmock.h>
@@ -16,7 +17,7 @@ namespace fork_runs_test {
 
 using ::testing::HasSubstr;
 
-/// Prints "hello" at 1.5 s, and counts its ticks as if they were lines.
+/// The built-in driver, which also prints "hello" at 1.5 s. It counts its ticks as firmware counts lines.
 class Talker final : public exec::Executor {
  public:
   RobotPort& board() override { return driver_.board(); }

@@ -41,7 +41,7 @@ class ReadingAhead : public testing::Test {
     read();
     return ahead_.map.get();
   }
-  /// Advances the clock, so that all files appear to have been written long ago.
+  /// Advances the clock by an hour, so that all files were written long ago.
   void let_files_settle() { now_ += 3'600'000'000'000; }
 };
 
@@ -63,7 +63,7 @@ TEST_F(ReadingAhead, NorIsARobotForItsDescriptionUnlessItHasChanged) {
   EXPECT_THROW(known_robot(request_.robot, {{request_.robot, robot}}), InputError);
 }
 
-// For a recently written file, only its bytes show that it is unchanged.
+// The times of a recently written file do not prove that the file is unchanged. Only its bytes do.
 TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
   for (const char* content : {"one", "two", "tw", "", "three"}) {
     write_file(image_, content);
@@ -76,7 +76,7 @@ TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
   EXPECT_THROW(read(), InputError);
 }
 
-// Until the file system's clock has advanced, a file may be written again without a change of its times.
+// Until the file system's clock has advanced, a write may leave a file's times unchanged.
 TEST(FileIdentity, IsTrustedOnceTheClockOfItsFileSystemHasGoneOn) {
   constexpr long long kSecond = 1'000'000'000;
   const FileIdentity fine = {1, 2, 3, 500, 123'456'789, 500, 223'456'789};
@@ -150,7 +150,7 @@ TEST_F(ReadingAhead, AMapThatIsWrittenAnewIsSeenAtOnce) {
   EXPECT_FALSE(read_the_map()) << "the run reports the missing map";
 }
 
-// Each seed has its own map.
+// The map has a spread, so it differs for each seed.
 TEST_F(ReadingAhead, AMapWithASpreadIsReadForItsSeed) {
   write_file(map_, std::string("+++\n[[light]]\nlevel = { value = 0.5, spread = 0.1 }\n+++\n") + kMap);
   request_.profile = "typical";

@@ -1,4 +1,4 @@
-// Tests when a runner ends a run, according to the system's and the process's own reports about the process.
+// Tests when a runner ends a run. It decides by the process's times, and by what the process itself reports.
 #include "sim/runner/run_watch.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ class Watching : public testing::Test {
  protected:
   Watching() { watch_.follow(-1, {.until = 100 * kSecond}); }
 
-  /// Checks every 100 ms of wall time for `seconds`, as a runner does. The process uses `share` of a
-  /// processor.
+  /// Checks a process every 100 ms of wall time for `seconds`, as a runner does. The process uses `share` of
+  /// a processor.
   Found look_for(double seconds, double share, bool is_excused = false) {
     for (int i = 0; i < 10 * seconds; ++i) {
       wall_us_ += 100'000;
@@ -101,7 +101,8 @@ TEST_F(Watching, BelievesNoRunThatSaysAgainThatItHasNotBegun) {
 
 TEST_F(Watching, LimitsARunWhoseFirmwareNeverLetsItSayThatItHasBegun) {
   EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "a large map";
-  // Acts as a run's process, which records that firmware runs next. Firmware cannot undo this record.
+  // The child acts as a run's process, which records that firmware runs next. Firmware cannot undo this
+  // record.
   Child([&] {
     watch_.close();
     return 0;

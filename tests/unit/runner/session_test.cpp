@@ -1,5 +1,5 @@
-// Tests a runner's session with its client. The firmware needs no compiler. A fork of this test serves the
-// session, because the session uses a process's standard input and output.
+// Tests a runner's session with its client. The firmware is an executor, so that no sketch must be compiled.
+// A fork of this test serves the session, because a session uses its process's standard input and output.
 #include "sim/runner/session.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +36,8 @@ using ::testing::StartsWith;
 class Session {
  public:
   explicit Session(const ExecutorFactory& factory) : Session([] {}, factory) {}
-  /// The runner's process first calls `first`. It then needs no descriptors except 0, 1 and 2.
+  /// Starts the runner's process, which calls `first` and then serves. It uses only the descriptors 0, 1 and
+  /// 2.
   Session(const std::function<void()>& first, const ExecutorFactory& factory)
       : runner_([&] {
           ::dup2(input_.read.get(), STDIN_FILENO);
@@ -70,7 +71,7 @@ class Session {
     return text;
   }
 
-  /// Reads the bytes after a line.
+  /// Returns the next `count` bytes of the runner's output, which follow a line.
   std::string bytes(std::size_t count) {
     char some[4096];
     while (unread_.size() < count) {
@@ -83,12 +84,12 @@ class Session {
     return text;
   }
 
-  /// Returns the runner's answer to a line, without events.
+  /// Sends a line. Returns the runner's answer. Stores the events before it in `events`.
   wire::Line ask(const std::string& text) {
     send(text.ends_with('\n') ? text : text + "\n");
     return answer();
   }
-  /// Returns the next answer.
+  /// Returns the runner's next answer. Stores the events before it in `events`.
   wire::Line answer() {
     events.clear();
     for (;;) {
@@ -114,10 +115,11 @@ class Session {
   }
 
   void interrupt() const { runner_.send(SIGINT); }
-  /// Waits until the run's process and its runner are both waiting. Returns false if one ends first.
+  /// Waits until the run's process and its runner both wait. Returns false if one of them ends first.
   bool comes_to_wait() const {
     const std::string runner = "/proc/" + std::to_string(runner_.pid());
-    // Requires that both wait many times in a row, because they may briefly wait for each other.
+    // Requires that both processes wait at many checks in a row, because they may briefly wait for each
+    // other.
     constexpr int kOften = 2000;
     for (int times = 0; times < kOften; ++times, ::sched_yield()) {
       pid_t run = 0;
@@ -136,10 +138,10 @@ class Session {
     return runner_.wait();
   }
 
-  std::vector<wire::Event> events;  ///< events before the last answer
+  std::vector<wire::Event> events;  ///< the events before the last answer
 
  private:
-  /// Returns the state of a process from /proc: 'R' is running, 'S' waiting, 'Z' ended.
+  /// Reads the state of a process from /proc: 'R' is running, 'S' is waiting, and 'Z' has ended.
   static char state_of(const std::string& process) {
     std::ifstream file(process + "/stat");
     const std::string text(std::istreambuf_iterator<char>(file), {});
@@ -179,8 +181,8 @@ ExecutorFactory drivers(void (*at_100_ms)() = nullptr) {
           }};
 }
 
-/// Returns a factory whose drivers are treated as native code. Their run is confined, and reports to the
-/// runner instead of the client.
+/// Returns a factory whose drivers are treated as native code. The run's process is confined, and reports to
+/// the runner instead of the client.
 ExecutorFactory confined_drivers() {
   ExecutorFactory factory = drivers();
   factory.prepare_for_confinement = [](auto&&...) {};
@@ -495,7 +497,7 @@ TEST_F(SessionTest, BlamesTheMachineForTooFewDescriptorsAndNoSketch) {
           ::getrlimit(RLIMIT_NOFILE, &limit);
           limit.rlim_cur = descriptors;
           ::setrlimit(RLIMIT_NOFILE, &limit);
-          for (int fd = 3; fd < 64; ++fd) ::close(fd);  // descriptors of this test
+          for (int fd = 3; fd < 64; ++fd) ::close(fd);  // closes descriptors of this test
         },
         confined_drivers());
     session.line();

@@ -1,4 +1,4 @@
-// Tests faults between board and world. The test acts as the board's firmware.
+// Tests faults of the connections between a board and the simulated world. The tests act as the firmware.
 #include "sim/scenario/board_faults.h"
 
 #include <gmock/gmock.h>
@@ -23,7 +23,7 @@ using testing::SizeIs;
 
 constexpr SimTime ms = kMillisecond;
 
-/// Records the calls that it receives.
+/// An executor that records calls.
 class Probe final : public exec::Executor {
  public:
   RobotPort& board() override { return state; }
@@ -55,7 +55,7 @@ class Probe final : public exec::Executor {
   }
 
   exec::BoardState state{*find_board("uno")};
-  std::vector<SimTime> power;  // ms; negative = off
+  std::vector<SimTime> power;  // times in ms: positive for power on, negative for power off
   int recovered = 0;
   bool reaches_eeprom = true;
   int drift = 0;
@@ -200,7 +200,7 @@ TEST_F(BoardFaultsTest, ARateOfLossIsMetAndIsTheSameInEveryRun) {
   fail({"serial", "lost", "30%"});
   faults.send(std::string(1000, 'x'), 0);
   const std::size_t first = probe.received().size();
-  EXPECT_NEAR(static_cast<double>(first), 700.0, 45.0);  // three standard deviations
+  EXPECT_NEAR(static_cast<double>(first), 700.0, 45.0);  // a tolerance of three standard deviations
   Probe other;
   other.state.listen(1, 0);
   BoardFaults again(other, robot, 1);

@@ -1,4 +1,4 @@
-// Tests the effects of a script on a run, from outside, while a built-in driver follows the oval.
+// Tests the observable effects of a script on a run in which the built-in driver follows the oval.
 #include "sim/scenario/scenario_player.h"
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ class Scripts : public testing::Test {
     }
     return "no error";
   }
-  /// Returns the reading of sensor S1, next to the line, at this time.
+  /// Returns the reading at this time of sensor S1, which is next to the line.
   double s1(double seconds) { return seen.at(seconds).readings[0]; }
 
   Witness seen;
@@ -219,7 +219,7 @@ TEST_F(Scripts, CutThePowerAndSayWhenItIsBack) {
 }
 
 TEST_F(Scripts, WaitAfterAStation) {
-  // The oval has no stations, so the step is rejected for its name.
+  // The oval has no stations, so the script's station is unknown.
   EXPECT_THAT(error_of("after station 1 wait 1s lift"),
               HasSubstr("s.txt:1: unknown station “1”: the map has no stations"));
 }

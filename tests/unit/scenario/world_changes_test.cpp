@@ -1,4 +1,4 @@
-// Tests a world that a script changes while a built-in driver follows the oval.
+// Tests scripts that change the world while the built-in driver follows the oval.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -129,7 +129,7 @@ TEST_F(ChangingWorld, ALineThatIsErasedCountsAsNone) {
 }
 
 TEST_F(ChangingWorld, ALineThatIsPaintedIsSeenBesideTheMapsOwn) {
-  // Paints over the floor north of the line, where the leftmost sensor passes.
+  // The script paints a line in the middle of the field, and places the robot on it.
   play("at 10ms lift\nat 20ms paint 4,8 20,8\nat 30ms place 10,14,E\nat 40ms place 650mm,850mm,E\n", 0.1);
   const grid::Map& m = map;
   EXPECT_NEAR(m.centre({10, 8}).y, 0.1 * (m.height - 8.5), 1e-9);

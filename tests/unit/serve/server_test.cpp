@@ -40,7 +40,7 @@ void write(const fs::path& file, const std::string& text) {
   std::ofstream(file) << text;
 }
 
-/// A served folder, and a shell script instead of `robosim`.
+/// A folder that the server serves. A shell script replaces the program `robosim`.
 class Serving : public testing::Test {
  protected:
   void SetUp() override {
@@ -115,7 +115,7 @@ TEST_F(Serving, RunsAFileOfRobotsWithAScriptForEach) {
       run(R"({"sketch": "./two.toml", "scripts": {"A": "at 1s press start\n", "B": "at 2s press start\n"}})");
   ASSERT_TRUE(answer);
   EXPECT_THAT(answer->body, HasSubstr("run ./two.toml --target host"));
-  // The lines arrive in one or several messages, depending on the pipe.
+  // The pipe may split the output into several messages, so each line is checked separately.
   EXPECT_THAT(answer->body, HasSubstr("at 1s press start\\n"));
   EXPECT_THAT(answer->body, HasSubstr("at 2s press start\\n"));
 }
@@ -208,7 +208,7 @@ std::string read_all(const Descriptor& socket) {
   return all;
 }
 
-// Otherwise a page of another site could send any request in the body of a refused one.
+// Otherwise, a page of another site could hide any request in the body of a refused request.
 TEST_F(Serving, TakesNoRequestFromTheBodyOfARefusedOne) {
   serve("echo ran\n");
   std::string body;
@@ -317,7 +317,7 @@ TEST_F(Serving, WritesThroughNoLinkWhicheverFolderItReplaces) {
   EXPECT_TRUE(fs::is_empty(outside_.path() / "target.map"));
 }
 
-/// Sends `text`, and then single bytes with pauses, until an answer arrives.
+/// Sends `text` to the server, and then single bytes with pauses, until an answer arrives.
 struct Drips {
   Drips(int port, std::string text) {
     const Descriptor socket = connected(port);
@@ -379,7 +379,7 @@ TEST_F(Serving, WaitsForARunThatTakesLongerThanARequestMay) {
   EXPECT_THAT(said, HasSubstr("ran"));
 }
 
-// Returns the JSON that saves a file. The default text is a tiny map.
+// Returns the JSON of a request that saves a file. The default text is a tiny map.
 std::string file_json(const std::string& name, bool replace = false, const std::string& text = "S..\n") {
   return Json{{"name", name}, {"text", text}, {"replace", replace}}.dump();
 }
@@ -430,7 +430,7 @@ TEST_F(Serving, KeepsAnImageAndRunsItOnItsOwnChip) {
       "\x7F"
       "ELF\1\1\1" +
       std::string(400'000, '\0');
-  elf[18] = 83;  // an AVR
+  elf[18] = 83;  // the machine is an AVR
   EXPECT_EQ(Json::parse(keep("Mine.hex", hex)->body)["saved"], "./Mine.hex");
   EXPECT_EQ(keep("Mine.elf", elf)->status, 200);
   EXPECT_EQ(read_file(root() / "Mine.elf"), elf);
@@ -496,7 +496,8 @@ TEST_F(Serving, WritesNothingElseAndNowhereElse) {
   EXPECT_EQ(before(), all);
 }
 
-// A replacement for robosim answers each line that it receives, and ends when its input ends.
+// The shell script replaces robosim. It prints an event, repeats the line that it reads, and ends with status
+// 4.
 TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
   serve("echo warned >&2; echo '{\"event\": 1}'; while read -r line; do echo \"$line\"; exit 4; done\n");
   EXPECT_EQ(http_->Post("/api/live/1", R"({"do": "play"})", "application/json")->status, 409)
@@ -528,7 +529,7 @@ TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
   EXPECT_EQ(http_->Get("/api/live/1234567890")->status, 404);
 }
 
-// The program keeps a pipe open as long as it lives.
+// The test notices the end of the program by a pipe, which the program keeps open until then.
 TEST_F(Serving, EndsARunWhosePageHasGone) {
   const fs::path pipe = outside_.path() / "alive";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

@@ -1,5 +1,5 @@
-// Tests that boards and chips are only data. Code that uses one by its name would need a change for every new
-// board.
+// Tests that boards and chips are only data. Code that named a board or chip would have to change for every
+// new board.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -12,14 +12,14 @@
 namespace robosim::structure {
 namespace boards_test {
 
-/// Returns whether a file is about one chip or board, according to its path.
+/// Returns whether, by its path, a file is about one chip or board.
 bool is_about_a_chip(const std::string& file) {
   for (const char* place : {"hal/board/", "hal/host/chip.h", "hal/stm32/", "sim/exec/stm32/"})
     if (file.starts_with(place)) return true;
   return false;
 }
 
-/// Returns the names that only data may contain.
+/// Returns the names of boards and chips. Only data may contain them.
 std::vector<std::string> names() {
   std::vector<std::string> found{"kAtmega168", "kAtmega2560",  "kAtmega328p",  "kAtmega32u4",
                                  "kAttiny85",  "kStm32f103c8", "\"iom328p.h\""};

@@ -13,13 +13,13 @@ namespace {
 constexpr char kDrawn = '\1';  // replaces an arrow or a part of a frame
 constexpr std::size_t kLeastIndent = 2;
 
-/// Returns the text with one char per character.
+/// Converts UTF-8 text to text with one char per character.
 std::string in_columns(std::string_view text) {
   std::string columns;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
     if ((byte & 0xC0) == 0x80) continue;
-    // U+2190 to U+25FF: arrows, operators, frames and shapes.
+    // The characters U+2190 to U+25FF are arrows, operators, frames and shapes.
     const bool drawn = byte == 0xE2 && i + 1 < text.size() &&
                        static_cast<unsigned char>(text[i + 1]) >= 0x86 &&
                        static_cast<unsigned char>(text[i + 1]) <= 0x97;
@@ -28,7 +28,7 @@ std::string in_columns(std::string_view text) {
   return columns;
 }
 
-/// Returns where the comment at the end of a line begins, or npos.
+/// Returns the position at which the comment at the end of a line begins, or npos.
 std::size_t comment_at(std::string_view line) {
   char quote = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -49,7 +49,7 @@ std::size_t comment_at(std::string_view line) {
 /// A line of a comment, without its marker.
 struct Line {
   std::string marker;      ///< indentation, and "//" or "///"; "" for code or an empty line
-  std::string text;        ///< in columns, including its indentation
+  std::string text;        ///< result of in_columns(), including the indentation
   std::size_t width = 0;   ///< of the whole line
   std::size_t indent = 0;  ///< of the text
   std::vector<std::pair<std::size_t, std::size_t>> gaps;  ///< between its cells: from and to (exclusive)
@@ -100,7 +100,7 @@ bool ends_with_operator(const std::string& text) {
 /// Returns whether `line` continues the full row before it, although it starts at that row's label.
 bool is_cut_off(const Line& row, const Line& line, const Line* after) {
   if (row.gaps.empty()) {
-    // In an indented paragraph prose may leave a bracket open; code and drawings do not.
+    // A line of prose in an indented paragraph may leave a bracket open, but code and drawings do not.
     const bool is_code = line.text.back() == ';' || line.text.back() == '{';
     return line.gaps.empty() && has_open_bracket(row.text) &&
            (is_code || row.text.find(kDrawn) != row.text.npos);
@@ -115,7 +115,8 @@ bool is_cut_off(const Line& row, const Line& line, const Line* after) {
     return ends_table && !is_statement &&
            std::islower(static_cast<unsigned char>(line.text[line.indent])) != 0;
   }
-  // The line is joined with the next row: without some of its first words, its cell would be at the row's.
+  // The line may be the rest of the row, joined with the next row. Without the rest's words, the line's cell
+  // would then be at the column of the row's cell.
   const auto [gap_from, gap_to] = line.gaps.front();
   if (row.has_cell_at(gap_to)) return false;
   for (std::size_t word = line.indent; (word = end_of_word(line, word)) < gap_from;) {
@@ -125,7 +126,8 @@ bool is_cut_off(const Line& row, const Line& line, const Line* after) {
   return false;
 }
 
-/// Returns whether `line` starts before the last cell of the previous row, and continues below that cell.
+/// Returns whether `line` starts before the last cell of `row`, the line above, and continues below that
+/// cell.
 bool starts_in_last_gap(const Line& row, const Line& line) {
   if (row.gaps.empty() || !line.gaps.empty()) return false;
   const auto [from, to] = row.gaps.back();

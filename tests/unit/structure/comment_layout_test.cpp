@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 const std::string kRoot = ROBOSIM_SOURCE_DIR;
-constexpr std::size_t kLimit = 40;  // for the examples
+constexpr std::size_t kLimit = 40;  // the column limit of the examples
 
 /// Returns the ColumnLimit of .clang-format.
 std::size_t column_limit() {
@@ -32,7 +32,7 @@ std::vector<std::string> broken_lines(const std::string& comment) {
 TEST(Comments, KeepToTheColumnLimitOfTheFormatter) {
   Files sources = read_sources(kRoot);
   std::erase_if(sources, [](const auto& file) {
-    return !file.first.ends_with(".h") && !file.first.ends_with(".cpp");  // other files are not formatted
+    return !file.first.ends_with(".h") && !file.first.ends_with(".cpp");  // not formatted
   });
   EXPECT_TRUE(sources.count("sim/base/error.h"));
   ASSERT_GT(column_limit(), 0u);

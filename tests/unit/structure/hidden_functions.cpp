@@ -11,7 +11,8 @@ namespace {
 
 using Names = std::set<std::string>;
 
-/// Returns the function whose declaration or definition begins on this line, or "". Members are indented.
+/// Returns the free function whose declaration or definition begins on this line, or "". Skips indented
+/// lines, because they contain members.
 std::string function_of(const std::string& line) {
   static const std::regex begin(R"([\w\[][^=(]*[\s*&](\w+)\()");
   std::smatch match;
@@ -32,7 +33,8 @@ Names functions_of(const std::string& content, bool header) {
   return names;
 }
 
-/// Returns whether a source calls a free function by its bare name. A name after a type is a declaration.
+/// Returns whether a source calls a free function without qualifying its name. A name after a type is a
+/// declaration, not a call.
 bool calls(const std::string& content, const std::string& function) {
   const std::regex call(R"((^|[^\w.:>&*\s]|\s[>*&]+\s|[\s(!,][*&]|\b(return|else|throw|case)\s)\s*)" +
                         function + R"(\()");

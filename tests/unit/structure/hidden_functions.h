@@ -1,6 +1,6 @@
 // Finds functions that hide others if several sources are compiled as one file, as in all presets except dev.
-// One source has a function in an anonymous namespace. The next source uses a function with the same name
-// from a header.
+// A function in the anonymous namespace of one source may have the name of a header's function. It then hides
+// the header's function from the next source.
 #pragma once
 
 #include <string>
@@ -10,9 +10,10 @@
 
 namespace robosim::structure {
 
-/// Returns a message for each function in an anonymous namespace of a .cpp file that may hide another. The
-/// hidden function is declared in a header, and called in another .cpp file of the library. The compiler may
-/// choose either function without a warning. A library is a folder of two levels, such as `sim/grid`.
+/// Returns a message for each function in an anonymous namespace of a .cpp file that may hide another
+/// function. The hidden function is declared in a header, and called in another .cpp file of the library. The
+/// compiler may choose either function without a warning. A library is a folder of two levels, such as
+/// `sim/grid`.
 std::vector<std::string> hidden_functions(const Files& files);
 
 }  // namespace robosim::structure

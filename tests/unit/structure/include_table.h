@@ -1,4 +1,4 @@
-// Checks #include directives against may_include.txt, which lists the folders that each folder may include.
+// Checks #include directives by may_include.txt, which lists the folders that each folder may include.
 #pragma once
 
 #include <map>
@@ -8,14 +8,14 @@
 
 namespace robosim::structure {
 
-/// The content of each file, by its path from the checkout's root.
+/// The contents of files. The keys are paths from the checkout's root.
 using Files = std::map<std::string, std::string>;
 
 struct IncludeTable {
-  std::vector<std::string> search;                        ///< in order
-  std::map<std::string, std::vector<std::string>> rows;   ///< by folder: the folders that it may include
-  std::map<std::string, std::vector<std::string>> alone;  ///< by start of a header: folders that may include
-                                                          ///< it
+  std::vector<std::string> search;                        ///< folders, in the order of the search
+  std::map<std::string, std::vector<std::string>> rows;   ///< folders that each folder may include
+  std::map<std::string, std::vector<std::string>> alone;  ///< by prefix of headers: folders that may include
+                                                          ///< such headers
 };
 
 /// Reads the table. Throws InputError at a line that is not a row.

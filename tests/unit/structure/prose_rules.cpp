@@ -11,16 +11,16 @@
 namespace robosim::structure {
 namespace {
 
-/// A phrase, and its replacement. A phrase's elements are words or punctuation marks: `a|b` matches one of
-/// these; `!a|b` matches another element or none; `^` is the beginning of the sentence; `$` is its end or a
-/// punctuation mark.
+/// A phrase, and its replacement. A phrase is a list of elements, which match words or punctuation marks:
+/// `a|b` matches `a` or `b`; `!a|b` matches anything else; `^` matches the beginning of the sentence; `$`
+/// matches the end of the sentence or a punctuation mark.
 struct Phrase {
   const char* phrase;
   const char* instead;
 };
 
-// Only phrases that are never good English here. A phrase that also matches good English is narrowed or
-// removed.
+// Contains only phrases that are never good English here. If a phrase also matches good English, narrow or
+// remove it.
 constexpr Phrase kWords[] = {
     {"anew", "again"},
     {"nobody|somebody|whoever", "the caller, the user, no listener: name the actor"},
@@ -99,7 +99,7 @@ struct Element {
   bool is_anchor() const { return !negated && words.front() != "^" && words.front() != "$"; }
 };
 
-/// Finds phrases by an index of their anchors' words.
+/// A list of phrases with an index. The key of a phrase is each word of its first element that is a word.
 class PhraseList {
  public:
   template <std::size_t kCount>
@@ -119,14 +119,14 @@ class PhraseList {
   std::vector<std::string> hits(const Passage& passage) const {
     std::vector<std::string> found;
     for (const std::vector<Token>& sentence : sentences(passage.text)) {
-      std::ptrdiff_t reported = 0;  // findings end before this token
+      std::ptrdiff_t reported = 0;  // the previous finding ends before this token
       for (std::size_t i = 0; i < sentence.size(); ++i) {
         const auto list = by_word_.find(sentence[i].text);
         if (list == by_word_.end()) continue;
         for (const Compiled& phrase : list->second) {
           const auto first = static_cast<std::ptrdiff_t>(i) - static_cast<std::ptrdiff_t>(phrase.anchor);
           std::string words;
-          std::ptrdiff_t last = first;  // token of the phrase
+          std::ptrdiff_t last = first;  // the last token of the phrase
           bool matches = true;
           for (std::size_t k = 0; matches && k < phrase.elements.size(); ++k) {
             const std::ptrdiff_t at = first + static_cast<std::ptrdiff_t>(k);

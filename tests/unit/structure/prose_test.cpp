@@ -23,10 +23,10 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 const std::string kRoot = ROBOSIM_SOURCE_DIR;
-/// The last commit before the rules applied.
+/// The last commit to which the rules do not apply.
 const std::string kFirstRevision = "883c866f";
 
-/// Returns build files, scripts and TOML files.
+/// Reads build files, scripts and TOML files.
 Files read_scripts() {
   static const std::set<std::string> extensions = {".cmake", ".sh", ".py", ".toml"};
   Files files;
@@ -47,7 +47,7 @@ Files read_scripts() {
 
 struct History {
   std::vector<std::string> subjects;
-  std::string missing;  ///< why subjects are missing
+  std::string missing;  ///< the reason if subjects are missing
 };
 
 /// Reads the subjects of commits since kFirstRevision.
@@ -96,7 +96,7 @@ TEST(Prose, SubjectsOfCommitsHaveAnAreaAndAnImperative) {
     for (const std::string& finding : odd_subject(subject)) ADD_FAILURE() << finding;
 }
 
-/// Returns the texts of passages, with their kinds' numbers.
+/// Returns the texts of passages, each after the number of its kind and its line.
 std::vector<std::string> texts(const std::vector<Passage>& passages) {
   std::vector<std::string> all;
   for (const Passage& passage : passages)
@@ -104,7 +104,7 @@ std::vector<std::string> texts(const std::vector<Passage>& passages) {
   return all;
 }
 
-/// Returns a paragraph of a document.
+/// Returns the passage that a document's paragraph gives.
 Passage paragraph(const std::string& text) { return {"a.md", 1, Passage::Kind::document, true, text}; }
 
 Passage comment(const std::string& text) { return {"a.h", 1, Passage::Kind::comment, true, text}; }

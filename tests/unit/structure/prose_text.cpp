@@ -10,13 +10,13 @@
 namespace robosim::structure {
 namespace {
 
-constexpr std::size_t kRowIndent = 2;  // of comment lines that are not prose
+constexpr std::size_t kRowIndent = 2;  // comment lines with a larger indentation are not prose
 constexpr std::size_t kLeastWords = 3;
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
 
-/// Returns whether `c` belongs to a word: letters, digits, bytes of UTF-8, and `'`, `_` or `-` within.
+/// Returns whether `c` belongs to a word: it is a letter, a digit, `_`, or a byte of a UTF-8 character.
 bool is_word_char(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return std::isalnum(byte) || byte >= 0x80 || c == '_';
@@ -38,10 +38,10 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Returns whether `text`, from `<` to before `>`, is an HTML tag.
+/// Returns whether `text`, which begins with `<` and ends before `>`, is an HTML tag.
 bool is_tag(std::string_view text) { return text.find(' ') == text.npos || text.find("=\"") != text.npos; }
 
-/// Replaces `inline code`, links' targets, web addresses and HTML tags.
+/// Replaces `inline code`, and removes the targets of links, web addresses and HTML tags.
 std::string without_code(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -66,7 +66,7 @@ std::string without_code(std::string_view text) {
       plain.insert(before, " ");
     } else if (c == ':' && text.substr(i, 3) == "://") {
       while (i + 1 < text.size() && !is_space(text[i + 1])) ++i;
-      while (std::string_view(".,:;!?)").find(text[i]) != std::string_view::npos) --i;  // after the address
+      while (std::string_view(".,:;!?)").find(text[i]) != std::string_view::npos) --i;  // not in the address
     } else {
       plain += c;
     }
@@ -120,7 +120,7 @@ class Collector {
   bool opens_ = true;
 };
 
-/// Adds a line of a comment, without its marker.
+/// Adds a line of a comment. `text` is the line without its marker.
 void add_comment_line(Collector& collector, int line, std::string_view text) {
   const std::size_t indent = text.find_first_not_of(' ');
   if (indent == text.npos || text.find_first_of("*=~", indent) == indent) return collector.end();
@@ -177,7 +177,7 @@ class SourceReader {
   void line_comment() {
     const std::size_t end = std::min(source_.find('\n', at_), source_.size());
     std::string_view text = source_.substr(at_, end - at_);
-    // The comment is "///< …", or continues a comment after code on the previous line.
+    // Such a comment is "///< …", or continues the comment that follows code on the previous line.
     const std::size_t column = at_ - (source_.rfind('\n', at_) + 1);
     const bool continues = (text.find('<') != text.npos && text.find('<') == text.find_first_not_of('/')) ||
                            (column == remark_column_ && line_ == remark_line_ + 1);
@@ -200,7 +200,7 @@ class SourceReader {
   void character() {
     only_space_ = false;
     const bool is_separator = at_ > 0 && std::isalnum(static_cast<unsigned char>(source_[at_ - 1])) != 0;
-    std::size_t end = at_ + 1;  // 1'000
+    std::size_t end = at_ + 1;  // the end of a separator, as in 1'000
     if (!is_separator) {
       if (end < source_.size() && source_[end] == '\\') ++end;
       end = std::min(source_.find('\'', end + 1), source_.size() - 1) + 1;
@@ -245,7 +245,7 @@ class SourceReader {
   bool with_messages_;
   std::size_t at_ = 0;
   int line_ = 1;
-  bool only_space_ = true;   // so far on this line
+  bool only_space_ = true;   // until here, this line has only spaces
   bool in_comment_ = false;  // the current line is a comment
   int remark_line_ = -1;     // line of the last comment after code
   std::size_t remark_column_ = 0;
@@ -253,8 +253,8 @@ class SourceReader {
   int literal_line_ = 0;
 };
 
-/// Replaces quotes, arrows and other symbols beyond ASCII by spaces. Replaces a middle dot, which separates
-/// items, by a semicolon. Letters with accents are unchanged.
+/// Replaces quotes, arrows and other symbols that are not ASCII with spaces. Replaces a middle dot, which
+/// separates items, with a semicolon. Does not change letters with accents.
 std::string without_symbols(std::string_view utf8) {
   std::string text(utf8);
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -267,8 +267,8 @@ std::string without_symbols(std::string_view utf8) {
   return text;
 }
 
-/// Returns whether the full stop at `at` belongs to an abbreviation, which is the word `last` before it. A
-/// single letter is an abbreviation if a lower-case letter follows.
+/// Returns whether the full stop at `at` belongs to an abbreviation. `last` is the word before the full stop.
+/// A single letter is an abbreviation if a lower-case letter follows.
 bool is_abbreviation(std::string_view text, const Token* last, std::size_t at) {
   static constexpr std::array<std::string_view, 11> kAll = {"e.g", "i.e", "etc", "vs",  "cf",    "no",
                                                             "rev", "sec", "al",  "fig", "approx"};
@@ -353,7 +353,7 @@ std::vector<std::vector<Token>> sentences(std::string_view utf8) {
       ++i;
     } else if (is_word_char(c)) {
       std::size_t end = i + 1;
-      const auto joins = [&](char mark) {  // a mark within a word: robot's, cross-track, e.g, 0.5, main.cpp
+      const auto joins = [&](char mark) {  // marks within words: robot's, cross-track, e.g, 0.5, main.cpp
         return (mark == '\'' || mark == '-' || mark == '.' || mark == '/') && end + 1 < text.size() &&
                is_word_char(text[end + 1]);
       };

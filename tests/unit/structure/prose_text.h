@@ -8,7 +8,7 @@
 
 namespace robosim::structure {
 
-/// A paragraph of a document or comment, or a string literal. Inline code is replaced by kCode.
+/// A paragraph of a document or comment, or a line of a string literal. kCode replaces inline code.
 struct Passage {
   enum class Kind {
     document,  ///< a paragraph of a Markdown file
@@ -20,10 +20,10 @@ struct Passage {
   };
 
   std::string file;
-  int line = 0;  ///< line of its first character
+  int line = 0;  ///< line of the first character
   Kind kind = Kind::document;
-  bool opens = false;  ///< it is the first paragraph of a comment
-  std::string text;    ///< including the file's line breaks
+  bool opens = false;  ///< the passage is the first paragraph of a comment
+  std::string text;    ///< with the line breaks of the file
 
   /// Returns "file:line" of a position in the text.
   std::string place(std::size_t at) const;
@@ -33,11 +33,11 @@ constexpr std::string_view kCode = "_";
 
 std::vector<Passage> passages_of_document(const std::string& file, std::string_view markdown);
 
-/// Returns comments of C++ and, if `with_messages`, string literals. Joins adjacent literals. Skips raw
-/// literals and disabled lints.
+/// Returns comments of C++, and with `with_messages` also string literals. Joins adjacent literals. Skips raw
+/// literals, and comments that disable lints.
 std::vector<Passage> passages_of_source(const std::string& file, std::string_view source, bool with_messages);
 
-/// Returns comments that begin with `#`.
+/// Returns the comments of a script, which begin with `#`.
 std::vector<Passage> passages_of_script(const std::string& file, std::string_view script);
 
 /// A word in lower case, or a punctuation mark.

@@ -1,5 +1,5 @@
-// Tests that snapshots contain everything that changes during a run. Each class stores it in one State, which
-// is copied as a whole. snapshot_members.txt lists the other members.
+// Tests that snapshots contain all members that change during a run. Each class stores such members in one
+// State, which snapshots copy as a whole. snapshot_members.txt lists the exceptions.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -20,11 +20,11 @@ using testing::IsEmpty;
 
 struct MembersTable {
   std::vector<std::string> rooms;
-  std::set<std::string> files;    ///< files whose members are all in the table
-  std::set<std::string> members;  ///< "FILE MEMBER"
+  std::set<std::string> files;    ///< files of which all members are exceptions
+  std::set<std::string> members;  ///< other exceptions, as "FILE MEMBER"
 };
 
-/// Reads lines `KIND: FILE MEMBERS` or `KIND: FILES`.
+/// Reads a table of lines `KIND: FILE MEMBERS` or `KIND: FILES`.
 MembersTable read_members_table(const std::string& text) {
   MembersTable table;
   std::istringstream lines(text);
@@ -45,7 +45,8 @@ MembersTable read_members_table(const std::string& text) {
   return table;
 }
 
-/// Returns whether a member is const, a reference, or the number of a chip's event, which is assigned once.
+/// Returns whether a member of this type never changes: it is const, a reference, or the id of a chip's
+/// event.
 bool never_changes(const std::string& type) {
   return (type.starts_with("const ") && !type.ends_with("*")) || type.ends_with("&") ||
          type.ends_with("* const") || type.ends_with("Events::Id");

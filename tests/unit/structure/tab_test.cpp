@@ -1,5 +1,4 @@
-// CI does not build Robosim as a web page (docs/howto/tab.md). This test finds code that would not compile
-// there.
+// Finds code that would not compile in the web page (docs/howto/tab.md), because CI does not build this page.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -18,7 +17,7 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = ROBOSIM_SOURCE_DIR;
 
-/// Returns the words between `begin` and the next parenthesis in `text`.
+/// Returns the words of `text` between `begin` and the next closing parenthesis.
 std::vector<std::string> words_behind(const std::string& text, const std::string& begin) {
   const std::size_t at = text.find(begin) + begin.size();
   std::istringstream words(text.substr(at, text.find(')', at) - at));
@@ -32,8 +31,8 @@ std::vector<fs::path> sources_in(const fs::path& folder) {
   return found;
 }
 
-// Allows headers that come with emscripten, are header-only, or are included only for another processor.
-// Rejects features that emscripten's libc++ 13 does not have.
+// The listed headers come with emscripten, are header-only, or are included only for another processor. The
+// test rejects other headers, and features that emscripten's libc++ 13 does not have.
 TEST(Tab, IsGivenNothingThatItsCompilerLacks) {
   const std::set<std::string> headers = {"fmt/format.h",     "nlohmann/json.hpp", "toml++/toml.h", "xxhash.h",
                                          "sha2.h",           "cxxabi.h",          "elf.h",         "fcntl.h",

@@ -1,4 +1,4 @@
-// Tests the messages and saved files of failed tests. The tests that really fail are in tests/system/failing.
+// Tests the messages and saved files of failed tests. The tests that fail are in tests/system/failing.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Replaces every number by #.
+/// Replaces every number with #.
 std::string without_figures(const std::string& text) {
   return std::regex_replace(text, std::regex(" *[0-9]+([.][0-9]+)?"), "#");
 }
@@ -60,7 +60,7 @@ TEST_F(FailedTests, SayWhatHappenedWhenAndWhere) {
             HasSubstr("the run ended at"), HasSubstr("Forgetful.ino:")));
 }
 
-/// Returns Google Test's output between the first and the last line of a test.
+/// Returns the part of Google Test's output `out` that belongs to a failed test.
 std::string part_of(const std::string& test, const std::string& out) {
   const std::size_t begin = out.find("[ RUN      ] " + test + "\n");
   if (begin == std::string::npos) return "";
@@ -98,7 +98,8 @@ TEST_F(FailedTests, OfPowerCutsTellOfTheRobotToo) {
   EXPECT_THAT(text("kept/" + test + "/script.txt"), HasSubstr("after eeprom 1 power off"));
 }
 
-// A script's step is reported at the end of its tick. The sketch may already have responded within that tick.
+// A script's step is reported at the end of its tick. The sketch may respond within this tick, and its
+// response is then reported first.
 TEST(RunLog, HasACauseBeforeItsEffect) {
   testing::RunLog log;
   log.add({1'000'400'000, "the sketch says \"refused\""});
@@ -208,7 +209,7 @@ TEST_F(FailedTests, CountTheLinesThatTheyHaveRunWhereCoverageIsAskedFor) {
 
 TEST_F(FailedTests, AreTheExamplesOfTheGuide) {
   const std::string guide = read_file(TESTING_GUIDE);
-  // Each line of an example must be a line of the output. File places and measurements may differ, because
+  // Each line of an example must be a line of the output. Line numbers and measurements may differ, because
   // they depend on the compiler.
   const std::string out = without_figures(text("out.txt"));
   std::size_t begin = guide.find("```text\n");

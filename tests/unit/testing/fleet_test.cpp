@@ -1,5 +1,4 @@
-// Tests fleets of several robots: which fleets are rejected, and whether a printed command gives the same
-// run.
+// Tests fleets of several robots: which fleets are rejected, and that the printed command repeats the run.
 #include <gmock/gmock.h>
 #include <robosim/testing.h>
 

@@ -87,7 +87,7 @@ TEST(EndsAs, DoesNotHoldWhileTheRunGoesOn) {
   EXPECT_THAT(robot.run_for(100_ms), Not(EndsAs("lost")));
 }
 
-/// Returns two junctions joined by three lines. If `twisted`, two of the lines cross.
+/// Returns a graph of two junctions, which three lines join. With `twisted`, two of the lines cross.
 Graph three_lines(bool twisted) {
   const auto arms_to = [&](int node) {
     return std::vector<Graph::End>{{node, 0}, {node, twisted ? 1 : 2}, {node, twisted ? 2 : 1}};

@@ -1,4 +1,4 @@
-// Tests power cuts at every possible place of a sketch that writes two bytes.
+// Tests power cuts at every EEPROM write of a sketch that writes two bytes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <robosim/testing.h>
@@ -33,7 +33,7 @@ TEST(AtEveryPowerCut, RunsTheTrialAsItIsAndThenWithThreeCutsOfEachByte) {
 }
 
 TEST(AtEveryPowerCut, LeavesTheByteOldErasedOrNew) {
-  // A new EEPROM contains 255. The sketch writes 0 to two bytes.
+  // All bytes of a new EEPROM are 255. The sketch writes 0 to two bytes.
   std::vector<std::string> second_starts;
   AtEveryPowerCut(diary(), [&](Simulation& robot) {
     robot.run_for(100_ms);

@@ -1,9 +1,9 @@
-// Tests random worlds. Generated worlds are valid, shrunk worlds are valid and smaller, and a search ends
+// Tests random worlds: generated worlds are valid, shrunk worlds are valid and smaller, and a search ends
 // with the smallest world that fails.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/Random.h>
-#include <rapidcheck/seq/Transform.h>  // the next header needs it, but does not include it
+#include <rapidcheck/seq/Transform.h>  // the next header requires this one, but does not include it
 #include <rapidcheck/shrinkable/Operations.h>
 #include <robosim/random_worlds.h>
 
@@ -28,8 +28,7 @@ rc::Shrinkable<T> draw(const rc::Gen<T>& any, std::uint64_t seed, int size = rc:
   return any(rc::Random(seed), size);
 }
 
-/// Checks random values. Each value is then shrunk step by step as far as possible, and checked after each
-/// step.
+/// Checks random values. Shrinks each value step by step as far as possible, and checks it after each step.
 template <typename T>
 void for_all(const rc::Gen<T>& any, std::uint64_t count, const std::function<void(const T&)>& check) {
   for (std::uint64_t seed = 1; seed <= test::rounds(count); ++seed) {

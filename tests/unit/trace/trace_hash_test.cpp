@@ -15,7 +15,7 @@ std::string hash_of(int poses, double x, Pin pin, SimTime t, std::uint8_t byte) 
   return hash.text();
 }
 
-TEST(TraceHash, IsPinned) {  // for every compiler, optimisation and architecture
+TEST(TraceHash, IsPinned) {  // the hash is equal for every compiler, optimisation and architecture
   EXPECT_EQ(hash_of(1000, 1.25, 5, 1'000'000, 'A'), "1:c7e01d5d65ec9cf6");
 }
 

@@ -55,7 +55,7 @@ TEST(CellPicture, TheTrailIsInAnotherInk) {
   CellPicture picture(map);
   picture.add_trail({1, 1});
   picture.add_trail({2, 1});
-  picture.add_trail({-1, 5});  // outside: draws nothing
+  picture.add_trail({-1, 5});  // outside of the map: draws nothing
   Frame frame(10, 3);
   picture.draw(frame, 0, 3, {1, 1}, std::nullopt, {}, kAscii);
   EXPECT_EQ(frame.at(3, 1).ink, Ink::trail);

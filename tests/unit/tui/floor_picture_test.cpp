@@ -13,7 +13,7 @@ std::string drawn(const FloorPicture& floor, const std::vector<Mark>& marks, Loo
   return to_text(frame, look);
 }
 
-// A line from left to right below a wall. One cell is 4 x 2 characters.
+// The map has a line from left to right below a wall. One cell is 4 x 2 characters.
 class FloorPictureTest : public ::testing::Test {
  protected:
   FloorPictureTest() : map_(grid::parse_map("222\n111\n", "t.map")), floor_(map_) {
@@ -37,7 +37,7 @@ TEST_F(FloorPictureTest, WallAndLineLookDifferent) {
 }
 
 TEST_F(FloorPictureTest, TheTrailLiesOnTheLineAndIsForgottenWithTheWindow) {
-  // In the world, y points north. The line's centre is at y = 50 mm.
+  // In the world, y increases to the north. The line's centre is at y = 50 mm.
   floor_.add_trail({0.05, 0.055}, {0.15, 0.055});
   EXPECT_EQ(drawn(floor_, {}, kPlain),
             "░░░░░░░░░░░░\n"
@@ -108,7 +108,7 @@ TEST(FloorPicture, AGapIsNotPainted) {
 TEST(Window, AMapThatFitsGetsAWholeNumberOfDotsACell) {
   const auto map = grid::parse_map("11111\n1___1\n11111\n", "t.map");
   const Window window = fit(map, area_of(map), 78, 5);
-  EXPECT_DOUBLE_EQ(window.dot_m, 0.1 / 6);  // 5 rows = 20 dots for 3 cells
+  EXPECT_DOUBLE_EQ(window.dot_m, 0.1 / 6);  // 5 rows have 20 dots for 3 cells
   EXPECT_EQ(window.columns, 15);
   EXPECT_EQ(window.rows, 5);
 }

@@ -152,7 +152,7 @@ TEST(LiveScene, TheTrailStaysBehind) {
   EXPECT_GT(trail, 20);
 }
 
-/// Returns the column of the robot's arrow.
+/// Returns the column of the robot's arrow, or -1 if the arrow is not visible.
 int column_of_robot(const Frame& frame) {
   for (int row = 0; row < frame.rows(); ++row) {
     for (int column = 0; column < frame.columns(); ++column) {
@@ -180,7 +180,7 @@ TEST(LiveScene, ArrowsMoveTheWindowAndFComesBack) {
   const int before = column_of_robot(scene.draw(80, 24, "", kPlain));
   scene.scroll(1, 0);
   const int after = column_of_robot(scene.draw(80, 24, "", kPlain));
-  EXPECT_EQ(after, before - 8);  // a tenth of 80
+  EXPECT_EQ(after, before - 8);  // the window moved by a tenth of 80 columns
   for (int i = 0; i < 10; ++i) scene.scroll(1, 0);
   EXPECT_EQ(column_of_robot(scene.draw(80, 24, "", kPlain)), -1);
   scene.follow();

@@ -122,7 +122,7 @@ TEST(EndScreen, DrawsTrailStationsAndRobotOnTheMap) {
   EXPECT_THAT(second, StartsWith("    1⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉⠉→·······d\n")) << screen;
 }
 
-// The start is on a path, and not in the middle of its cell.
+// The robot starts on a path, at a point that is not the middle of a cell.
 TEST(EndScreen, MarksTheStartWhereTheRobotBegins) {
   const auto map = grid::parse_map(
       "+++\nsize = [\"400 mm\", \"300 mm\"]\n[[path]]\nfrom = [\"20 mm\", \"210 mm\"]\nsegments = [{ length "
@@ -150,7 +150,7 @@ TEST(EndScreen, LeavesOutTheEmptyFloorAround) {
   Report r = report();
   r.started.stations = {};
   r.started.x = r.started.y = 1;
-  // Two cells of 8 x 4 characters, with the line between the second and the third row.
+  // The picture shows two cells of 8 x 4 characters. The line is between the second and the third row.
   EXPECT_THAT(end_screen(r, &map, 78, kPlain), StartsWith("\n\n    S·······\n\n\nPidFollower"));
 }
 
@@ -174,7 +174,7 @@ TEST(EndScreen, APictureHasAtMostTwentyRowsWhateverTheMap) {
     const std::string with = end_screen(r, &map, 78, kPlain);
     const auto rows =
         std::count(with.begin(), with.end(), '\n') - std::count(without.begin(), without.end(), '\n');
-    EXPECT_LE(rows, 20 + 2) << side;  // and a sentence, and a blank line
+    EXPECT_LE(rows, 20 + 2) << side;  // plus a sentence and a blank line
     EXPECT_GE(rows, 4) << side;
   }
 }

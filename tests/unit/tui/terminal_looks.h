@@ -1,4 +1,4 @@
-// Terminal looks for tests: plain, with colours, and in ASCII.
+// Defines terminal looks for tests: Unicode without colours, Unicode with colours, and ASCII without colours.
 #pragma once
 
 #include "sim/tui/frame.h"

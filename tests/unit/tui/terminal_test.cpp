@@ -34,7 +34,7 @@ TEST(Keys, OtherSequencesAreSkippedWhole) {
   EXPECT_EQ(take_key(bytes), Key::quit);
 }
 
-/// A pseudo-terminal. The test reads the screen's output at `master`.
+/// A pseudo-terminal. The tests read the screen's output at `master_`.
 class ScreenTest : public ::testing::Test {
  protected:
   ScreenTest() {

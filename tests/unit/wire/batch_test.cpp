@@ -17,7 +17,7 @@ using ::testing::SizeIs;
 
 std::string line_of(const Event& event) { return to_line(Id(std::int64_t{1}), Answer(event)); }
 
-/// Returns the bytes that a client receives. The line contains their number.
+/// Returns the bytes of a batch, which follow its line. Expects that the line contains their number.
 std::string bytes_in(const std::string& said) {
   const std::size_t end = said.find('\n') + 1;
   const Line line = parse_line(said.substr(0, end));
@@ -153,7 +153,7 @@ TEST(Batches, MakeTheColumnsThatTheRunWouldMake) {
   both(5, &set, 1, false);
   writer.add_source(0, high);
   both(10, &high, 2, true);
-  both(20, &set, 1, true);  // nothing new
+  both(20, &set, 1, true);  // adds no new level
   meant.add_volts(1, 30, 2.5);
   writer.add_volts(0, 30, 14, "A0", 2.5);
   std::vector<Columns> made;
@@ -182,7 +182,7 @@ TEST(Batches, AreReadFromMemoryThatOutlivesWhoWroteThem) {
   const std::vector<std::string> meant = add_all(*std::make_unique<BatchWriter>(&memory));
   BatchReader reader(of_all());
   EXPECT_EQ(told(reader, BatchWriter(&memory).take().bytes), meant);
-  memory.used = 4'000'000'000;  // firmware may have written there
+  memory.used = 4'000'000'000;  // as if firmware had overwritten this member
   EXPECT_THAT(BatchWriter(&memory).take().bytes, SizeIs(BatchMemory::kRoom_bytes));
 }
 

@@ -1,5 +1,5 @@
-// Tests both ends of the protocol against each other, within one process: each end reads everything that the
-// other end can write.
+// Tests both ends of the runner protocol within one process: each end reads everything that the other end can
+// write.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace robosim::wire {
 namespace both_ends_test {
 
-/// Fills a message with odd values that its description allows.
+/// Fills a message with unusual values that its description allows.
 class Filler {
  public:
   static constexpr bool kReads = true;
@@ -105,7 +105,7 @@ class Filler {
 
   template <class T>
   void fill_many(std::vector<T>& value, const Rules& rules) {
-    value.resize(depth_ < 3 ? below(4) : 0);  // a result may contain results
+    value.resize(depth_ < 3 ? below(4) : 0);  // limits the depth, because a result may contain results
     for (T& element : value) fill(element, rules);
   }
   template <class T>
@@ -152,7 +152,7 @@ class BothEnds : public ::testing::Test {
     return message;
   }
 
-  /// Expects that an answer, after the client has read it, is written as the same line.
+  /// Expects that the client reads an answer, and that the result is written as the same line.
   template <class T>
   void expect_same_answer(const T& message, std::int64_t id = 7) {
     const std::string line = to_line(Id(id), Answer(message));
@@ -162,7 +162,7 @@ class BothEnds : public ::testing::Test {
     EXPECT_EQ(to_line(read.id < 0 ? Id() : Id(std::int64_t{read.id}), read.content), line);
   }
 
-  /// Expects the same text as nlohmann's, to the last character.
+  /// Expects that JsonText and nlohmann write a message as the same text.
   template <class T>
   void expect_same_text(const T& message) {
     std::string text;

@@ -1,5 +1,6 @@
-// Tests that tables of keys in docs/, between `<!-- keys of NAME -->` and `<!-- end of keys -->`, equal the
-// messages' descriptions. ROBOSIM_WRITE_DOCS=1 wire_test --gtest_filter='Docs.*' regenerates the tables.
+// Tests that the tables of keys in docs/ equal the messages' descriptions. A table is between `<!-- keys of
+// NAME -->` and `<!-- end of keys -->`. To regenerate the tables, run ROBOSIM_WRITE_DOCS=1 wire_test
+// --gtest_filter='Docs.*'.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -22,7 +23,7 @@ class TableWriter {
   static constexpr bool kReads = false;
   static constexpr bool kDescribes = true;
 
-  /// A request's table has an additional column: the meaning of a missing key.
+  /// Begins a table. The table of a request has an additional column: the meaning of a missing key.
   explicit TableWriter(bool request) : request_(request) {
     text = request ? "| key | value | meaning | default |\n|---|---|---|---|\n"
                    : "| key | value | meaning |\n|---|---|---|\n";
@@ -176,7 +177,7 @@ std::vector<Table> tables() {
 constexpr const char* kBegin = "<!-- keys of ";
 constexpr const char* kEnd = "<!-- end of keys -->";
 
-/// Returns the page with up-to-date tables. Adds the tables' names to `found`.
+/// Returns the page with up-to-date tables. Adds the names of the page's tables to `found`.
 std::string brought_up_to_date(const std::string& page, const std::vector<Table>& all,
                                std::multiset<std::string>& found) {
   std::string text;

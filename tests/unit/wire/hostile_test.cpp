@@ -1,5 +1,5 @@
-// Tests malformed lines of the protocol: truncated, reversed, infinitely nested, or with values of a wrong
-// type. Each line gives one message that names the fault, and has no other effect.
+// Tests malformed lines of the runner protocol: truncated, reversed, too deeply nested, or with values of a
+// wrong type. Each line causes one message that names the fault, and has no other effect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 std::string request_fault(const std::string& line) { return parse_request(line).fault; }
 std::string driven_fault(const std::string& line) { return parse_driven_request(line).fault; }
 
-/// Returns the fault of an answer, or "".
+/// Returns the error message for an answer, or "" if the answer is valid.
 std::string answer_fault(const std::string& line) {
   try {
     parse_line(line);

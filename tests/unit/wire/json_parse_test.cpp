@@ -1,4 +1,4 @@
-// Tests that the fast reader and nlohmann read and reject the same texts.
+// Tests that parsed_json() accepts and rejects the same texts as nlohmann, with equal results.
 #include "sim/wire/json_parse.h"
 #include "sim/base/json_limits.h"
 
@@ -117,7 +117,7 @@ TEST(ParsedJson, IsWhatNlohmannMakesOfIt) {
       parsed_json(std::string(kDeepestJson + 1, '[') + std::string(kDeepestJson + 1, ']')).is_discarded());
 }
 
-// Tests lines of runners with one byte changed, added or removed.
+// Tests a runner's line in which one byte is changed or added, or up to three bytes are removed.
 TEST(ParsedJson, NorDoesDamageMakeADifference) {
   const std::string line =
       R"({"id":7,"result":{"verdict":"reached","why":"It is done.","status":0,"time_s":0.001,"metrics":)"

@@ -16,7 +16,7 @@ using testing::Not;
 
 const BoardSpec& uno() { return *find_board("uno"); }
 
-// A run, as a list of events on pins.
+// A run: a list of events at pins, to which each function adds one event.
 struct Seen {
   PinHistory history{uno()};
 

@@ -5,7 +5,7 @@
 namespace robosim::world {
 namespace areas_test {
 
-// Returns a map with a 20 mm line from left to right at 500 mm.
+// Returns a map with a 20 mm line from left to right at y = 500 mm.
 grid::Map map_with_areas(const std::string& tables, const char* paint = "black on white") {
   return grid::parse_map(
       std::string("+++\nsize = [\"2 m\", \"1 m\"]\nline = \"20 mm\"\npaint = \"") + paint + "\"\n" + tables +
@@ -27,11 +27,11 @@ area = [
   EXPECT_NEAR(back(0.3, 0.4), 1.0, 1e-12);     // paper
   EXPECT_NEAR(back(0.48, 0.5), 0.0, 1e-12);    // the line over the green
   EXPECT_NEAR(back(0.48, 0.53), 0.65, 1e-12);  // green
-  EXPECT_NEAR(back(0.48, 0.55), 0.825, 1e-9);  // edge of the green
+  EXPECT_NEAR(back(0.48, 0.55), 0.825, 1e-9);  // the edge of the green
   EXPECT_NEAR(back(0.53, 0.5), 0.0, 1e-12);    // the line over both areas
-  EXPECT_NEAR(back(0.8, 0.5), 1.25, 1e-12);    // silver over the line
+  EXPECT_NEAR(back(0.8, 0.5), 1.25, 1e-12);    // the silver over the line
   EXPECT_NEAR(back(0.8, 0.6), 1.25, 1e-12);
-  // The area does not change the coverage of the line.
+  // Areas do not change the coverage by the line.
   EXPECT_EQ(floor.coverage({0.8, 0.5}, kSpot), 1.0);
   EXPECT_EQ(floor.coverage({0.48, 0.53}, kSpot), 0.0);
 }
@@ -47,7 +47,7 @@ area = [
   EXPECT_LT(floor.darkness(green, kSpot, Band::green), floor.darkness(green, kSpot, Band::red) - 0.2);
   EXPECT_LT(floor.darkness(red, kSpot, Band::red), floor.darkness(red, kSpot, Band::green) - 0.2);
   EXPECT_EQ(floor.darkness(paper, kSpot, Band::blue), 0.0);
-  // Both look bright in infrared.
+  // Both colours look bright in infrared.
   EXPECT_LT(floor.darkness(green, kSpot), 0.5);
   EXPECT_LT(floor.darkness(red, kSpot), 0.5);
 }

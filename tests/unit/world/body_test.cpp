@@ -13,10 +13,10 @@
 namespace robosim::world {
 namespace body_test {
 
-// A body in the middle of an empty floor of 40 m x 40 m.
+// Provides a body in the middle of an empty floor of 40 m x 40 m.
 class BodyTest : public testing::Test {
  protected:
-  // Makes a body in a new world.
+  // Creates a new world with a body.
   Body& make(const BodyParams& params = default_body_params()) {
     world_ = std::make_unique<World>(map_);
     return world_->body(world_->add_body(params, {{20.0, 20.0}, {1.0, 0.0}}));
@@ -64,7 +64,8 @@ TEST_F(BodyTest, StartsWithItsStallTorque) {
   const WheelParams& w = p.wheel[left];
   const double inertia = w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio;
   const double mass = p.mass_kg + 2.0 * inertia / (w.radius_m * w.radius_m);
-  // At rest, static friction is larger, and reduces the force in the first tick.
+  // In the first tick, the body is at rest. Static friction is larger than friction in motion, and reduces
+  // the force.
   const double friction = w.stall_torque / (w.stall_current - w.no_load_current) * w.no_load_current;
   const double force = 2.0 * (w.stall_torque - (w.static_friction - 1.0) * friction) / w.radius_m;
   EXPECT_NEAR(body.speed(), force / mass * 0.001, 0.02 * force / mass * 0.001);
@@ -353,7 +354,7 @@ TEST_F(BodyTest, WithLessSupplyItIsSlowerInProportion) {
   drive(body, 1.0, 1.0);
   body.supply(0.5 * p.supply_volts);
   run(5.0);
-  // The speed at zero torque falls in proportion to the supply. Friction is unchanged.
+  // The rate without torque falls in proportion to the supply, but friction is unchanged.
   const double lost = p.wheel[left].stall_torque / p.wheel[left].no_load_rate;
   const double slower = 0.5 * p.wheel[left].no_load_rate;
   EXPECT_LT(body.wheel_rate(left), slower);
@@ -383,11 +384,11 @@ TEST_F(BodyTest, CoversWhatIsInsideItsOutline) {
 TEST_F(BodyTest, ZeroIsNotSilentlyABody) {
   EXPECT_THROW(make(BodyParams{}), std::invalid_argument);
   BodyParams p = default_body_params();
-  p.outline = {{0.0, 0.0}, {0.0, 0.1}, {0.1, 0.0}};  // clockwise
+  p.outline = {{0.0, 0.0}, {0.0, 0.1}, {0.1, 0.0}};  // the corners are clockwise
   EXPECT_THROW(make(p), std::invalid_argument);
 }
 
-// Each parameter has extreme values, alone and combined with others.
+// Multiplies the parameters by random factors from 1e-12 to 1e12.
 TEST_F(BodyTest, StaysFiniteForAnyPositiveParameters) {
   unsigned random = 7;
   const auto absurd = [&random](double& value) {

@@ -23,7 +23,8 @@ Vec2 direction(double degrees) {
   return {std::cos(a), std::sin(a)};
 }
 
-// Returns parameters with motors geared for several m/s.
+// Returns parameters with motors whose rate is `rate_factor` times as high, and whose torque is three times
+// as high.
 BodyParams fast(double rate_factor) {
   BodyParams p = default_body_params();
   for (WheelParams& w : p.wheel) {
@@ -47,7 +48,7 @@ BodyParams shaped(BodyParams p, Shape shape) {
   return p;
 }
 
-// Returns the greatest depth of the outline inside walls, sampled along its border.
+// Samples points of the body's outline. Returns how deep the deepest of them is inside walls or obstacles.
 double inside_walls(const grid::Map& map, const Body& body) {
   const BodyParams& p = body.params();
   double deepest = 0.0;
@@ -99,7 +100,7 @@ TEST_P(OfEveryShape, NeverPassesAOneCellWallAtAnySpeedFromAnyAngle) {
   }
 }
 
-// The motors reach 100 m/s, a body's maximum, immediately: ten cells per tick.
+// The motors immediately reach 100 m/s, which is the maximum speed of a body and ten cells per tick.
 TEST_P(OfEveryShape, NeverPassesAThinWallAtTheHighestSpeed) {
   std::vector<std::string> rows(300, std::string(300, ' '));
   for (int i = 50; i < 250; ++i) rows[50][i] = rows[249][i] = rows[i][50] = rows[i][249] = '#';
@@ -279,7 +280,7 @@ TEST(Contact, PutIntoAWallItStaysUntilItIsLiftedOut) {
   EXPECT_FALSE(body.in_contact());
 }
 
-// Tests the bound that lets most ticks skip the search.
+// Tests the lower bound of the distance to walls, by which most ticks skip the search for contacts.
 TEST(Walls, ClearanceNeverPromisesTooMuch) {
   unsigned random = 5;
   for (int round = 0; round < 30; ++round) {

@@ -21,9 +21,9 @@ struct Bits {
   }
 };
 
-// Two bodies drive into walls, each other and an obstacle, slip, brake and read the floor. If this hash
-// changes, old runs can no longer be reproduced, so the change must be announced. The hash is the same for
-// gcc and clang at any optimisation.
+// Two bodies drive into walls, each other and an obstacle, slip and brake. The test also reads the floor. If
+// the hash changes, old runs can no longer be reproduced, so the change must be announced. The hash is the
+// same for gcc and clang at any optimisation.
 TEST(Determinism, TheBitsOfAMixedRunArePinned) {
   grid::Map map =
       map_of({"##############", "#            #", "# .......... #", "# .   #    . #", "# .  oo..  x #",
@@ -63,13 +63,13 @@ TEST(Determinism, TheBitsOfAMixedRunArePinned) {
   EXPECT_EQ(bits.hash, 12569182467989404639u);
 }
 
-// The previous content of a body's memory must have no effect.
+// The previous content of the memory in which a body is created must have no effect.
 TEST(Determinism, ABodyOwesNothingToTheMemoryItIsMadeIn) {
   BodyParams box = default_body_params();
   box.outline = {{-0.05, -0.05}, {0.08, -0.05}, {0.08, 0.05}, {-0.05, 0.05}};
   alignas(Body) unsigned char memory[2][sizeof(Body)];
   std::memset(memory[0], 0x00, sizeof memory[0]);
-  std::memset(memory[1], 0x7E, sizeof memory[1]);  // doubles of 1e301
+  std::memset(memory[1], 0x7E, sizeof memory[1]);  // doubles of about 1e301
   Body* clean = new (memory[0]) Body(box, {{0.5, 0.5}, {1.0, 0.0}});
   Body* used = new (memory[1]) Body(box, {{0.5, 0.5}, {1.0, 0.0}});
   EXPECT_EQ(clean->bound_radius(), used->bound_radius());

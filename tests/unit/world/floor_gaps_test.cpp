@@ -1,5 +1,5 @@
-// Tests gaps between boards against the closed forms in floor_gaps.h: the depth of a wheel, and the loss of
-// energy.
+// Compares gaps between boards with the closed forms of floor_gaps.h: the depth to which a wheel sinks, and
+// the loss of energy.
 #include "sim/world/floor_gaps.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace robosim::world {
 namespace floor_gaps_test {
 
-constexpr double kFall = 9.80665;  // m/s^2
+constexpr double kFall = 9.80665;  // in m/s^2
 
 grid::Joint joint(double x, double gap, Vec2 heading = {1.0, 0.0}) {
   grid::Joint joint;
@@ -42,8 +42,8 @@ class JointsTest : public testing::Test {
   void run(int ticks) {
     for (int i = 0; i < ticks; ++i) world_->step();
   }
-  /// Returns the share of its energy that a robot loses over `gaps` gaps, 100 mm apart. The robot coasts,
-  /// initially at `speed`.
+  /// Returns the share of its kinetic energy that a robot loses at `gaps` gaps, which are 100 mm apart. The
+  /// robot coasts, initially at `speed`.
   double lost(double gap, double speed, int gaps) {
     const double share = speed / top_speed();
     for (int i = 0; i < gaps; ++i) map_.course.joints.push_back(joint(12.0 + 0.1 * i, gap));
@@ -63,8 +63,8 @@ class JointsTest : public testing::Test {
     run(3000);
     return body.speed();
   }
-  /// Returns the loss by the closed form. Rotating masses keep their speed, and return some of it to the
-  /// robot.
+  /// Returns this share by the closed form. At an impact, rotating masses keep their speed, and then return a
+  /// part of it to the robot.
   double expected(double gap, double speed, int gaps) const {
     const WheelParams& w = params_.wheel[left];
     const double turns = 2.0 * (w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio) /
@@ -74,7 +74,7 @@ class JointsTest : public testing::Test {
     for (int i = 0; i < gaps; ++i)
       for (const auto& [share, r] : {std::pair{params_.load_share, w.radius_m},
                                      std::pair{1.0 - params_.load_share, params_.caster_radius_m}}) {
-        // The wheel falls in, hits the edge, and climbs out.
+        // The wheel falls into the gap, hits the far edge, and climbs out.
         const double limit = std::sqrt(kFall * r), sine = 0.5 * gap / r, fast = std::max(v / limit, 1.0);
         const double fallen = 2.0 * kFall * r * (1.0 - std::sqrt(1.0 - sine * sine)) * 4.0 /
                               ((1.0 + fast) * (1.0 + fast)) * share * m / (m + turns);
@@ -103,7 +103,7 @@ TEST_F(JointsTest, SinkAWheelByTheClosedForm) {
                   1e-12);
       EXPECT_EQ(joints.sunk({10.0 + 0.501 * gap, 10.0}, wheel).depth, 0.0);
       EXPECT_EQ(joints.sunk({10.0, 12.1}, wheel).depth, 0.0) << "past the gap's end";
-      // The wheel sinks towards the middle, along a circle around the edge.
+      // Towards the middle of the gap, the wheel sinks along a circle around the gap's edge.
       const double away = 0.3 * gap, slope = away / std::sqrt(r * r - away * away);
       EXPECT_NEAR(joints.sunk({10.0 - 0.2 * gap, 10.0}, wheel).rise.x, -slope, 1e-12);
       EXPECT_NEAR(joints.sunk({10.0 + 0.2 * gap, 10.0}, wheel).rise.x, slope, 1e-12);
@@ -141,8 +141,7 @@ TEST_F(JointsTest, CostWhatTheImpactOnTheFarEdgeDoes) {
 
 TEST_F(JointsTest, HoldAWheelThatHasNotThePowerToClimbOut) {
   map_.course.joints = {joint(10.0, 0.005)};
-  // Both wheels, of 16 mm, are in the middle of the gap. The motors' force is `share` of the load on the
-  // wheels.
+  // Both wheels are in the middle of the gap. The motors' force is `share` times the load on the wheels.
   const auto leaves = [&](double share) {
     Body& body = make({{10.0, 10.0}, {1.0, 0.0}});
     const WheelParams& w = params_.wheel[left];

@@ -33,7 +33,7 @@ grid::Map random_map(Random& random, bool raster, double corner) {
   return map;
 }
 
-// Returns a map of a few long lines with bends, like real floors.
+// Returns a map with few long lines and bends, as on a real floor.
 grid::Map bends(double corner) {
   grid::Map map = map_of({"                ", " .............. ", " .            . ", " .  .....     . ",
                           " .  .   .  oo... ", " .  .   .  .    ", " .  .   ....    ", " .  .           ",
@@ -42,7 +42,7 @@ grid::Map bends(double corner) {
   return map;
 }
 
-// Returns a figure eight of arcs and slanted straights that cross.
+// Returns a figure eight of arcs and of slanted straights, which cross.
 grid::Map eight_of_arcs() {
   return grid::parse_map(R"(+++
 line = "19 mm"
@@ -106,7 +106,8 @@ TEST(Floor, DistanceAndCoverageAreExactOverRoundedBends) {
   }
 }
 
-// Compares to the bit, on walks with strides of all lengths, including beyond the map's edge.
+// Walks with strides of all lengths, also beyond the map's edge. Results with and without a remembered stripe
+// must be bit-identical.
 TEST(Floor, WhoRemembersTheNearestStripeFindsTheSame) {
   Random random;
   for (int i = 0; i < 24; ++i) {
@@ -144,7 +145,8 @@ TEST(Floor, AnEmptyFloorIsWhiteAndFarFromAnyLine) {
   EXPECT_GE(floor.distance_to_line({-1e9, 1e9}), floor.far_m());
 }
 
-// Returns the exact area of a disc on the dark side of a straight edge at signed distance x (dark: positive).
+// Returns the exact share of a disc on the dark side of a straight edge. x is the distance of the disc's
+// centre from the edge, and is positive on the dark side.
 double disc_share(double x, double radius) {
   const double h = std::max(std::min(x / radius, 1.0), -1.0);
   return (std::asin(h) + h * std::sqrt(1.0 - h * h)) / 3.14159265358979323846 + 0.5;
@@ -227,7 +229,7 @@ TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
   }
 }
 
-// The reference covers the footprint with a fine grid of points.
+// The reference counts the marked points of a fine grid over the footprint.
 TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
   const grid::Map map = grid::parse_map(
       "+++\nsize = [\"1 m\", \"1 m\"]\nline = \"1 mm\"\n[[path]]\nfrom = [\"100 mm\", \"500 mm\"]\n"
@@ -258,7 +260,7 @@ TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
   EXPECT_GT(counted, 100);
 }
 
-// Checks every mark, while the floor checks only those that its index finds nearby.
+// The reference checks every mark. The floor checks only the marks that its index finds nearby.
 TEST(Marks, AreSeenFromEverywhereBesideLinesOfOneKindOrOfSeveral) {
   const auto course = [](const std::string& of_one_bend) {
     std::string text =

@@ -1,4 +1,4 @@
-// Tests hills and surfaces against closed forms within 2 %. The formulas are from ground.h, body_ground.cpp
+// Compares hills and surfaces with closed forms, within 2 %. The formulas are from ground.h, body_ground.cpp
 // and physics textbooks.
 #include "sim/world/ground.h"
 
@@ -35,7 +35,7 @@ grid::Hill seesaw(Vec2 middle, double length, double pivot, double plank_kg) {
   return plank;
 }
 
-// Returns parameters of a body without friction. Some tests add friction.
+// Returns parameters of a body without friction, to which some tests add friction.
 BodyParams free_body() {
   BodyParams p = default_body_params();
   for (WheelParams& wheel : p.wheel) wheel.no_load_current = 0.0;
@@ -50,7 +50,8 @@ class GroundTest : public testing::Test {
     world_ = std::make_unique<World>(map_);
     return world_->body(world_->add_body(params, pose));
   }
-  /// Puts a body in the middle of an even slope of this sine. By default it faces uphill.
+  /// Puts a body in the middle of an even slope. `sine` is the sine of the slope's angle. By default, the
+  /// body faces uphill.
   Body& on_slope(double sine, const BodyParams& params, Vec2 heading = {1.0, 0.0}) {
     map_.course.hills = {hill({10.0, 10.0}, 10.0, 10.0, {0.0, 10.0 * sine})};
     return make(params, {{10.0, 10.0}, heading});
@@ -108,7 +109,7 @@ TEST_F(GroundTest, StallsWhereItsMotorsTorqueEnds) {
     run(0.3);
     return body.pose().position.x < 10.0001;
   };
-  // Rolling resistance also holds the body: 0.02 m g cos.
+  // Rolling resistance also holds the body, with the force 0.02 m g cos(slope).
   const double force = 2.0 * torque / w.radius_m / (p.mass_kg * kG);
   const double sine = least_sine(stalls);
   const double cosine = std::sqrt(1.0 - sine * sine);
@@ -138,7 +139,8 @@ TEST_F(GroundTest, SlidesSidewaysThere) {
     run(0.5);
     return body.pose().position.x < 9.9999;
   };
-  // Forces along and across share the grip. While the body skids, 1 / sqrt(2) of it acts across (body.h).
+  // Forces along and across the body share the grip. While the body skids, 1 / sqrt(2) of the grip acts
+  // across it (body.h).
   const double tangent = slope_of(least_sine(slides));
   EXPECT_NEAR(tangent, p.grip * std::numbers::sqrt2 / 2.0, kWithin * tangent);
 }
@@ -173,12 +175,13 @@ TEST_F(GroundTest, LoadsShiftToTheRearAsItSpeedsUp) {
   const double before = body.speed();
   run(0.1);
   EXPECT_TRUE(body.slips());
-  // The formulas are N = load_share m g + m a h / c, and m a = grip N.
+  // The formulas are N = load_share m g + m a h / c, and m a = grip N. N is the load on the wheels, and a the
+  // acceleration. The centre of mass is at height h, and the caster at distance c.
   const double expected = p.grip * p.load_share * kG / (1.0 - p.grip * 0.03 / 0.06);
   EXPECT_NEAR((body.speed() - before) / 0.1, expected, kWithin * expected);
 }
 
-// This holds however close the mass is to the axle.
+// This holds even if the centre of mass is close to the axle.
 TEST_F(GroundTest, TripsOverAStepOnlyWhereItsMassIsAboveItsHubs) {
   BodyParams p = default_body_params();
   p.caster_m = -0.06;
@@ -239,7 +242,8 @@ TEST_F(GroundTest, StopsOnAGivenGripInTheWayOfTheBooks) {
   }
 }
 
-// A map's rows count from the top, the world's y from the bottom. An area takes precedence over a cell.
+// Rows of a map count from the top, but y in the world counts from the bottom. A [[surface]] takes precedence
+// over a cell.
 TEST_F(GroundTest, IsMadeOfWhatTheLegendSaysOfACell) {
   const grid::Map map = grid::parse_map(
       "+++\n[legend]\n4 = \"wet\"\n5 = { cell = \"line\", grip = 0.3, rolling = 0.02 }\n"
@@ -264,7 +268,7 @@ TEST_F(GroundTest, IsMadeOfWhatTheLegendSaysOfACell) {
   EXPECT_EQ(at(0.05, 0.31), P(1.0, 0.0));
 }
 
-// The distance is v^2 / 2 mu g: a legend's cells stop a robot as an area does.
+// A legend's surfaces stop a robot with blocked wheels within v^2 / (2 mu g). mu is the grip.
 TEST_F(GroundTest, StopsOnTheGripOfTheLegendInTheWayOfTheBooks) {
   BodyParams p = free_body();
   p.load_share = 1.0;
@@ -317,7 +321,7 @@ TEST_F(GroundTest, ClimbsAStepOnlyAsFarAsItsGripGoes) {
     run(2.0);
     return body.pose().position.x > 11.01;
   };
-  const double most = r * (1.0 - 1.0 / std::sqrt(1.0 + p.grip * p.grip));  // 5.9 mm
+  const double most = r * (1.0 - 1.0 / std::sqrt(1.0 + p.grip * p.grip));  // in m: 5.9 mm
   EXPECT_TRUE(climbs(0.003));
   EXPECT_TRUE(climbs(0.96 * most));
   EXPECT_FALSE(climbs(1.04 * most));
@@ -362,7 +366,8 @@ TEST_F(GroundTest, ABumpTakesWhatMeetingItsSlopesCosts) {
   }
   EXPECT_GT(body.pose().position.x, 12.2);
   const double cosine = 1.0 / std::sqrt(1.0 + 1.0 / 9.0), r = p.wheel[left].radius_m;
-  // The robot loses speed at the bump's foot, and where it lands after the bump. The wheels keep rotating.
+  // The robot loses speed at the foot of the bump, and where it lands after the bump. The wheels keep
+  // rotating.
   const double own = p.mass_kg / inertia_mass(p);
   const double on_it = speed * (1.0 - own * (1.0 - cosine));
   const double landed = std::sqrt(1.0 - 2.0 * kG * r * (1.0 - cosine) / (on_it * on_it));
@@ -374,7 +379,7 @@ TEST_F(GroundTest, ABumpTakesWhatMeetingItsSlopesCosts) {
 TEST_F(GroundTest, AcrossASlopeItsHeavyEndTurnsDownhill) {
   BodyParams p = free_body();
   p.load_share = 0.7;
-  Body& body = on_slope(0.2, p, {0.0, 1.0});  // uphill is on its right, and its caster is at the rear
+  Body& body = on_slope(0.2, p, {0.0, 1.0});  // uphill is on the right, and the caster is at the rear
   run(0.5);
   EXPECT_LT(body.turn_rate(), 0.0);
 }
@@ -435,14 +440,14 @@ TEST_F(GroundTest, NeverGainsMoreEnergyThanItDrawsAndFalls) {
     }
     world_->step();
     if (body.toppled() != Toppled::no) break;
-    // Positions are from the tick's end, forces from its beginning: this differs by 1e-4 J of the hill's 1.5
-    // J.
+    // The model uses positions of a tick's end, but forces of its beginning. This causes an error of 1e-4 J,
+    // while climbing the hill takes 1.5 J.
     ASSERT_LE(energy(), least + 2e-3) << i;
     least = std::min(least, energy());
   }
 }
 
-// Pins the hash of a run over all kinds of ground. A change of it must be announced.
+// Pins the hash of a run over all kinds of ground. If the hash changes, the change must be announced.
 TEST_F(GroundTest, TheBitsOfARunOverHillsArePinned) {
   map_.course.hills = {seesaw({10.8, 10.0}, 0.6, 0.05, 0.6), hill({11.4, 10.0}, 0.3, 1.0, {0.003, 0.003}),
                        hill({12.3, 10.0}, 1.0, 2.0, {0.0, 0.08, 0.08, 0.0}, {0.96, 0.28})};

@@ -23,7 +23,7 @@ TEST(Lighting, OfNothingIsDark) {
   EXPECT_EQ(lighting.at({1.0, 1.0}, 0), 0.0);
 }
 
-// At 45 degrees the cosine is 1 / sqrt 2; its cube is 0.354.
+// At 45 degrees, the cosine is 1 / sqrt(2), and its cube is 0.354.
 TEST(Lighting, ALampFadesByTheCubeOfTheCosine) {
   const Lighting lighting({lamp(0.4, 0.5)});
   EXPECT_DOUBLE_EQ(lighting.at({1.0, 1.0}, 0), 0.4);

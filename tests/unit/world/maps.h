@@ -1,4 +1,4 @@
-// Small maps for this folder's tests, without the map reader.
+// Creates small maps for this folder's tests without the map reader.
 #pragma once
 
 #include <string>

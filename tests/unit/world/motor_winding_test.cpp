@@ -1,5 +1,5 @@
-// Tests motors with inductance on a driver, against closed forms within 2 %, and against pulses that are
-// simulated step by step.
+// Tests motors with inductance on a driver. Compares them with closed forms, within 2 %, and with pulses that
+// are simulated step by step.
 #include "sim/world/motor_winding.h"
 
 #include <gtest/gtest.h>
@@ -55,8 +55,10 @@ TEST(Winding, DrawsLessTheFasterItsPulsesAre) {
   EXPECT_NEAR(slow, share * (kVolts - emf) / kOhms, kWithinFormula * slow);
   const double fast = mean({driven(share), shorted(1.0 - share)}, emf, 2e-5).drawn;
   EXPECT_NEAR(fast, share * (share * kVolts - emf) / kOhms, kWithinFormula * fast);
-  // At medium frequencies, the ripple heats the winding. This power is the drawn power minus V D times the
-  // mean current. It is R times the ripple's mean square: a twelfth of the squared height V D (1 - D) T / L.
+  // At medium frequencies, the ripple of the current also heats the winding. The ripple's height is
+  // V D (1 - D) T / L. Its mean square is a twelfth of the squared height. R times the mean square is the
+  // power by which the drawn power exceeds V D times the mean current. V is the supply, D the duty cycle, T
+  // the period, R the resistance, and L the inductance.
   const double period = 1e-4;
   const double ripple = kVolts * share * (1.0 - share) * period / kHenries;
   const double more = kVolts * mean({driven(share), shorted(1.0 - share)}, emf, period).drawn -
@@ -89,7 +91,7 @@ TEST(Winding, DrivenBothWaysByTurnsHeatsTheMotorAtRest) {
   EXPECT_NEAR(mean(halves, 0.0, 1e-5).drawn, 0.0, 1e-3);
 }
 
-// Simulates the pulses in steps, one after another, until they repeat.
+// Simulates one period after another in small steps, until the current repeats.
 MeanCurrent followed(const std::vector<Phase>& phases, double emf, double period) {
   constexpr int kSteps = 20000;
   double amps = 0.0, before = 1.0;
@@ -136,7 +138,7 @@ TEST(Winding, HasTheMeanOfPulsesThatAreFollowedStepByStep) {
   }
 }
 
-// A body without friction. Its driver has MOSFETs, and its motors have 1 mH.
+// Provides a body without friction. Its driver has MOSFETs, and its motors have 1 mH.
 class WoundBody : public testing::Test {
  protected:
   static BodyParams wound() {
@@ -172,8 +174,8 @@ class WoundBody : public testing::Test {
   std::unique_ptr<World> world_;
 };
 
-// A motor turned by its wheel has the torque k_e per ampere. The charge follows from the loss of speed.
-// It flows into the battery for half of the time.
+// A motor that its wheel turns has the torque k_e per ampere, so the loss of speed determines the charge. The
+// charge flows into the battery for half of the time.
 TEST_F(WoundBody, GivesBackWhatASlowerDutyTakesOffItsSpeed) {
   const BodyParams p = wound();
   const WheelParams& w = p.wheel[left];

@@ -9,7 +9,7 @@ namespace paint_test {
 
 constexpr double kSeen = 0.002;
 
-// Returns a map with a 20 mm line at 500 mm. The line runs from left to right, in pieces of 600 mm.
+// Returns a map with a 20 mm line from left to right at y = 500 mm. The line consists of `pieces`.
 grid::Map map_of_pieces(const std::string& pieces, const std::string& top = "") {
   return grid::parse_map("+++\nsize = [\"4 m\", \"1 m\"]\nline = \"20 mm\"\n" + top +
                              "\n[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [" + pieces +
@@ -34,12 +34,12 @@ TEST(Paints, OfSegmentsAreAsWideAndAsDarkAsTheySay) {
   EXPECT_NEAR(dark(1.7, 0.020), 0.3, 1e-9);
   EXPECT_NEAR(dark(2.3, 0.0), 0.25 - 0.10, 1e-12);
   EXPECT_NEAR(floor.darkness({2.3, 0.5}, kSeen, Band::green), 0.90 - 0.10, 1e-12);
-  // There is no seam where pieces meet.
+  // There is no seam between pieces.
   for (double x = 0.79; x < 0.81; x += 0.001) EXPECT_NEAR(dark(x, 0.0), 1.0, 1e-12) << x;
-  // One footprint is wider than the line. The other one exceeds the reach of the index.
+  // The first footprint is wider than the line. The second footprint also exceeds the reach of the index.
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.016), 0.5, 1e-9);
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.032), 0.25, 1e-9);
-  // The line is as wide as the map's line width, or as the segment if the segment is wider.
+  // For on_line(), the line has the map's line width, or the segment's width if the segment is wider.
   EXPECT_EQ(floor.on_line({1.1, 0.506}, kSeen), 1.0);
   EXPECT_EQ(floor.on_line({0.5, 0.012}, kSeen), 0.0);
   EXPECT_EQ(floor.on_line({1.7, 0.518}, kSeen), 1.0);
@@ -62,7 +62,7 @@ TEST(Paints, OfAWideSegmentAreTheLineThere) {
   EXPECT_EQ(floor.on_line({0.2, 0.165}, kSeen), 0.0) << "lines of cells are not wider";
 }
 
-// Means over points along the line's middle.
+// The mean darkness along the line's middle, and the shares of points with complete paint and without paint.
 struct Seen {
   double mean = 0.0, whole = 0.0, bare = 0.0;
 };

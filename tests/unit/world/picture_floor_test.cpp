@@ -1,4 +1,4 @@
-// Tests a floor from a picture: floor = "NAME.png" in a map.
+// Tests floors that a picture shows: maps with floor = "NAME.png".
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ grid::Map map_with(const std::string& picture) {
   return grid::parse_map("+++\nfloor = \"floor.png\"\npixel = \"0.5 mm\"\n" + kPath, "my.map", picture);
 }
 
-// The picture shows the same line, from 91 to 111 mm above the floor's edge.
+// The picture shows the line of the path, from 91 to 111 mm above the floor's lower edge.
 TEST(PictureFloor, SensorsSeeWhatIsDrawnAsTheyWouldSeeItPainted) {
   const grid::Map drawn =
       map_with(test::grey_png(400, 400, [](int, int y) { return y >= 178 && y < 218 ? 0 : 255; }));

@@ -13,8 +13,8 @@ namespace range_test {
 constexpr double kMost = 4.0;
 constexpr Vec2 kEast{1.0, 0.0}, kNorth{0.0, 1.0}, kWest{-1.0, 0.0};
 
-// Returns a room of 100 mm cells. It has a wall from column 10 on, and a single block at column 4, row 0 from
-// the bottom.
+// Returns a room of 100 mm cells. It has a wall from column 10 on, and a single wall cell in column 4 of the
+// lowest row.
 grid::Map room() {
   grid::Map map = map_of({
       "          ##",
@@ -68,7 +68,8 @@ TEST(Range, OfABeamIsItsNearestPoint) {
   World world(map);
   const Vec2 half = direction_of(0.2);
   EXPECT_DOUBLE_EQ(world.range_in_beam(0, {0.45, 0.25}, kEast, half, kMost), 0.55);
-  // One obstacle is off the beam's middle but inside the beam. Only the beam's edge reaches the other one.
+  // The first obstacle is inside the beam, but not at its middle. Only the beam's edge reaches the second
+  // one.
   world.add_obstacle({0.85, 0.30}, 0.02);
   EXPECT_NEAR(world.range_in_beam(0, {0.45, 0.25}, kEast, half, kMost), std::hypot(0.4, 0.05) - 0.02, 1e-12);
   world.add_obstacle({0.85, 0.15}, 0.025);
@@ -78,8 +79,8 @@ TEST(Range, OfABeamIsItsNearestPoint) {
   EXPECT_DOUBLE_EQ(world.range_in_beam(0, {0.45, 0.25}, kNorth, half, 0.1), 0.1);
 }
 
-// Compares with many rays close to each other: no ray finds a shorter distance, and one finds nearly the
-// same.
+// Compares a beam with many rays inside it. No ray finds a shorter distance than the beam, and one ray finds
+// nearly the same distance.
 TEST(Range, OfABeamIsThatOfTheBestOfManyRays) {
   grid::Map map = room();
   World world(map);

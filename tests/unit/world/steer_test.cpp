@@ -1,4 +1,4 @@
-// Tests bodies with steered wheels against closed forms within 2 %.
+// Compares bodies with steered wheels with closed forms, within 2 %.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,7 +54,7 @@ TEST_F(SteerTest, TurnsOnTheRadiusOfTheBicycleModel) {
         EXPECT_GT(std::fabs(body.speed()), 0.1);
         EXPECT_NEAR(body.turn_rate(), body.speed() / radius,
                     kSteeredWithin * std::fabs(body.speed() / radius));
-        // The distance from the centre of the initial circle is unchanged.
+        // The body stays on a circle around this centre.
         EXPECT_NEAR(length(body.pose().position - Vec2{20.0, 20.0 + radius}), std::fabs(radius),
                     kSteeredWithin * std::fabs(radius))
             << degrees << ' ' << share;
@@ -66,7 +66,8 @@ TEST_F(SteerTest, TurnsOnTheRadiusOfTheBicycleModel) {
 }
 
 TEST_F(SteerTest, ADifferentialsMotorHasTheSpeedOfTheMiddle) {
-  // Drives straight and in a bend, without friction. In both cases the motor's own voltage equals the supply.
+  // Drives straight and in a bend, without friction. In both cases, the motor's own voltage rises to the
+  // supply voltage. The middle of the axle therefore has the same speed.
   BodyParams p = car();
   p.rolling_resistance = 0.0;
   p.grip = 3.0;

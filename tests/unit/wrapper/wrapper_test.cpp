@@ -1,4 +1,5 @@
-// Tests the wrapper `robosim` in a separate checkout, where scripts replace its tools and record the calls.
+// Tests the wrapper `robosim` in a separate checkout. Scripts replace the tools that it calls, and record
+// calls.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -70,11 +71,11 @@ class Wrapper : public testing::Test {
 
   fs::path checkout() const { return folder_ / "checkout"; }
 
-  // Replaces a tool by a script, which appends its arguments to `calls` and then runs `body` in the folder.
+  // Replaces a tool with a script, which appends its arguments to the file `calls` and then runs `body`.
   void tool(const std::string& name, const std::string& body) const {
     const fs::path file = folder_ / "bin" / name;
     const std::string note = "echo \"" + name + " $*\" >>'" + folder_.string() + "/calls'\n";
-    // cmake and ctest stay in the caller's folder. The other tools keep their state in `folder_`.
+    // cmake and ctest stay in the caller's folder. The other tools store their state in `folder_`.
     const std::string place = name == "cmake" || name == "ctest" ? "" : "cd '" + folder_.string() + "'\n";
     write_file(file, "#!/bin/sh\n" + note + place + body + "\n");
     fs::permissions(file, fs::perms::owner_all);
@@ -89,7 +90,7 @@ class Wrapper : public testing::Test {
     return {WEXITSTATUS(status), read_file(folder_ / "out"), read_file(folder_ / "err")};
   }
 
-  // Returns the calls of the tools since the previous query.
+  // Returns the recorded calls since the previous query.
   std::string calls() const {
     const fs::path file = folder_ / "calls";
     if (!fs::exists(file)) return "";
@@ -260,7 +261,8 @@ TEST_F(Wrapper, BuildsAndRunsTheTests) {
   EXPECT_THAT(asked, testing::ContainsRegex("ctest --preset release -j [0-9]+ -N -R Golden\n"));
 }
 
-// Prints output as ctest -V does: the output of two tests is mixed, and a failed test's output is repeated.
+// The script prints output as ctest -V does. The output of two tests is mixed, and a failed test's output
+// contains lines like ctest's own.
 constexpr const char* kFourTests = R"(cat <<'END'
 Test project here
 test 1
