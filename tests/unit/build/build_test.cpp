@@ -46,13 +46,14 @@ TEST_F(SketchTest, AnImageExportsNothingButItsEntryAndNeedsLittleOfTheMachine) {
   const std::string nm = find_program("nm").string();
   EXPECT_THAT(lines(run(Command{{nm, "-D", "-j", "--defined-only", image.image.string()}, "/", {}}).output),
               ElementsAre("robosim_image"));
-  // The image may import only functions without state and locks, whose names sketches do not define.
+  // The image may import only functions that have no state and no lock, and whose names sketches do not
+  // define.
   std::vector<std::string> harmless = {"memcpy", "memmove", "memset",   "strcat", "strcpy",
                                        "strlen", "strnlen", "strfromd", "memcmp", "strstr"};
-#if defined(__arm__)  // is called for a division by zero
+#if defined(__arm__)  // the image calls raise() for a division by zero
   harmless.emplace_back("raise");
 #endif
-#if defined(__arm__) || defined(__aarch64__)  // a weak name without a definition
+#if defined(__arm__) || defined(__aarch64__)  // a weak function without a definition
   harmless.emplace_back("_Z11serialEventv");
 #endif
   EXPECT_THAT(

@@ -106,7 +106,7 @@ TEST_F(RunTest, ATimerInterruptCallsItsHandler) {
           "volatile int n;\nISR(TIMER1_COMPA_vect) { n++; }\n"
           "void setup() { Serial.begin(115200); OCR1A = 15999; TCCR1A = 0; TCCR1B = _BV(WGM12) | _BV(CS10);"
           " TCNT1 = 0; TIMSK1 = _BV(OCIE1A); while (n < 50) ; Serial.println(millis()); }\nvoid loop() {}\n"),
-      "48\n");  // init()'s PWM has already set the first flag; millis() counts overflows of 1.024 ms
+      "48\n");  // init()'s PWM has set the first interrupt's flag; millis() counts overflows of 1.024 ms
 }
 
 TEST_F(RunTest, GainsInEepromSurviveAPowerCycle) {

@@ -340,7 +340,8 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
           << "a power cut splits a text at another byte";
     const TestCase differential = counterpart_of(test_case, space);
     if (test_case.differential == Differential::clock) {
-      // The counterpart's clock is later than a sketch's own durations, and earlier than the wrap at 32 bits.
+      // The counterpart's clock starts after a sketch's one-time actions. It starts before the test case's
+      // clock, so it does not wrap.
       EXPECT_GE(differential.clock_ms, kPast_ms);
       EXPECT_LT(differential.clock_ms, test_case.clock_ms);
       EXPECT_TRUE(differential.clock_ms == kPast_ms ||

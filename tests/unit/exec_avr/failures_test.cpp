@@ -39,7 +39,7 @@ TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
     const char* reason;
     const char* function;
     int line;
-    int index = 0;  ///< index of the access to `table`; its address depends on the compiler
+    int index = 0;  ///< index into `table`; the compiler chooses the address of `table`
   };
   for (const Case& c :
        {Case{"ChipWildRead", "read of address {}, where the chip has no memory", "look", 4, 40000},
@@ -279,7 +279,8 @@ TEST_F(FailuresTest, AStackInTheLastVariableOutgrowsIt) {
   EXPECT_THAT(avr_->crash()->reason, HasSubstr("bytes of RAM that the variables leave free"));
 }
 
-// If a stack begins at `stack + sizeof stack`, its first byte is after the variable, and all others inside.
+// If a stack begins at `stack + sizeof stack`, its first byte is after the variable. The other bytes are
+// inside.
 TEST_F(FailuresTest, AStackOfItsOwnMayBeginRightBehindItsVariable) {
   const auto with = [](const char* body) {
     // no_reorder prevents the compiler from reordering the variables. The byte after the stack is therefore

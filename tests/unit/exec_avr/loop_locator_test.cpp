@@ -1,5 +1,5 @@
-// Compares the rounds of loop() that the executor reports with the sketch's, which toggles pin 13 once per
-// round.
+// Compares the rounds of loop() that the executor reports with the true rounds. The sketches toggle pin 13
+// once per round.
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
-// Tests reflectance sensors with a digital output. The level depends on a threshold, or a capacitor
-// discharges and keeps the level high meanwhile.
+// Tests reflectance sensors with a digital output. The level depends on a threshold, or it is high while
+// a capacitor discharges.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

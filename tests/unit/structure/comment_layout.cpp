@@ -50,9 +50,9 @@ std::size_t comment_at(std::string_view line) {
 struct Line {
   std::string marker;      ///< indentation, and "//" or "///"; "" for code or an empty line
   std::string text;        ///< result of in_columns(), including the indentation
-  std::size_t width = 0;   ///< of the whole line
-  std::size_t indent = 0;  ///< of the text
-  std::vector<std::pair<std::size_t, std::size_t>> gaps;  ///< between its cells: from and to (exclusive)
+  std::size_t width = 0;   ///< width of the whole line
+  std::size_t indent = 0;  ///< indentation of the text
+  std::vector<std::pair<std::size_t, std::size_t>> gaps;  ///< gaps between cells: from, to (exclusive)
 
   bool has_cell_at(std::size_t column) const {
     return std::any_of(gaps.begin(), gaps.end(), [&](const auto& gap) { return gap.second == column; });

@@ -99,7 +99,8 @@ struct Element {
   bool is_anchor() const { return !negated && words.front() != "^" && words.front() != "$"; }
 };
 
-/// A list of phrases with an index. The key of a phrase is each word of its first element that is a word.
+/// A list of phrases with an index. The keys of a phrase are the words of its first element that is neither
+/// negated nor `^` or `$`.
 class PhraseList {
  public:
   template <std::size_t kCount>
