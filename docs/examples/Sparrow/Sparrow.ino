@@ -2,7 +2,7 @@
 const int LEFT_SENSOR = A0, MIDDLE_SENSOR = A1, RIGHT_SENSOR = A2;  // HIGH over the line
 const int ENA = 3, IN1 = 4, IN2 = 2;                                // left motor
 const int ENB = 11, IN3 = 12, IN4 = 8;                              // right motor
-const int SPEED = 90, TURN = 100;                                   // of 255
+const int SPEED = 90, TURN = 100;                                   // duty cycles, of 255
 
 void motor(int enable, int forward, int backward, int speed) {
   digitalWrite(forward, speed > 0);
