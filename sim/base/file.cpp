@@ -38,6 +38,24 @@ fs::path executable_folder() {
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
+fs::path find_data_folder() {
+  if (const fs::path prefix = linked_installation(); !prefix.empty()) return prefix / "share/robosim";
+  std::error_code error;
+  const fs::path installed = executable_folder() / "../share/robosim";
+  if (fs::is_directory(installed, error)) return fs::canonical(installed);
+  const fs::path beside_helper = executable_folder() / "../../share/robosim";
+  if (fs::is_directory(beside_helper, error)) return fs::canonical(beside_helper);
+  return ROBOSIM_SOURCE_DIR;
+}
+
+fs::path find_helper_folder() {
+  if (const fs::path prefix = linked_installation(); !prefix.empty()) return prefix / "libexec/robosim";
+  std::error_code error;
+  const fs::path installed = executable_folder() / "../libexec/robosim";
+  if (fs::is_directory(installed, error)) return fs::canonical(installed);
+  return ROBOSIM_HELPER_DIR;
+}
+
 }  // namespace
 
 Descriptor open_to_read(const fs::path& path) {
@@ -171,22 +189,14 @@ std::string sha256_of_file(const fs::path& path) {
   return hex;
 }
 
-fs::path data_folder() {
-  if (const fs::path prefix = linked_installation(); !prefix.empty()) return prefix / "share/robosim";
-  std::error_code error;
-  const fs::path installed = executable_folder() / "../share/robosim";
-  if (fs::is_directory(installed, error)) return fs::canonical(installed);
-  const fs::path beside_helper = executable_folder() / "../../share/robosim";
-  if (fs::is_directory(beside_helper, error)) return fs::canonical(beside_helper);
-  return ROBOSIM_SOURCE_DIR;
+const fs::path& data_folder() {
+  static const fs::path folder = find_data_folder();
+  return folder;
 }
 
-fs::path helper_folder() {
-  if (const fs::path prefix = linked_installation(); !prefix.empty()) return prefix / "libexec/robosim";
-  std::error_code error;
-  const fs::path installed = executable_folder() / "../libexec/robosim";
-  if (fs::is_directory(installed, error)) return fs::canonical(installed);
-  return ROBOSIM_HELPER_DIR;
+const fs::path& helper_folder() {
+  static const fs::path folder = find_helper_folder();
+  return folder;
 }
 
 }  // namespace robosim

@@ -46,10 +46,10 @@ std::string sha256_of_file(const std::filesystem::path& path);
 /// Returns the folder of Robosim's own data (hal, firmware, maps, robots): `../share/robosim` next to an
 /// installed executable, otherwise the source tree of the build. A test that links an installed Robosim gets
 /// the folder from toolchain/cmake/test_setup.cpp.
-std::filesystem::path data_folder();
+const std::filesystem::path& data_folder();
 
 /// Returns the folder of Robosim's helper executables (runners): `../libexec/robosim` next to an installed
 /// executable, otherwise a folder of the build tree.
-std::filesystem::path helper_folder();
+const std::filesystem::path& helper_folder();
 
 }  // namespace robosim
