@@ -131,6 +131,7 @@ for step in "${steps[@]}"; do
       done
       ;;
     user)
+      try packages '' /root/robosim toolchain/packages.sh host test avr stm32  # a user cannot install them
       inside / useradd --create-home robosim
       git clone --quiet --no-hardlinks "$here" "$root/home/robosim/robosim"
       inside / chown -R robosim: /home/robosim

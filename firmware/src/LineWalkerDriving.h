@@ -3,7 +3,6 @@
 #ifndef LINEKIT_LINE_WALKER_DRIVING_H
 #define LINEKIT_LINE_WALKER_DRIVING_H
 
-#include "LineWalker.h"
 #include "LineWalkerParts.h"
 
 template <class S>

@@ -1,6 +1,6 @@
 // The ATtiny85 of a Digispark and a Gemma. Source: data sheet 2586Q; each group names its section.
 //
-// Not modelled: the USI (15), and features that only timer 1 has (sim/avr/timer_pll.cpp). PB1 is OC0B and
+// Not modelled: the USI (15), and features that only timer 1 has (sim/mcu/avr/timer_pll.cpp). PB1 is OC0B and
 // OC1A. Here it is only OC0B, as in Arduino's core.
 #pragma once
 

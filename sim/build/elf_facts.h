@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/elf/elf_file.h"
+#include "sim/base/elf/elf_file.h"
 
 namespace robosim::build {
 

@@ -11,8 +11,8 @@
 #include "sim/base/file.h"
 #include "sim/base/file_scope.h"
 #include "sim/build/project.h"
+#include "sim/build/project/project.h"
 #include "sim/build/source.h"
-#include "sim/project/project.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;

@@ -11,12 +11,12 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "sim/base/elf/avr_addresses.h"
 #include "sim/base/file.h"
 #include "sim/base/system_error.h"
 #include "sim/build/hints.h"
 #include "sim/build/process.h"
 #include "sim/build/warning_filter.h"
-#include "sim/elf/avr_addresses.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;

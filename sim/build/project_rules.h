@@ -1,4 +1,4 @@
-// Defines the settings in a project file that extend Arduino's rules (sim/project/project.h).
+// Defines the settings in a project file that extend Arduino's rules (sim/build/project/project.h).
 #pragma once
 
 #include <filesystem>

@@ -71,9 +71,9 @@ const Target kHost = {
     .as_avr = {"-D__AVR__", "-DARDUINO_ARCH_AVR", "-U__INT_WIDTH__", "-D__INT_WIDTH__=16"},
     .sanitizer =
         {// gcc defines << for negative numbers and for bits that are shifted out, so only the distance is
-        // checked. Uninitialised variables become visible: gcc fills them with bytes FE. Since gcc 13,
-        // tree-ccp would replace a filled variable by the value that another path assigns. Neither a warning
-        // nor a run would then reveal the missing value.
+         // checked. Uninitialised variables become visible: gcc fills them with bytes FE. Since gcc 13,
+         // tree-ccp would replace a filled variable by the value that another path assigns. Neither a warning
+         // nor a run would then reveal the missing value.
          .undefined = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern", "-fno-tree-ccp",
                        "-fsanitize=alignment,bool,bounds,enum,float-cast-overflow,integer-divide-by-zero,"
                        "nonnull-attribute,null,pointer-overflow,return,shift-exponent,"

@@ -24,8 +24,8 @@
 #include "sim/cli/run_options.h"
 #include "sim/cli/serve/serve_arguments.h"
 #include "sim/cli/sweep/sweep_arguments.h"
-#include "sim/grid/generator.h"
 #include "sim/launch/names.h"
+#include "sim/map/generator.h"
 
 namespace robosim::cli {
 namespace {
@@ -206,7 +206,7 @@ Command parse_generate(const Words& words) {
     if (value->empty()) throw InputError(fmt::format("robosim map generate requires {}", option));
   check_choice("--family", generate.family, kFamilies);
   generate.stations =
-      static_cast<int>(whole_number("--stations", stations, grid::kMinStations, grid::kMaxStations));
+      static_cast<int>(whole_number("--stations", stations, map::kMinStations, map::kMaxStations));
   generate.seed = seed_number(first_seed);
   generate.count = whole_number("--count", count, 1, 1'000'000);
   if (generate.count - 1 > kMostSeed - generate.seed)

@@ -29,7 +29,7 @@ launch::Launch launch_of(const RunArguments& arguments) {
   return launch;
 }
 
-launch::Listener listener_of(tui::Progress& progress, Says says) {
+launch::Listener listener_of(terminal::Progress& progress, Says says) {
   launch::Listener listener;
   if (says.choices)
     listener.chosen = [](const std::string& sentence) { complain(fmt::format("robosim: {}\n", sentence)); };

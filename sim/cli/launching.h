@@ -8,7 +8,7 @@
 #include "sim/launch/fleet.h"
 #include "sim/launch/launch.h"
 #include "sim/record/recorder.h"
-#include "sim/tui/progress.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 
@@ -26,7 +26,7 @@ struct Says {
   bool choices = true;   ///< automatic choices
   bool warnings = true;  ///< warnings of the compiler
 };
-launch::Listener listener_of(tui::Progress& progress, Says says = {});
+launch::Listener listener_of(terminal::Progress& progress, Says says = {});
 
 /// Returns the description of a run for recordings. `version`: the runner's version.
 record::RecordedRun recorded(const launch::Prepared& run, const std::string& version);

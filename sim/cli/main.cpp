@@ -31,7 +31,7 @@
 #include "sim/cli/serve/serve_command.h"
 #include "sim/cli/sweep/sweep_command.h"
 #include "sim/cli/wire/wire_command.h"
-#include "sim/client/interrupts.h"
+#include "sim/launch/client/interrupts.h"
 
 namespace robosim::cli {
 namespace {

@@ -14,7 +14,7 @@ Overloaded(F...) -> Overloaded<F...>;
 
 }  // namespace
 
-Contest::Contest(const Goal& goal, const grid::Map& map, Vec2 start) {
+Contest::Contest(const Goal& goal, const map::Map& map, Vec2 start) {
   switch (goal.kind) {
     case Goal::Kind::robotrace:
       rules_.emplace<Race>(map, Race::Finish::at_rest_in_area);

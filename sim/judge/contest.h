@@ -20,7 +20,7 @@ class Contest {
  public:
   /// Selects the rules, if the goal is a competition. Throws InputError if the map lacks anything that the
   /// rules require. `start` is the robot's position at the start.
-  Contest(const Goal& goal, const grid::Map& map, Vec2 start);
+  Contest(const Goal& goal, const map::Map& map, Vec2 start);
 
   explicit operator bool() const { return !std::holds_alternative<std::monostate>(rules_); }
   void look(const RulesInput& now, Events& events);

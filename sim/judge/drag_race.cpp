@@ -26,12 +26,12 @@ bool has_reached(const world::Body& body, Vec2 middle, Vec2 direction) {
 
 }  // namespace
 
-DragRace::DragRace(const grid::Map& map) {
+DragRace::DragRace(const map::Map& map) {
   if (!map.course.race || map.course.race->braking == 0.0)
     throw InputError({map.file},
                      "the goal drag-race requires a map with a path and, in [race], start, goal and braking");
-  const grid::RaceLines& lines = *map.course.race;
-  const grid::Path& path = map.course.paths[static_cast<std::size_t>(lines.path)];
+  const map::RaceLines& lines = *map.course.race;
+  const map::Path& path = map.course.paths[static_cast<std::size_t>(lines.path)];
   const Pose finish = path.at(lines.goal, false);
   finish_ = finish.position;
   direction_ = finish.heading;

@@ -13,15 +13,15 @@
 #include <optional>
 #include <string>
 
-#include "sim/grid/map.h"
 #include "sim/judge/rules_input.h"
+#include "sim/map/map.h"
 
 namespace robosim::judge {
 
 class DragRace {
  public:
   /// Throws InputError if the map has no [race] with a braking distance.
-  explicit DragRace(const grid::Map& map);
+  explicit DragRace(const map::Map& map);
 
   void look(const RulesInput& now, Events& events);
   bool reached() const { return rested_; }

@@ -11,7 +11,7 @@ namespace {
 
 std::string seconds(SimTime t) { return fmt::format("{:.2f} s", static_cast<double>(t) * 1e-9); }
 
-std::string cell_of(const grid::Map& map, Vec2 p) {
+std::string cell_of(const map::Map& map, Vec2 p) {
   const int column = static_cast<int>(std::floor(p.x / map.cell_m));
   const int row = map.height - 1 - static_cast<int>(std::floor(p.y / map.cell_m));
   return fmt::format("column {}, row {}", column, row);

@@ -6,12 +6,12 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/exec/core/executor.h"
-#include "sim/grid/map.h"
 #include "sim/judge/goal.h"
 #include "sim/judge/judge.h"
 #include "sim/judge/outcome.h"
 #include "sim/judge/script_fault.h"
 #include "sim/judge/supply_summary.h"
+#include "sim/map/map.h"
 #include "sim/robot/robot.h"
 #include "sim/world/body.h"
 
@@ -22,7 +22,7 @@ struct Evidence {
   Verdict verdict = Verdict::timeout;
   SimTime t = 0;
   SimTime limit = 0;
-  const grid::Map* map = nullptr;
+  const map::Map* map = nullptr;
   const Goal* goal = nullptr;
   const Progress* progress = nullptr;
   const Judge* judge = nullptr;

@@ -96,28 +96,27 @@ std::string to_string(const Goal& goal) {
   return "";
 }
 
-Goal default_goal(const grid::Map& map, const grid::Network& network) {
+Goal default_goal(const map::Map& map, const map::Network& network) {
   if (!map.goal.empty()) return parse_goal(map.goal);
   Goal goal;
   if (network.has_laps()) goal.kind = Goal::Kind::laps;
   return goal;
 }
 
-Progress::Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& stripes,
-                   const grid::Network& network, const grid::Start& start)
+Progress::Progress(const Goal& goal, const map::Map& map, const map::Stripes& stripes,
+                   const map::Network& network, const map::Start& start)
     : goal_(goal),
       start_(stripes.pose_of(start).position),
       contest_(goal, map, start_),
       takes_time_(contest_ || goal.kind == Goal::Kind::station || goal.kind == Goal::Kind::still) {
-  for (const grid::Station& station : network.stations) {
+  for (const map::Station& station : network.stations) {
     stations_.push_back({station.name, stripes.point_of(station.cell), false});
     if (goal.kind == Goal::Kind::station &&
         (goal.station == station.name || goal.station == std::to_string(station.id)))
       goal_station_ = static_cast<int>(stations_.size()) - 1;
   }
-  for (const grid::CellAt& cell : network.junctions)
-    junctions_.push_back({"", stripes.point_of(cell), false});
-  for (const grid::CellAt& cell : network.loop) loop_.push_back(stripes.point_of(cell));
+  for (const map::CellAt& cell : network.junctions) junctions_.push_back({"", stripes.point_of(cell), false});
+  for (const map::CellAt& cell : network.loop) loop_.push_back(stripes.point_of(cell));
   loop_.insert(loop_.end(), network.lap.begin(), network.lap.end());
   if (goal.kind == Goal::Kind::station && goal_station_ < 0) {
     std::vector<std::string> names;

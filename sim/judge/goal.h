@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "hal/board/sim_time.h"
-#include "sim/grid/map.h"
-#include "sim/grid/network.h"
-#include "sim/grid/stripes.h"
 #include "sim/judge/contest.h"
+#include "sim/map/map.h"
+#include "sim/map/network.h"
+#include "sim/map/stripes.h"
 #include "sim/world/body.h"
 
 namespace robosim::judge {
@@ -40,7 +40,7 @@ struct Goal {
 Goal parse_goal(std::string_view text);
 std::string to_string(const Goal& goal);
 /// Returns the map's own goal; else laps:1 on a single loop, else tour.
-Goal default_goal(const grid::Map& map, const grid::Network& network);
+Goal default_goal(const map::Map& map, const map::Network& network);
 
 /// A station or junction to visit.
 struct Waypoint {
@@ -54,8 +54,8 @@ struct Waypoint {
 class Progress {
  public:
   /// Throws InputError if the goal is impossible on this map: laps without a loop, an unknown station.
-  Progress(const Goal& goal, const grid::Map& map, const grid::Stripes& stripes, const grid::Network& network,
-           const grid::Start& start);
+  Progress(const Goal& goal, const map::Map& map, const map::Stripes& stripes, const map::Network& network,
+           const map::Start& start);
 
   /// Updates the progress. Called once per tick with the time at the tick's end. Appends visited stations and
   /// completed laps to `events`. Checks places only after the body has moved some distance, unless the rules

@@ -18,7 +18,7 @@ constexpr double kByHand = 0.02;          // m in a tick: a larger move is a man
 constexpr SimTime kStopped = kSecond;     // at rest on the disc
 constexpr double kOffForStopping = 10.0;  // s
 
-std::vector<Vec2> points_of(const grid::Area& disc) {
+std::vector<Vec2> points_of(const map::Area& disc) {
   constexpr int kRound = 24;
   std::vector<Vec2> points{disc.middle.position};
   for (const double share : {0.5, 1.0})
@@ -34,15 +34,15 @@ double seconds_between(SimTime from, SimTime to) { return static_cast<double>(to
 
 double MazeTries::Try::score() const { return stopped ? time_s - kOffForStopping : time_s; }
 
-MazeTries::MazeTries(const grid::Map& map, Vec2 start, int tries) : start_(start), tries_(tries) {
+MazeTries::MazeTries(const map::Map& map, Vec2 start, int tries) : start_(start), tries_(tries) {
   const auto station = std::find_if(map.stations.begin(), map.stations.end(),
-                                    [](const grid::NamedStation& s) { return s.name == "goal"; });
+                                    [](const map::NamedStation& s) { return s.name == "goal"; });
   if (!map.goal_cell && station == map.stations.end())
     throw InputError({map.file}, "the goal line-maze requires the maze's end: a G, or a station named goal");
   const Vec2 end = map.centre(map.goal_cell ? *map.goal_cell : station->cell);
   const auto disc =
       std::find_if(map.course.areas.begin(), map.course.areas.end(),
-                   [&](const grid::Area& area) { return area.radius > 0.0 && area.contains(end); });
+                   [&](const map::Area& area) { return area.radius > 0.0 && area.contains(end); });
   if (disc == map.course.areas.end())
     throw InputError(
         {map.file},

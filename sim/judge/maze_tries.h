@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/grid/map.h"
 #include "sim/judge/rules_input.h"
+#include "sim/map/map.h"
 
 namespace robosim::judge {
 
@@ -24,7 +24,7 @@ class MazeTries {
   static constexpr int kMost = 3;
 
   /// Throws InputError if the map has no goal, or no disc at the goal.
-  MazeTries(const grid::Map& map, Vec2 start, int tries);
+  MazeTries(const map::Map& map, Vec2 start, int tries);
 
   void look(const RulesInput& now, Events& events);
   bool reached() const { return done_ == tries_ && best(); }

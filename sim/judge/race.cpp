@@ -14,7 +14,7 @@ namespace {
 constexpr double kStep = 0.04;  // m, between two points of the course
 constexpr SimTime kRestInArea = 2 * kSecond;
 
-std::vector<Vec2> points_of(const grid::Path& path, double from, double length) {
+std::vector<Vec2> points_of(const map::Path& path, double from, double length) {
   const int count = std::max(1, static_cast<int>(std::ceil(length / kStep)));
   std::vector<Vec2> points;
   for (int i = 0; i <= count; ++i) points.push_back(path.at(from + length * i / count, true).position);
@@ -23,14 +23,14 @@ std::vector<Vec2> points_of(const grid::Path& path, double from, double length) 
 
 }  // namespace
 
-Race::Race(const grid::Map& map, Finish finish) : finish_(finish) {
+Race::Race(const map::Map& map, Finish finish) : finish_(finish) {
   if (!map.course.race || map.course.race->braking > 0.0)
     throw InputError(
         {map.file},
         fmt::format("the goal {} requires a map with a closed path and, in [race], its start and goal lines",
                     finish == Finish::line ? "ukmars" : "robotrace"));
-  const grid::RaceLines& lines = *map.course.race;
-  const grid::Path& path = map.course.paths[static_cast<std::size_t>(lines.path)];
+  const map::RaceLines& lines = *map.course.race;
+  const map::Path& path = map.course.paths[static_cast<std::size_t>(lines.path)];
   double length = lines.goal - lines.start;
   if (length <= 0.0) length += path.length();
   course_ = {points_of(path, lines.start, length), points_of(path, lines.goal, path.length() - length),

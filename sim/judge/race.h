@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/grid/map.h"
 #include "sim/judge/rules_input.h"
+#include "sim/map/map.h"
 
 namespace robosim::judge {
 
@@ -19,7 +19,7 @@ class Race {
   enum class Finish { line, at_rest_in_area };
 
   /// Throws InputError if the map has no [race].
-  Race(const grid::Map& map, Finish finish);
+  Race(const map::Map& map, Finish finish);
 
   void look(const RulesInput& now, Events& events);
   /// Returns whether the robot has passed the goal line and, if required, rested between goal and start line

@@ -28,9 +28,9 @@ constexpr double kRounding = 1e-6;                // m
 // Stores points of all paths, sorted into squares with sides of kAlong.
 class PathPoints {
  public:
-  explicit PathPoints(const grid::Map& map) {
+  explicit PathPoints(const map::Map& map) {
     double length = 0.0;
-    for (const grid::Path& path : map.course.paths) length += path.length();
+    for (const map::Path& path : map.course.paths) length += path.length();
     if (length > kMostOfAllPaths)
       throw InputError({map.file},
                        fmt::format("the paths are too long for the goal rescue-line: expected at most "
@@ -70,10 +70,10 @@ class PathPoints {
 
 }  // namespace
 
-RescueRun::RescueRun(const grid::Map& map, Vec2 start) : path_({}), start_(start) {
+RescueRun::RescueRun(const map::Map& map, Vec2 start) : path_({}), start_(start) {
   if (!map.course.rescue)
     throw InputError({map.file}, "the goal rescue-line requires a map with a path and a [rescue]");
-  const grid::RescueCourse& rescue = *map.course.rescue;
+  const map::RescueCourse& rescue = *map.course.rescue;
   path_ = map.course.paths.front();
   tile_ = rescue.tile;
   origin_ = rescue.origin;
@@ -114,9 +114,9 @@ RescueRun::Step* RescueRun::step_at(double along) {
   return &steps_.back();
 }
 
-void RescueRun::mark(const grid::Map& map) {
+void RescueRun::mark(const map::Map& map) {
   double along = 0.0;
-  for (const grid::PathPiece& piece : path_.pieces()) {
+  for (const map::PathPiece& piece : path_.pieces()) {
     if (piece.is_gap) step_at(along + 0.5 * piece.length)->gap = true;
     along += piece.length;
   }
@@ -132,7 +132,7 @@ void RescueRun::mark(const grid::Map& map) {
     if (crosses) last_crossing = now;
     const auto column = static_cast<int>(std::floor(own[i].x / map.cell_m));
     const auto row = map.height - 1 - static_cast<int>(std::floor(own[i].y / map.cell_m));
-    const bool wall = map.contains({column, row}) && map.at({column, row}) == grid::Cell::wall;
+    const bool wall = map.contains({column, row}) && map.at({column, row}) == map::Cell::wall;
     if (wall && !on_wall) {
       ++step_at(now)->obstacles;
       obstacles_.push_back(map.centre({column, row}));
@@ -141,8 +141,8 @@ void RescueRun::mark(const grid::Map& map) {
   }
 }
 
-void RescueRun::mark_hills(const grid::Map& map) {
-  for (const grid::Hill& hill : map.course.hills) {
+void RescueRun::mark_hills(const map::Map& map) {
+  for (const map::Hill& hill : map.course.hills) {
     const double highest =
         hill.heights.empty() ? 0.0 : *std::max_element(hill.heights.begin(), hill.heights.end());
     const bool is_bump = highest > kUneven + kRounding && highest <= kBump + kRounding;

@@ -39,15 +39,15 @@
 #include <string>
 #include <vector>
 
-#include "sim/grid/map.h"
 #include "sim/judge/rules_input.h"
+#include "sim/map/map.h"
 
 namespace robosim::judge {
 
 class RescueRun {
  public:
   /// Throws InputError if the map has no [rescue], or its path covers fewer than two tiles.
-  RescueRun(const grid::Map& map, Vec2 start);
+  RescueRun(const map::Map& map, Vec2 start);
 
   void look(const RulesInput& now, Events& events);
   bool reached() const { return reached_; }
@@ -72,15 +72,15 @@ class RescueRun {
   void make_steps();
   int column_of(Vec2 at) const;
   int row_of(Vec2 at) const;
-  void mark(const grid::Map& map);
-  void mark_hills(const grid::Map& map);
+  void mark(const map::Map& map);
+  void mark_hills(const map::Map& map);
   Step* step_at(double along);
   void arrive(std::size_t step, Events& events);
   void count(const char* part, int points, int times, Events& events);
   bool is_near_obstacle(Vec2 at) const;
   bool is_in(const Step& step, Vec2 at) const;
 
-  grid::Path path_;
+  map::Path path_;
   double tile_;
   Vec2 origin_;
   Vec2 start_;

@@ -9,16 +9,16 @@
 #include <utility>
 
 #include "sim/base/did_you_mean.h"
+#include "sim/base/elf/avr_device.h"
+#include "sim/base/elf/elf_file.h"
+#include "sim/base/elf/elf_target.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/base/file_scope.h"
 #include "sim/base/robot_name.h"
 #include "sim/build/project.h"
 #include "sim/build/source.h"
-#include "sim/client/runner.h"
-#include "sim/elf/avr_device.h"
-#include "sim/elf/elf_file.h"
-#include "sim/elf/elf_target.h"
+#include "sim/launch/client/runner.h"
 
 namespace robosim::launch {
 namespace fs = std::filesystem;

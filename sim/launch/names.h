@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/build/project/project.h"
 #include "sim/build/sketch.h"
-#include "sim/project/project.h"
 
 namespace robosim::launch {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "sim/base/base64.h"
-#include "sim/grid/floor_image.h"
-#include "sim/grid/network.h"
-#include "sim/grid/stripes.h"
+#include "sim/map/floor_image.h"
+#include "sim/map/network.h"
+#include "sim/map/stripes.h"
 
 namespace robosim::record {
 namespace {
@@ -18,7 +18,7 @@ double millimetres(double metres) { return std::round(metres * 1e6) / 1e3; }
 std::array<double, 2> millimetres(Vec2 p) { return {millimetres(p.x), millimetres(p.y)}; }
 
 template <class Holds>
-std::vector<FloorShapes::Rectangle> runs_of(const grid::Map& map, Holds holds) {
+std::vector<FloorShapes::Rectangle> runs_of(const map::Map& map, Holds holds) {
   std::vector<FloorShapes::Rectangle> runs;
   const double side = map.cell_m;
   for (int y = 0; y < map.height; ++y) {
@@ -52,7 +52,7 @@ std::string tint(const std::array<int, 3>& from, const std::array<int, 3>& to, d
 }
 
 // Adds a hill as strips that get darker with height (lighter on a dark floor).
-void add_hill(const grid::Hill& hill, bool on_dark, std::vector<FloorShapes::Area>& areas) {
+void add_hill(const map::Hill& hill, bool on_dark, std::vector<FloorShapes::Area>& areas) {
   constexpr std::array<int, 3> kLow = {0xf6, 0xf0, 0xe2}, kHigh = {0xcf, 0xb3, 0x7e};
   constexpr std::array<int, 3> kLowOnDark = {0x2c, 0x29, 0x22}, kHighOnDark = {0x7d, 0x6a, 0x45};
   constexpr std::size_t kStrips = 12;
@@ -61,7 +61,7 @@ void add_hill(const grid::Hill& hill, bool on_dark, std::vector<FloorShapes::Are
   const double most = std::max(*std::max_element(heights.begin(), heights.end()), 1e-6);
   const std::size_t pieces = heights.size() - 1;
   const std::size_t strips = std::max<std::size_t>(pieces, kStrips);
-  grid::Hill strip = hill;
+  map::Hill strip = hill;
   strip.half_length = hill.half_length / static_cast<double>(strips);
   for (std::size_t i = 0; i < strips; ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(strips);
@@ -78,17 +78,17 @@ void add_hill(const grid::Hill& hill, bool on_dark, std::vector<FloorShapes::Are
   }
 }
 
-const char* surface_tint(const grid::SurfaceFigures& surface, bool on_dark) {
+const char* surface_tint(const map::SurfaceFigures& surface, bool on_dark) {
   if (surface.grip < 1.0) return on_dark ? "#24343f" : "#d9e8f3";
   return on_dark ? "#372f3b" : "#e6dcea";
 }
 
 // Adds one area per run of equal cells in a row.
-void add_legend_surfaces(const grid::Map& map, std::vector<FloorShapes::Area>& areas) {
+void add_legend_surfaces(const map::Map& map, std::vector<FloorShapes::Area>& areas) {
   if (map.surface_of_cell.empty()) return;
-  for (grid::CellAt cell; cell.y < map.height; ++cell.y)
+  for (map::CellAt cell; cell.y < map.height; ++cell.y)
     for (cell.x = 0; cell.x < map.width;) {
-      const grid::CellAt begin = cell;
+      const map::CellAt begin = cell;
       const std::uint8_t which = map.surface_at(map.index_of(cell));
       while (cell.x < map.width && map.surface_at(map.index_of(cell)) == which) ++cell.x;
       if (which == 0) continue;
@@ -101,7 +101,7 @@ void add_legend_surfaces(const grid::Map& map, std::vector<FloorShapes::Area>& a
     }
 }
 
-FloorShapes::Area surface_of(const grid::Surface& surface, bool on_dark) {
+FloorShapes::Area surface_of(const map::Surface& surface, bool on_dark) {
   FloorShapes::Area drawn{surface_tint(surface, on_dark), {}, {}, false};
   const auto [x, y] = millimetres(surface.middle.position);
   if (surface.radius > 0.0)
@@ -111,7 +111,7 @@ FloorShapes::Area surface_of(const grid::Surface& surface, bool on_dark) {
   return drawn;
 }
 
-FloorShapes::Area area_of(const grid::Area& area) {
+FloorShapes::Area area_of(const map::Area& area) {
   FloorShapes::Area drawn{area.colour.drawn(), {}, {}, area.over_lines};
   const auto [x, y] = millimetres(area.middle.position);
   if (area.radius > 0.0)
@@ -121,30 +121,30 @@ FloorShapes::Area area_of(const grid::Area& area) {
   return drawn;
 }
 
-grid::Direction direction(char letter) {
+map::Direction direction(char letter) {
   for (const auto d :
-       {grid::Direction::east, grid::Direction::south, grid::Direction::west, grid::Direction::north})
-    if (grid::letter(d) == letter) return d;
-  return grid::Direction::east;
+       {map::Direction::east, map::Direction::south, map::Direction::west, map::Direction::north})
+    if (map::letter(d) == letter) return d;
+  return map::Direction::east;
 }
 
 }  // namespace
 
-FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
+FloorShapes floor_shapes(const map::Map& map, const wire::Started& started) {
   FloorShapes shapes;
   shapes.width_mm = millimetres(map.width * map.cell_m);
   shapes.height_mm = millimetres(map.height * map.cell_m);
   shapes.cell_mm = millimetres(map.cell_m);
   shapes.line_mm = millimetres(map.line_m);
-  const std::vector<grid::Paint> paints = grid::paints_of(map);
-  shapes.walls = runs_of(map, [](grid::Cell c) { return c == grid::Cell::wall; });
+  const std::vector<map::Paint> paints = map::paints_of(map);
+  shapes.walls = runs_of(map, [](map::Cell c) { return c == map::Cell::wall; });
   if (map.raster) {
-    shapes.dark = runs_of(map, [](grid::Cell c) { return grid::is_line(c) && c != grid::Cell::gap; });
+    shapes.dark = runs_of(map, [](map::Cell c) { return map::is_line(c) && c != map::Cell::gap; });
   } else {
-    const grid::Stripes stripes(map, 0.0);
+    const map::Stripes stripes(map, 0.0);
     for (std::size_t i = 0; i < paints.size(); ++i) {  // in the order of painting
-      const grid::Paint& paint = paints[i];
-      for (const grid::Stripe& s : stripes.all())
+      const map::Paint& paint = paints[i];
+      for (const map::Stripe& s : stripes.all())
         if (s.paint == i)
           shapes.stripes.push_back(
               {{millimetres(s.a.x), millimetres(s.a.y), millimetres(s.b.x), millimetres(s.b.y)},
@@ -159,12 +159,12 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
     shapes.picture = {base64(map.image->png()), millimetres(map.image->wide_m()),
                       millimetres(map.image->high_m())};
   shapes.light_line = map.light_line;
-  for (const grid::Hill& hill : map.course.hills) add_hill(hill, map.light_line, shapes.areas);
+  for (const map::Hill& hill : map.course.hills) add_hill(hill, map.light_line, shapes.areas);
   add_legend_surfaces(map, shapes.areas);
-  for (const grid::Surface& surface : map.course.surfaces)
+  for (const map::Surface& surface : map.course.surfaces)
     shapes.areas.push_back(surface_of(surface, map.light_line));
-  for (const grid::Mark& mark : map.course.marks) {
-    const grid::Colour colour = *paints[static_cast<std::size_t>(mark.paint)].colour;
+  for (const map::Mark& mark : map.course.marks) {
+    const map::Colour colour = *paints[static_cast<std::size_t>(mark.paint)].colour;
     if (colour != *paints[0].colour) {
       shapes.areas.push_back({colour.drawn(), {}, corners_of(mark), true});
       continue;
@@ -173,19 +173,19 @@ FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started) {
     const auto from = millimetres(mark.middle.position - half), to = millimetres(mark.middle.position + half);
     shapes.marks.push_back({from[0], from[1], to[0], to[1], millimetres(2.0 * mark.half_width)});
   }
-  for (const grid::Area& area : grid::visible_areas(map.course)) shapes.areas.push_back(area_of(area));
+  for (const map::Area& area : map::visible_areas(map.course)) shapes.areas.push_back(area_of(area));
   for (std::size_t i = 0; i < map.cells.size(); ++i)
-    if (map.cells[i] == grid::Cell::obstacle)
+    if (map.cells[i] == map::Cell::obstacle)
       shapes.obstacles.push_back(millimetres(map.centre(map.cell_at(i))));
-  for (const grid::Light& light : map.lights) {
+  for (const map::Light& light : map.lights) {
     FloorShapes::Light& drawn = shapes.lights.emplace_back();
     if (light.at) drawn.at = millimetres(*light.at);
     drawn.radius_mm = millimetres(light.radius);
     drawn.moves_mm_s = millimetres(light.moves);
   }
-  const grid::Start start{{started.x, started.y}, direction(started.facing)};
-  if (map.contains(start.cell) && grid::is_line(map.at(start.cell)))
-    for (const grid::CellAt junction : grid::trace_network(map, start).junctions)
+  const map::Start start{{started.x, started.y}, direction(started.facing)};
+  if (map.contains(start.cell) && map::is_line(map.at(start.cell)))
+    for (const map::CellAt junction : map::trace_network(map, start).junctions)
       shapes.junctions.push_back(millimetres(map.centre(junction)));
   return shapes;
 }

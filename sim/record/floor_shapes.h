@@ -1,5 +1,5 @@
 // Describes the floor of a map as shapes, for drawing. The shapes are the geometry that the simulation uses
-// (sim/grid/stripes.h), not the map's characters. Lengths in mm, x east and y north, from the map's
+// (sim/map/stripes.h), not the map's characters. Lengths in mm, x east and y north, from the map's
 // bottom-left corner.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/grid/map.h"
+#include "sim/map/map.h"
 #include "sim/wire/fields.h"
 #include "sim/wire/stream.h"
 
@@ -117,6 +117,6 @@ void fields(V& v, wire::Same<V, FloorShapes>& f) {
 /// Larger pictures are neither drawn nor stored.
 inline constexpr std::size_t kLargestPicture_bytes = 4'000'000;
 
-FloorShapes floor_shapes(const grid::Map& map, const wire::Started& started);
+FloorShapes floor_shapes(const map::Map& map, const wire::Started& started);
 
 }  // namespace robosim::record

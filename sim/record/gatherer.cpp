@@ -6,7 +6,7 @@
 #include "hal/board/board_spec.h"
 #include "sim/base/file.h"
 #include "sim/base/profile.h"
-#include "sim/grid/floor_image.h"
+#include "sim/map/floor_image.h"
 #include "sim/record/recording.h"
 #include "sim/wire/json_reader.h"
 #include "sim/wire/json_writer.h"
@@ -58,7 +58,7 @@ void Gatherer::begin(const RecordedRun& run) {
   std::error_code error;
   const auto bytes = std::filesystem::file_size(run.request.map, error);
   if (error || bytes > kLargestMap_bytes) return;
-  grid::Map map = grid::read_map(run.request.map, {run.request.seed, profile_of(run.request.profile)});
+  map::Map map = map::read_map(run.request.map, {run.request.seed, profile_of(run.request.profile)});
   if (map.image && map.image->png().size() > kLargestPicture_bytes) return;
   header_.map_text = read_file(run.request.map);
   map_ = std::move(map);

@@ -1,4 +1,4 @@
-// Writes recordings as .rec, and as .html: a recording inside the page of sim/page, which opens in any
+// Writes recordings as .rec, and as .html: a recording inside the page of sim/view/page, which opens in any
 // browser.
 #pragma once
 

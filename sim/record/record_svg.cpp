@@ -9,8 +9,8 @@
 #include "sim/base/file.h"
 #include "sim/base/markup.h"
 #include "sim/base/profile.h"
-#include "sim/grid/floor_image.h"
-#include "sim/grid/map.h"
+#include "sim/map/floor_image.h"
+#include "sim/map/map.h"
 #include "sim/record/floor_shapes.h"
 #include "sim/record/trail_path.h"
 
@@ -237,7 +237,7 @@ FloorShapes shapes_of(const wire::RunRequest& request, const wire::Started& star
   std::error_code error;
   const auto bytes = std::filesystem::file_size(request.map, error);
   if (!error && bytes <= kLargestDrawnMap_bytes) {
-    const grid::Map map = grid::read_map(request.map, {request.seed, profile_of(request.profile)});
+    const map::Map map = map::read_map(request.map, {request.seed, profile_of(request.profile)});
     if (!map.image || map.image->png().size() <= kLargestPicture_bytes) return floor_shapes(map, started);
   }
   FloorShapes shapes;

@@ -71,7 +71,7 @@ class Gatherer {
   std::unique_ptr<Packer> packer_;
   std::size_t most_changes_bytes_;
   RecordingHeader header_;
-  std::optional<grid::Map> map_;
+  std::optional<map::Map> map_;
   std::vector<Streams> streams_;  ///< in the order of robot numbers
 };
 

@@ -111,7 +111,7 @@ void Agent::restore(const Saved& saved) {
 }
 
 void Agent::begin() {
-  const grid::Map& map = *setup_.map;
+  const map::Map& map = *setup_.map;
   Beginning beginning{start_, goal_, network_.stations, {}, map.width, map.height, map.cell_m};
   for (const robot::Reading& reading : robot_.readings()) beginning.readings.emplace_back(reading.part);
   state_.listener->began(beginning);

@@ -18,10 +18,10 @@
 #include "sim/run/board_detectors.h"
 #include "sim/run/check_schedule.h"
 #include "sim/run/prepared_map.h"
+#include "sim/run/scenario/scenario_player.h"
 #include "sim/run/simulation.h"
 #include "sim/run/stop_conditions.h"
-#include "sim/scenario/scenario_player.h"
-#include "sim/trace/trace_hash.h"
+#include "sim/run/trace/trace_hash.h"
 #include "sim/world/world.h"
 
 namespace robosim::run {
@@ -211,8 +211,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   const int number_;
   exec::Executor& executor_;
   const std::optional<exec::Crash>& crash_;  ///< the executor's crash
-  const grid::Start start_;
-  const grid::Network network_;
+  const map::Start start_;
+  const map::Network network_;
   const judge::Goal goal_;
   judge::Progress progress_;
   const world::World& world_;

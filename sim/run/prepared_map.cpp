@@ -3,17 +3,17 @@
 #include <string>
 
 #include "sim/base/error.h"
-#include "sim/trace/trace_hash.h"
+#include "sim/run/trace/trace_hash.h"
 
 namespace robosim::run {
 
-ResolvedMission::ResolvedMission(const Mission& mission, const grid::Map& map, const grid::Stripes& stripes)
-    : start(mission.start ? *mission.start : grid::default_start(map)),
-      network(grid::trace_reachable(map, start)),
+ResolvedMission::ResolvedMission(const Mission& mission, const map::Map& map, const map::Stripes& stripes)
+    : start(mission.start ? *mission.start : map::default_start(map)),
+      network(map::trace_reachable(map, start)),
       goal(mission.goal ? *mission.goal : judge::default_goal(map, network)),
       progress(goal, map, stripes, network, start) {}
 
-PreparedMap::PreparedMap(const grid::Map& map) : map_(map), stripes_(map, map.cell_m), world_(map) {}
+PreparedMap::PreparedMap(const map::Map& map) : map_(map), stripes_(map, map.cell_m), world_(map) {}
 
 void PreparedMap::prepare(std::size_t number, const Mission& mission) {
   // Computes a hash now, since the first one detects vector extensions, which is slow in a virtual machine.

@@ -6,17 +6,17 @@
 #include <optional>
 #include <vector>
 
-#include "sim/grid/map.h"
-#include "sim/grid/network.h"
-#include "sim/grid/stripes.h"
 #include "sim/judge/goal.h"
+#include "sim/map/map.h"
+#include "sim/map/network.h"
+#include "sim/map/stripes.h"
 #include "sim/world/world.h"
 
 namespace robosim::run {
 
 /// A robot's start and goal. If empty, those of the map are used.
 struct Mission {
-  std::optional<grid::Start> start;
+  std::optional<map::Start> start;
   std::optional<judge::Goal> goal;
   bool operator==(const Mission&) const = default;
 };
@@ -24,9 +24,9 @@ struct Mission {
 /// A mission that has been resolved on a map.
 struct ResolvedMission {
   /// Resolves a mission on a map, which must outlive this object. Throws InputError if that is impossible.
-  ResolvedMission(const Mission& mission, const grid::Map& map, const grid::Stripes& stripes);
-  grid::Start start;
-  grid::Network network;
+  ResolvedMission(const Mission& mission, const map::Map& map, const map::Stripes& stripes);
+  map::Start start;
+  map::Network network;
   judge::Goal goal;
   judge::Progress progress;
 };
@@ -34,15 +34,15 @@ struct ResolvedMission {
 class PreparedMap {
  public:
   /// Prepares a map, which must outlive this object. Throws InputError if its lines are too long in total
-  /// (grid::Stripes).
-  explicit PreparedMap(const grid::Map& map);
+  /// (map::Stripes).
+  explicit PreparedMap(const map::Map& map);
 
   /// Resolves an agent's mission in advance, for a later call of resolve().
   void prepare(std::size_t number, const Mission& mission);
   /// Returns an agent's resolved mission. Throws InputError if the mission is impossible on the map.
   ResolvedMission resolve(std::size_t number, const Mission& mission) const;
 
-  const grid::Stripes& stripes() const { return stripes_; }
+  const map::Stripes& stripes() const { return stripes_; }
   /// Returns the world. It is in the map's initial state until a simulation uses it.
   world::World& world() { return world_; }
 
@@ -51,8 +51,8 @@ class PreparedMap {
     Mission mission;
     std::optional<ResolvedMission> resolved_mission;  ///< empty if the mission is invalid
   };
-  const grid::Map& map_;
-  const grid::Stripes stripes_;
+  const map::Map& map_;
+  const map::Stripes stripes_;
   world::World world_;
   std::vector<Prepared> prepared_;  ///< indexed by agent number
 };

@@ -24,12 +24,12 @@
 
 #include "sim/base/error.h"
 #include "sim/exec/core/executor.h"
-#include "sim/grid/map.h"
 #include "sim/judge/goal.h"
 #include "sim/judge/outcome.h"
+#include "sim/map/map.h"
 #include "sim/robot/robot.h"
+#include "sim/run/scenario/scenario.h"
 #include "sim/run/step_controller.h"
-#include "sim/scenario/scenario.h"
 
 namespace robosim::run {
 
@@ -37,9 +37,9 @@ constexpr SimTime kDefaultLimit = 600 * kSecond;
 
 /// The settings that are fixed before the first tick.
 struct Beginning {
-  grid::Start start;
+  map::Start start;
   judge::Goal goal;
-  std::vector<grid::Station> stations;
+  std::vector<map::Station> stations;
   std::vector<std::string> readings;  ///< names of parts, in the order of Sample::readings
   int width = 0, height = 0;          ///< size of the map, in cells
   double cell_m = 0.0;                ///< side of a cell
@@ -84,7 +84,7 @@ class Listener {
 struct AgentSetup {
   const robot::Description* robot = nullptr;
   exec::Executor* executor = nullptr;  ///< not shared with any other run or agent
-  std::optional<grid::Start> start;    ///< if empty, the map's
+  std::optional<map::Start> start;     ///< if empty, the map's
   std::optional<judge::Goal> goal;     ///< if empty, the map's
   std::vector<scenario::Step> scenario;
   Listener* listener = nullptr;  ///< may be null
@@ -96,7 +96,7 @@ class PreparedMap;
 constexpr SimTime kLoading = -1;
 
 struct Setup {
-  const grid::Map* map = nullptr;
+  const map::Map* map = nullptr;
   /// The prepared map, or null. The first simulation takes it; later ones make their own.
   std::unique_ptr<PreparedMap>* prepared_map = nullptr;
   std::vector<AgentSetup> agents;  ///< at least one

@@ -11,7 +11,7 @@
 #include "sim/base/vec.h"
 #include "sim/exec/core/executor.h"
 #include "sim/judge/outcome.h"
-#include "sim/scenario/scenario.h"
+#include "sim/run/scenario/scenario.h"
 #include "sim/wire/driven.h"
 
 namespace robosim::run {

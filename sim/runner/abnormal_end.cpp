@@ -14,9 +14,9 @@
 #include "sim/base/system_error.h"
 #include "sim/exec/host/confinement.h"
 #include "sim/exec/host/host_fault.h"
-#include "sim/grid/map.h"
 #include "sim/judge/goal.h"
 #include "sim/judge/outcome.h"
+#include "sim/map/map.h"
 #include "sim/robot/description.h"
 #include "sim/runner/requested_run.h"
 
@@ -53,7 +53,7 @@ std::size_t guilty_robot(const wire::RunRequest& request, const std::vector<std:
 wire::RunResult result_of_crash(const wire::RunRequest& request, const std::string& cause,
                                 const std::string& check, std::size_t guilty, SimTime time) {
   const std::vector<wire::AgentRequest> agents = agents_of(request);
-  const std::string map_sha256 = grid::sha256_of_map(request.map);
+  const std::string map_sha256 = map::sha256_of_map(request.map);
   std::vector<wire::RunResult> results;
   for (std::size_t i = 0; i < agents.size(); ++i) {
     judge::Outcome outcome;

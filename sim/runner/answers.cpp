@@ -17,9 +17,9 @@ wire::Started to_wire(const run::Beginning& beginning) {
   wire::Started started;
   started.x = beginning.start.cell.x;
   started.y = beginning.start.cell.y;
-  started.facing = grid::letter(beginning.start.facing);
+  started.facing = map::letter(beginning.start.facing);
   started.goal = judge::to_string(beginning.goal);
-  for (const grid::Station& s : beginning.stations)
+  for (const map::Station& s : beginning.stations)
     started.stations.push_back({s.id, s.name, s.cell.x, s.cell.y});
   started.readings = beginning.readings;
   started.width = beginning.width;

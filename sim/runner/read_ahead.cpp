@@ -10,7 +10,7 @@
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/grid/floor_image.h"
+#include "sim/map/floor_image.h"
 
 namespace robosim::runner {
 namespace {
@@ -48,7 +48,7 @@ ImageAhead image_in(const std::filesystem::path& file, ImageAhead last, long lon
   return image;
 }
 
-std::filesystem::path picture_of(const grid::Map& map) {
+std::filesystem::path picture_of(const map::Map& map) {
   return map.image ? std::filesystem::path(map.file).parent_path() / map.image->name() : "";
 }
 
@@ -58,8 +58,7 @@ bool is_as_read(const MapAhead& ahead, const FileIdentity& identity) {
   return picture.empty() || (ahead.picture != FileIdentity{} && identity_of(picture) == ahead.picture);
 }
 
-MapAhead map_in(const std::string& name, const grid::Draw& draw, const FileIdentity& identity,
-                long long now) {
+MapAhead map_in(const std::string& name, const map::Draw& draw, const FileIdentity& identity, long long now) {
   MapAhead ahead{name, draw, is_settled(identity, now) ? identity : FileIdentity{}};
   ahead.read = std::make_shared<ReadMap>(name, draw);
   ahead.read->prepared_map = std::make_unique<run::PreparedMap>(ahead.read->map);
@@ -81,7 +80,7 @@ std::shared_ptr<ReadMap> add_map(const wire::RunRequest& request, std::vector<Ma
   try {
     const FileIdentity identity = identity_of(request.map);
     if (size_in(identity) > kLargestMap) return nullptr;
-    const grid::Draw draw = draw_of(request);
+    const map::Draw draw = draw_of(request);
     const auto known = std::find_if(maps.begin(), maps.end(), [&](const MapAhead& one) {
       return one.name == request.map && one.draw.profile == draw.profile &&
              (!one.read->map.differs || one.draw.seed == draw.seed) && is_as_read(one, identity);

@@ -21,7 +21,7 @@ struct ImageAhead {
 
 struct MapAhead {
   std::string name;         ///< name in the request
-  grid::Draw draw;          ///< seed and profile for which the map was read
+  map::Draw draw;           ///< seed and profile for which the map was read
   FileIdentity identity{};  ///< identity of the file, if it alone proves that the file is unchanged
   FileIdentity picture{};   ///< identity of the floor's picture, if it alone proves that it is unchanged
   std::shared_ptr<ReadMap> read;

@@ -9,11 +9,11 @@
 
 #include "sim/judge/goal.h"
 #include "sim/robot/describe.h"
+#include "sim/run/scenario/scenario.h"
 #include "sim/runner/answers.h"
 #include "sim/runner/debugged_run.h"
 #include "sim/runner/known_hash.h"
 #include "sim/runner/verdict_trace.h"
-#include "sim/scenario/scenario.h"
 
 namespace robosim::runner {
 namespace {
@@ -42,9 +42,9 @@ void check_why(const wire::RunRequest& request) {
     throw InputError("tracing the cause of a verdict requires a run without a driver or debugger");
 }
 
-run::Mission errand_of(const wire::AgentRequest& asked, const grid::Map& map) {
+run::Mission errand_of(const wire::AgentRequest& asked, const map::Map& map) {
   run::Mission mission;
-  if (!asked.start.empty()) mission.start = grid::parse_start(map, asked.start);
+  if (!asked.start.empty()) mission.start = map::parse_start(map, asked.start);
   if (!asked.goal.empty()) mission.goal = judge::parse_goal(asked.goal);
   return mission;
 }
@@ -64,12 +64,12 @@ std::vector<wire::AgentRequest> agents_of(const wire::RunRequest& request) {
   return all;
 }
 
-grid::Draw draw_of(const wire::RunRequest& request) { return {request.seed, profile_of(request.profile)}; }
+map::Draw draw_of(const wire::RunRequest& request) { return {request.seed, profile_of(request.profile)}; }
 
-ReadMap::ReadMap(const std::filesystem::path& file, grid::Draw draw)
-    : map(grid::read_map(file, draw)), sha256(grid::sha256_of(map)) {}
+ReadMap::ReadMap(const std::filesystem::path& file, map::Draw draw)
+    : map(map::read_map(file, draw)), sha256(map::sha256_of(map)) {}
 
-std::vector<run::Mission> missions_of(const wire::RunRequest& request, const grid::Map& map) {
+std::vector<run::Mission> missions_of(const wire::RunRequest& request, const map::Map& map) {
   std::vector<run::Mission> missions;
   for (const wire::AgentRequest& agent : agents_of(request)) missions.push_back(errand_of(agent, map));
   return missions;

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "sim/exec/core/executor.h"
-#include "sim/grid/map.h"
 #include "sim/judge/outcome.h"
+#include "sim/map/map.h"
 #include "sim/robot/description.h"
 #include "sim/run/prepared_map.h"
 #include "sim/run/simulation.h"
@@ -39,19 +39,19 @@ Inputs inputs_of(const std::string& map_sha256, const std::string& image, const 
 wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
                           const Inputs& inputs);
 
-grid::Draw draw_of(const wire::RunRequest& request);
+map::Draw draw_of(const wire::RunRequest& request);
 
 /// A map, and the initial state of a simulation on it.
 struct ReadMap {
   /// Reads the map. Throws InputError.
-  ReadMap(const std::filesystem::path& file, grid::Draw draw);
-  const grid::Map map;
+  ReadMap(const std::filesystem::path& file, map::Draw draw);
+  const map::Map map;
   const std::string sha256;
   std::unique_ptr<run::PreparedMap> prepared_map;  ///< for one simulation; null = it makes its own
 };
 
 /// Returns the missions of a request's robots on a map. Throws InputError if a mission is invalid.
-std::vector<run::Mission> missions_of(const wire::RunRequest& request, const grid::Map& map);
+std::vector<run::Mission> missions_of(const wire::RunRequest& request, const map::Map& map);
 
 /// Robots, by their names in a request.
 using Robots = std::map<std::string, std::shared_ptr<const robot::Description>>;

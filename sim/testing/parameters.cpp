@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 
 // Returns the targets that were passed to robosim_add_test() (toolchain/cmake); "" = all.
 extern "C" const char* robosim_test_targets() __attribute__((weak));

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/client/power_cuts.h"
+#include "sim/launch/client/power_cuts.h"
 #include "sim/testing/silent_run.h"
 
 namespace robosim::testing {

@@ -13,9 +13,9 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/build/sketch.h"
-#include "sim/grid/map.h"
-#include "sim/grid/true_graph.h"
 #include "sim/launch/launch.h"
+#include "sim/map/map.h"
+#include "sim/map/true_graph.h"
 #include "sim/testing/coverage.h"
 
 namespace robosim::testing {
@@ -222,24 +222,24 @@ std::vector<ResolvedTrial> resolve_trials(const FleetTrial& trial, ResolvedFleet
 }
 
 Graph graph_of_floor(const wire::RunRequest& request) {
-  const grid::Map map = grid::read_map(request.map);
-  const grid::TrueGraph truth = grid::true_graph(
-      map, request.start.empty() ? grid::default_start(map) : grid::parse_start(map, request.start));
+  const map::Map map = map::read_map(request.map);
+  const map::TrueGraph truth = map::true_graph(
+      map, request.start.empty() ? map::default_start(map) : map::parse_start(map, request.start));
   const int stations = static_cast<int>(truth.stations.size());
-  const auto end_of = [&](const grid::Arm& arm) -> Graph::End {
-    if (arm.behind == grid::Arm::Behind::station) return {arm.id - 1, 0};
-    if (arm.behind == grid::Arm::Behind::junction) return {stations + arm.id - 1, arm.slot};
+  const auto end_of = [&](const map::Arm& arm) -> Graph::End {
+    if (arm.behind == map::Arm::Behind::station) return {arm.id - 1, 0};
+    if (arm.behind == map::Arm::Behind::junction) return {stations + arm.id - 1, arm.slot};
     return {};
   };
   Graph graph;
-  for (const grid::GraphStation& station : truth.stations) {
+  for (const map::GraphStation& station : truth.stations) {
     graph.nodes.emplace_back();
-    if (station.arm.behind != grid::Arm::Behind::nothing)
+    if (station.arm.behind != map::Arm::Behind::nothing)
       graph.nodes.back().arms.push_back(end_of(station.arm));
   }
-  for (const grid::GraphJunction& junction : truth.junctions) {
+  for (const map::GraphJunction& junction : truth.junctions) {
     graph.nodes.emplace_back();
-    for (const grid::Arm& arm : junction.arms) graph.nodes.back().arms.push_back(end_of(arm));
+    for (const map::Arm& arm : junction.arms) graph.nodes.back().arms.push_back(end_of(arm));
   }
   return graph;
 }

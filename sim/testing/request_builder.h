@@ -10,7 +10,7 @@
 #include "robosim/testing/fleet.h"
 #include "robosim/testing/simulation.h"
 #include "sim/build/sketch.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/fleet.h"
 
 namespace robosim::testing {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "robosim/testing/simulation.h"
-#include "sim/client/driven_run.h"
+#include "sim/launch/client/driven_run.h"
 #include "sim/testing/failure_context.h"
 #include "sim/testing/request_builder.h"
 #include "sim/testing/run_log.h"

@@ -9,9 +9,9 @@
 #include <string>
 #include <thread>
 
-#include "sim/analysis/success_rate.h"
 #include "sim/base/error.h"
-#include "sim/client/pool.h"
+#include "sim/campaign/analysis/success_rate.h"
+#include "sim/launch/client/pool.h"
 #include "sim/testing/artifacts.h"
 #include "sim/testing/request_builder.h"
 

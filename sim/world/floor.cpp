@@ -2,7 +2,7 @@
 
 namespace robosim::world {
 
-using grid::Cell;
+using map::Cell;
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr int kFirstPainted = 1, kFirstGap = 82;
 
 }  // namespace
 
-Floor::Floor(const grid::Map& map)
+Floor::Floor(const map::Map& map)
     : width_(map.width),
       height_(map.height),
       columns_(map.width),
@@ -41,13 +41,12 @@ Floor::Floor(const grid::Map& map)
       paints_only_(!lines_.empty() && areas_.empty()),
       kinds_{} {
   double widest = map.line_m;
-  for (const grid::Paint& paint : map.course.paints) widest = std::max(widest, paint.width);
+  for (const map::Paint& paint : map.course.paints) widest = std::max(widest, paint.width);
   if (widest > map.line_m && !map.raster)
-    for (const grid::Paint& paint : grid::paints_of(map))
-      widths_.push_back(std::max(paint.width, map.line_m));
+    for (const map::Paint& paint : map::paints_of(map)) widths_.push_back(std::max(paint.width, map.line_m));
   if (map.corner_m > 0.0 || !map.course.paths.empty()) {
     stripes_reach_ = 0.5 * widest + 0.5 * kUsualFootprint;
-    stripes_ = std::make_unique<grid::Stripes>(map, stripes_reach_);
+    stripes_ = std::make_unique<map::Stripes>(map, stripes_reach_);
     if (alike_ && !marks_.empty() && !map.raster) index_with_marks(map);
   } else {
     read_stripes(map);
@@ -55,15 +54,15 @@ Floor::Floor(const grid::Map& map)
   if (map.raster) read_raster(map);
 }
 
-void Floor::index_with_marks(const grid::Map& map) {
-  with_marks_ = std::make_unique<grid::StripeIndex>(map, marks_.after(stripes_->all()),
-                                                    std::max(stripes_reach_, marks_.reach()));
+void Floor::index_with_marks(const map::Map& map) {
+  with_marks_ = std::make_unique<map::StripeIndex>(map, marks_.after(stripes_->all()),
+                                                   std::max(stripes_reach_, marks_.reach()));
   marked_ = true;
 }
 
-// Reads stripes cell by cell, like grid::Stripes. Next to a gap, shortens painted stripes by half the line's
+// Reads stripes cell by cell, like map::Stripes. Next to a gap, shortens painted stripes by half the line's
 // width.
-void Floor::read_stripes(const grid::Map& map) {
+void Floor::read_stripes(const map::Map& map) {
   const double whole = 0.5 * cell_;
   const double shortened = whole - std::min(half_line_, 0.45 * cell_);
   const double lengths[] = {0.0, whole, shortened};
@@ -80,16 +79,16 @@ void Floor::read_stripes(const grid::Map& map) {
   cells_.resize(map.cells.size());
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
-      const grid::CellAt at{x, y};
+      const map::CellAt at{x, y};
       const Cell cell = map.at(at);
-      if (!grid::is_line(cell)) continue;
+      if (!map::is_line(cell)) continue;
       int code = 0;
       for (int d = 3; d >= 0; --d) {
-        const Cell beside = map.at(grid::ahead(at, static_cast<grid::Direction>(d)));
+        const Cell beside = map.at(map::ahead(at, static_cast<map::Direction>(d)));
         if (is_painted(cell)) {
-          code = 3 * code + (beside == Cell::gap ? 2 : grid::is_line(beside));
+          code = 3 * code + (beside == Cell::gap ? 2 : map::is_line(beside));
         } else {
-          code = 2 * code + grid::is_line(beside);
+          code = 2 * code + map::is_line(beside);
         }
       }
       const int kind = (is_painted(cell) ? kFirstPainted : kFirstGap) + code;
@@ -98,7 +97,7 @@ void Floor::read_stripes(const grid::Map& map) {
   }
 }
 
-void Floor::read_raster(const grid::Map& map) {
+void Floor::read_raster(const map::Map& map) {
   quads_.assign((static_cast<std::size_t>(width_) + 1) * (static_cast<std::size_t>(height_) + 1), 0);
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
@@ -124,13 +123,13 @@ double Floor::painted_darkness(double x, double y, double footprint_m) const {
   const auto near = with_marks_->near({column, height_ - 1 - row});
   if (near.empty()) return bare;
   const double footprint = std::max(footprint_m, 1e-9), reach = half_line_ + 0.5 * footprint;
-  const std::span<const grid::Stripe> lines = stripes_->all();
+  const std::span<const map::Stripe> lines = stripes_->all();
   double nearest = reach, on_mark = 0.0;
   for (const std::uint32_t i : near) {
     if (i >= lines.size())
       on_mark = std::max(on_mark, marks_.share(i - lines.size(), p, footprint));
     else if (lines[i].painted)
-      nearest = std::min(nearest, grid::distance(lines[i], p));
+      nearest = std::min(nearest, map::distance(lines[i], p));
   }
   const double painted = std::max(ramp(nearest, reach, footprint), on_mark);
   return light_line_ ? 1.0 - painted : painted;
@@ -184,9 +183,9 @@ double Floor::square_in(int column, int row, Vec2 p, bool painted_only) const {
   double best = std::numeric_limits<double>::infinity();
   if (stripes_) {
     for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row})) {
-      const grid::Stripe& stripe = stripes_->all()[i];
+      const map::Stripe& stripe = stripes_->all()[i];
       if (painted_only && !stripe.painted) continue;
-      const double away = grid::distance(stripe, p);
+      const double away = map::distance(stripe, p);
       best = std::min(best, away * away);
     }
     return best;
@@ -227,8 +226,8 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
   const double reach = half_line_ + 0.5 * footprint;
   double nearest = reach;
   for (const std::uint32_t i : near) {
-    const grid::Stripe& stripe = stripes_->all()[i];
-    if (stripe.painted) nearest = std::min(nearest, grid::distance(stripe, p));
+    const map::Stripe& stripe = stripes_->all()[i];
+    if (stripe.painted) nearest = std::min(nearest, map::distance(stripe, p));
   }
   return ramp(nearest, reach, footprint);
 }
@@ -269,16 +268,16 @@ double Floor::sought_distance(Vec2 p, NearStripe& found) const {
 
 double Floor::on_wide_line(Vec2 p, double footprint) const {
   double most = 0.0;
-  const auto look = [&](const grid::Stripe& stripe) {
+  const auto look = [&](const map::Stripe& stripe) {
     if (!stripe.painted) return;
     const double width = widths_[stripe.paint];
-    most = std::max(most, std::min((0.5 * (width + footprint) - grid::distance(stripe, p)) / footprint,
+    most = std::max(most, std::min((0.5 * (width + footprint) - map::distance(stripe, p)) / footprint,
                                    std::min(1.0, width / footprint)));
   };
   int column, row;
   double x, y;
   if (footprint > kUsualFootprint) {
-    for (const grid::Stripe& stripe : stripes_->all()) look(stripe);
+    for (const map::Stripe& stripe : stripes_->all()) look(stripe);
   } else if (locate(p, column, row, x, y)) {
     for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row})) look(stripes_->all()[i]);
   }

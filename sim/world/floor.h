@@ -14,9 +14,9 @@
 #include "sim/base/noise.h"
 #include "sim/base/profile.h"
 #include "sim/base/vec.h"
-#include "sim/grid/floor_image.h"
-#include "sim/grid/map.h"
-#include "sim/grid/stripes.h"
+#include "sim/map/floor_image.h"
+#include "sim/map/map.h"
+#include "sim/map/stripes.h"
 #include "sim/world/near_stripe.h"
 #include "sim/world/painted_areas.h"
 #include "sim/world/painted_lines.h"
@@ -29,7 +29,7 @@ namespace robosim::world {
 /// floors have 0.05 and 0.15: docs/explanation/fidelity.md.
 constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
 
-/// A floor of one of two kinds. Stripes: lines of width `line` along the centre lines of grid::Stripes.
+/// A floor of one of two kinds. Stripes: lines of width `line` along the centre lines of map::Stripes.
 /// Raster (the map has `floor = "raster"`): each painted line cell is dark as a whole.
 ///
 /// One byte per cell describes what a query inside the cell can find. Most queries therefore cost one load
@@ -41,7 +41,7 @@ constexpr double typical_variation(Profile profile) { return profile < Profile::
 class Floor {
  public:
   /// The map must outlive the floor.
-  explicit Floor(const grid::Map& map);
+  explicit Floor(const map::Map& map);
 
   /// Returns the share of a sensor's footprint that lies on painted line, 0..1. `footprint_m` is f: the side
   /// of a square footprint, or of the square that has the same area as a disc (diameter 1.13 f).
@@ -77,7 +77,7 @@ class Floor {
   /// or off a light line.
   ///
   /// Marks are painted like the line. Each area lies under or over lines and marks, and later areas cover
-  /// earlier ones (grid::Area). PaintedLines computes lines of other widths and colours, wear and gloss.
+  /// earlier ones (map::Area). PaintedLines computes lines of other widths and colours, wear and gloss.
   double darkness(Vec2 p, double footprint_m) const {
     if (plain_) {
       const double painted = drawn_coverage(p, footprint_m);
@@ -202,9 +202,9 @@ class Floor {
                                          : lines;
   }
 
-  void read_stripes(const grid::Map& map);
-  void read_raster(const grid::Map& map);
-  void index_with_marks(const grid::Map& map);
+  void read_stripes(const map::Map& map);
+  void read_raster(const map::Map& map);
+  void index_with_marks(const map::Map& map);
   double search(Vec2 p, bool painted_only) const;
   double square_in(int column, int row, Vec2 p, bool painted_only) const;
   double coverage_round(Vec2 p, double footprint) const;
@@ -217,9 +217,9 @@ class Floor {
   int width_, height_;
   double columns_, rows_;
   double cell_, per_cell_, half_line_;
-  const grid::Map* map_;
+  const map::Map* map_;
   const bool light_line_;
-  const grid::FloorImage* const image_;  // null = none
+  const map::FloorImage* const image_;  // null = none
   const PaintedMarks marks_;
   const PaintedAreas areas_;
   PaintedLines lines_;
@@ -234,8 +234,8 @@ class Floor {
   std::array<Kind, 98> kinds_;
   std::vector<std::uint8_t> cells_;  // square corners: numbers of kinds_, row by row from the bottom
   double stripes_reach_ = 0.0;
-  std::unique_ptr<grid::Stripes> stripes_;         // round corners
-  std::unique_ptr<grid::StripeIndex> with_marks_;  // stripes_, then marks_; null for any other content
+  std::unique_ptr<map::Stripes> stripes_;         // round corners
+  std::unique_ptr<map::StripeIndex> with_marks_;  // stripes_, then marks_; null for any other content
   std::vector<double> widths_;       // m, per paint, at least the map's line; empty if none is wider
   std::vector<std::uint8_t> quads_;  // raster: bits SW SE NW NE; one more row and column than the map
 };
@@ -277,7 +277,7 @@ inline double Floor::distance_to_line(Vec2 p) const {
   if (stripes_) {
     double nearest = stripes_reach_;
     for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row}))
-      nearest = std::min(nearest, grid::distance(stripes_->all()[i], p));
+      nearest = std::min(nearest, map::distance(stripes_->all()[i], p));
     if (nearest < stripes_reach_) return std::sqrt(nearest * nearest);
   } else if (const Kind& kind = kinds_[cells_[index(column, row)]]; kind.is_line) {
     const double square = kind.line.square(x, y);

@@ -17,7 +17,7 @@ struct Meeting {
   double reach = 0.0;  // the roller's radius as seen across the gap; more than `half`
 };
 
-Meeting meeting_of(const grid::Joint& joint, const FloorGaps::Roller& roller) {
+Meeting meeting_of(const map::Joint& joint, const FloorGaps::Roller& roller) {
   const Vec2 across = joint.middle.heading;
   const bool is_ball = roller.rolls.x == 0.0 && roller.rolls.y == 0.0;
   const double tread = is_ball ? 0.0 : kTread * std::fabs(cross(roller.rolls, across));
@@ -32,7 +32,7 @@ double rolling_speed(double radius) { return std::sqrt(kGravity * radius); }
 
 FloorGaps::Sunk FloorGaps::sunk(Vec2 p, const Roller& roller) const {
   Sunk sunk;
-  for (const grid::Joint& joint : joints_) {
+  for (const map::Joint& joint : joints_) {
     const Vec2 own = joint.middle.to_body(p);
     if (std::fabs(own.x) >= joint.half_length || std::fabs(own.y) > joint.half_width) continue;
     const Meeting meeting = meeting_of(joint, roller);
@@ -51,7 +51,7 @@ FloorGaps::Sunk FloorGaps::sunk(Vec2 p, const Roller& roller) const {
 
 double FloorGaps::met2(Vec2 from, Vec2 to, const Roller& roller) const {
   double sum = 0.0;
-  for (const grid::Joint& joint : joints_) {
+  for (const map::Joint& joint : joints_) {
     const Vec2 before = joint.middle.to_body(from), after = joint.middle.to_body(to);
     if ((before.x < 0.0) == (after.x < 0.0) || std::fabs(after.y) > joint.half_width) continue;
     const Meeting meeting = meeting_of(joint, roller);

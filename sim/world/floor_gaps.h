@@ -24,13 +24,13 @@
 #include <vector>
 
 #include "sim/base/vec.h"
-#include "sim/grid/course.h"
+#include "sim/map/course.h"
 
 namespace robosim::world {
 
 class FloorGaps {
  public:
-  explicit FloorGaps(const grid::Course& course) : joints_(course.joints) {}
+  explicit FloorGaps(const map::Course& course) : joints_(course.joints) {}
   bool empty() const { return joints_.empty(); }
 
   /// A rolling body: a wheel or a ball.
@@ -50,7 +50,7 @@ class FloorGaps {
   double met2(Vec2 from, Vec2 to, const Roller& roller) const;
 
  private:
-  const std::vector<grid::Joint> joints_;
+  const std::vector<map::Joint> joints_;
 };
 
 }  // namespace robosim::world

@@ -13,7 +13,7 @@ constexpr double kPoint = 1e-9;  // m: a smaller reach counts as 0
 
 // The profile along a hill.
 struct CrossSection {
-  const grid::Hill& hill;
+  const map::Hill& hill;
   double sine;  // of a seesaw's slope
 
   std::size_t corners() const { return hill.heights.empty() ? 2 : hill.heights.size(); }
@@ -59,7 +59,7 @@ Top top_of(const CrossSection& profile, double s, double reach, double radius, d
 
 }  // namespace
 
-Ground::Ground(const grid::Map& map)
+Ground::Ground(const map::Map& map)
     : hills_(map.course.hills),
       surfaces_(map.course.surfaces),
       joints_(map.course),
@@ -68,14 +68,14 @@ Ground::Ground(const grid::Map& map)
       columns_(map.width),
       rows_(map.height),
       cell_m_(map.cell_m) {
-  for (const grid::Hill& hill : hills_)
+  for (const map::Hill& hill : hills_)
     state_.seesaws.push_back({hill.pivot > 0.0 ? hill.pivot / hill.half_length : 0.0, 0.0, 0.0, 0.0});
 }
 
 Footing Ground::under(Vec2 p, Vec2 along, double radius, bool ball) const {
   Footing footing;
   for (std::size_t i = 0; i < hills_.size(); ++i) {
-    const grid::Hill& hill = hills_[i];
+    const map::Hill& hill = hills_[i];
     const Vec2 own = hill.middle.to_body(p);
     const double beyond = std::fabs(own.x) - hill.half_length, beside = std::fabs(own.y) - hill.half_width;
     if (beyond > radius || beside > radius) continue;
@@ -129,7 +129,7 @@ void Ground::press(Vec2 p, double mass, double force) {
 
 void Ground::settle() {
   for (std::size_t i = 0; i < hills_.size(); ++i) {
-    const grid::Hill& hill = hills_[i];
+    const map::Hill& hill = hills_[i];
     if (!(hill.pivot > 0.0)) continue;
     Seesaw& seesaw = state_.seesaws[i];
     const double most = hill.pivot / hill.half_length;

@@ -26,7 +26,7 @@
 #include <vector>
 
 #include "sim/base/vec.h"
-#include "sim/grid/map.h"
+#include "sim/map/map.h"
 #include "sim/world/floor_gaps.h"
 
 namespace robosim::world {
@@ -41,7 +41,7 @@ struct Footing {
 
 class Ground {
  public:
-  explicit Ground(const grid::Map& map);
+  explicit Ground(const map::Map& map);
 
   /// Returns whether the whole floor is one plane with one surface.
   bool plain() const {
@@ -55,7 +55,7 @@ class Ground {
   /// Returns the height of the floor itself in m.
   double height(Vec2 p) const;
   /// A surface: a factor for the robot's grip, and a rolling resistance that is added to the robot's.
-  using Kind = grid::SurfaceFigures;
+  using Kind = map::SurfaceFigures;
   Kind kind(Vec2 p) const;
 
   const FloorGaps& joints() const { return joints_; }
@@ -81,10 +81,10 @@ class Ground {
  private:
   Footing under(Vec2 p, Vec2 along, double radius, bool ball) const;
 
-  const std::vector<grid::Hill> hills_;
-  const std::vector<grid::Surface> surfaces_;
+  const std::vector<map::Hill> hills_;
+  const std::vector<map::Surface> surfaces_;
   const FloorGaps joints_;
-  // The surfaces of the map's legend, as in grid::Map.
+  // The surfaces of the map's legend, as in map::Map.
   const std::vector<Kind> legend_surfaces_;
   const std::vector<std::uint8_t> surface_of_cell_;
   const int columns_, rows_;

@@ -10,7 +10,7 @@ constexpr double kUsualHeight = 0.003;
 
 double under_edge(double height) { return height * height / (height * height + kBehindEdge * kBehindEdge); }
 
-double share(const grid::Light& light, Vec2 p, double seconds) {
+double share(const map::Light& light, Vec2 p, double seconds) {
   if (!light.at) return 1.0;
   const Vec2 off = p - *light.at - light.moves * seconds;
   if (light.radius > 0.0) return dot(off, off) <= light.radius * light.radius ? 1.0 : 0.0;
@@ -20,8 +20,8 @@ double share(const grid::Light& light, Vec2 p, double seconds) {
 
 }  // namespace
 
-Lighting::Lighting(const std::vector<grid::Light>& lights) {
-  for (const grid::Light& light : lights) lights_.push_back({light, 0.0});
+Lighting::Lighting(const std::vector<map::Light>& lights) {
+  for (const map::Light& light : lights) lights_.push_back({light, 0.0});
 }
 
 void Lighting::draw_phases(const NoiseStream& noise) {

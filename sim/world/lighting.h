@@ -22,7 +22,7 @@
 
 #include "sim/base/noise.h"
 #include "sim/base/vec.h"
-#include "sim/grid/light.h"
+#include "sim/map/light.h"
 #include "sim/world/step_constants.h"
 
 namespace robosim::world {
@@ -30,7 +30,7 @@ namespace robosim::world {
 class Lighting {
  public:
   /// Creates the lights. Each lamp's flicker begins with phase 0.
-  explicit Lighting(const std::vector<grid::Light>& lights);
+  explicit Lighting(const std::vector<map::Light>& lights);
 
   /// Draws the initial phase of each lamp's flicker.
   void draw_phases(const NoiseStream& noise);
@@ -47,7 +47,7 @@ class Lighting {
 
  private:
   struct Lit {
-    grid::Light light;
+    map::Light light;
     double phase;  // periods; initial phase of the flicker
     bool on = true;
   };

@@ -15,12 +15,12 @@ constexpr double kBeside = 5e-4;  // m; nearer to the reach of a straight stripe
 constexpr double kAlone = 5e-3;   // m; smallest box for which one stripe suffices, not two
 constexpr double kDiagonal = 0.70710678118654752;
 
-bool is_level(const grid::Stripe& s) { return s.radius == 0.0 && s.a.y == s.b.y && s.a.x < s.b.x; }
-bool is_upright(const grid::Stripe& s) { return s.radius == 0.0 && s.a.x == s.b.x && s.a.y < s.b.y; }
+bool is_level(const map::Stripe& s) { return s.radius == 0.0 && s.a.y == s.b.y && s.a.x < s.b.x; }
+bool is_upright(const map::Stripe& s) { return s.radius == 0.0 && s.a.x == s.b.x && s.a.y < s.b.y; }
 
 // Reduces the box to a part around p in which no footprint reaches the stripe. Returns false if that part is
 // too small.
-bool keep_clear(FloorBox& box, const grid::Stripe& s, double reach, double away, Vec2 p) {
+bool keep_clear(FloorBox& box, const map::Stripe& s, double reach, double away, Vec2 p) {
   const double wide = reach + kRounding;
   if (!is_level(s) && !is_upright(s)) {
     const double way = kDiagonal * (away - wide);
@@ -38,7 +38,7 @@ bool keep_clear(FloorBox& box, const grid::Stripe& s, double reach, double away,
   return true;
 }
 
-bool is_within_quarter(const FloorBox& box, const grid::Stripe& arc) {
+bool is_within_quarter(const FloorBox& box, const map::Stripe& arc) {
   constexpr double kSure = 1e-12;  // m2
   for (const Vec2 corner : {box.low, box.high, Vec2{box.low.x, box.high.y}, Vec2{box.high.x, box.low.y}}) {
     const Vec2 w = corner - arc.centre;
@@ -54,9 +54,9 @@ void FloorBox::keep(Vec2 p, double way) {
   high = {std::min(high.x, p.x + way), std::min(high.y, p.y + way)};
 }
 
-double NearStripe::distance_of_two(std::span<const grid::Stripe> all, Vec2 p) const {
-  const double first = grid::distance(all[first_], p);
-  return first_ == second_ ? first : std::min(first, grid::distance(all[second_], p));
+double NearStripe::distance_of_two(std::span<const map::Stripe> all, Vec2 p) const {
+  const double first = map::distance(all[first_], p);
+  return first_ == second_ ? first : std::min(first, map::distance(all[second_], p));
 }
 
 double NearStripe::seek(const Around& around, Vec2 p) {
@@ -65,9 +65,9 @@ double NearStripe::seek(const Around& around, Vec2 p) {
   bool is_clear = around.reach < kNoStripe;
   first_ = second_ = 0;
   for (const std::uint32_t i : around.near) {
-    const grid::Stripe& stripe = around.all[i];
+    const map::Stripe& stripe = around.all[i];
     if (around.painted_only && !stripe.painted) continue;
-    const double away = grid::distance(stripe, p);
+    const double away = map::distance(stripe, p);
     is_clear = is_clear && keep_clear(clear, stripe, around.reach, away, p);
     if (away < nearest) {
       third = next;
@@ -100,7 +100,7 @@ double NearStripe::seek(const Around& around, Vec2 p) {
 }
 
 // Selects a simpler formula for the distance to a stripe that alone matters in the box.
-void NearStripe::beside(const grid::Stripe& stripe, Vec2 p) {
+void NearStripe::beside(const map::Stripe& stripe, Vec2 p) {
   at_ = stripe.radius > 0.0 ? stripe.centre : stripe.a;
   radius_ = stripe.radius;
   if (is_level(stripe) && p.x > stripe.a.x && p.x < stripe.b.x) {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "sim/base/vec.h"
-#include "sim/grid/stripes.h"
+#include "sim/map/stripes.h"
 
 namespace robosim::world {
 
@@ -28,9 +28,9 @@ class NearStripe {
   bool holds(Vec2 p) const { return box_.holds(p); }
   /// Returns whether the footprint of the search reaches no stripe. Valid where holds() is true.
   bool is_clear() const { return kind_ == Kind::clear; }
-  /// Returns the distance to the nearest stripe, m, bit for bit as grid::distance does. Valid where holds()
+  /// Returns the distance to the nearest stripe, m, bit for bit as map::distance does. Valid where holds()
   /// is true and is_clear() is not.
-  double distance(std::span<const grid::Stripe> all, Vec2 p) const {
+  double distance(std::span<const map::Stripe> all, Vec2 p) const {
     if (kind_ == Kind::level) return std::fabs(p.y - at_.y);
     if (kind_ == Kind::upright) return std::fabs(p.x - at_.x);
     if (kind_ == Kind::arc) return std::fabs(length(p - at_) - radius_);
@@ -39,7 +39,7 @@ class NearStripe {
 
   /// The relevant stripes of a part of the floor.
   struct Around {
-    std::span<const grid::Stripe> all;
+    std::span<const map::Stripe> all;
     std::span<const std::uint32_t> near;  ///< the stripes that can be nearest inside the box
     FloorBox box;
     bool painted_only;
@@ -57,8 +57,8 @@ class NearStripe {
     arc,      // within the arc's quarter
     two       // the nearer of two stripes, which may be the same
   };
-  double distance_of_two(std::span<const grid::Stripe> all, Vec2 p) const;
-  void beside(const grid::Stripe&, Vec2 p);
+  double distance_of_two(std::span<const map::Stripe> all, Vec2 p) const;
+  void beside(const map::Stripe&, Vec2 p);
 
   FloorBox box_;
   Vec2 at_;              // point on the segment, or the arc's centre

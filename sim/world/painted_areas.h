@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "sim/grid/map.h"
+#include "sim/map/map.h"
 #include "sim/world/visibility_grid.h"
 
 namespace robosim::world {
@@ -13,13 +13,13 @@ namespace robosim::world {
 enum class Band { infrared, red, green, blue };
 
 /// Returns a colour's reflectance in a band, relative to white.
-inline double sent_back(const grid::Colour& colour, Band band) {
+inline double sent_back(const map::Colour& colour, Band band) {
   return band == Band::infrared ? colour.infrared() : colour.light(static_cast<std::size_t>(band) - 1);
 }
 
 class PaintedAreas {
  public:
-  explicit PaintedAreas(const grid::Map& map);
+  explicit PaintedAreas(const map::Map& map);
 
   bool empty() const { return areas_.empty(); }
 
@@ -34,7 +34,7 @@ class PaintedAreas {
  private:
   double over_any(double below, bool over_lines, Band band, Vec2 p, double footprint) const;
 
-  std::vector<grid::Area> areas_;
+  std::vector<map::Area> areas_;
   VisibilityGrid near_;
 };
 

@@ -9,37 +9,37 @@
 namespace robosim::world {
 namespace {
 
-constexpr double kFlake = 0.010;             // m between the sample points of worn paint
-static_assert(grid::Paint::kMost + 1 < 64);  // paints are bits of a word
+constexpr double kFlake = 0.010;            // m between the sample points of worn paint
+static_assert(map::Paint::kMost + 1 < 64);  // paints are bits of a word
 
 }  // namespace
 
-PaintedLines::PaintedLines(const grid::Map& map, const PaintedMarks& marks)
+PaintedLines::PaintedLines(const map::Map& map, const PaintedMarks& marks)
     : columns_(map.width), rows_(map.height), per_cell_(1.0 / map.cell_m), last_row_(map.height - 1) {
   if ((map.course.paints.empty() && map.worn == 0.0) || map.image || map.raster) return;
-  for (const grid::Paint& paint : grid::paints_of(map)) {
+  for (const map::Paint& paint : map::paints_of(map)) {
     reach_ = std::max(reach_, 0.5 * (paint.width + kLookedUpFootprint));
     Paint& own = paints_.emplace_back(Paint{paint.width, paint.worn, {}});
     for (const Band band : {Band::infrared, Band::red, Band::green, Band::blue})
       own.back[static_cast<std::size_t>(band)] = sent_back(*paint.colour, band) + paint.gloss;
   }
-  stripes_ = std::make_unique<grid::Stripes>(map, reach_);
-  const std::vector<grid::Stripe> lines_and_marks = marks.after(stripes_->all());
-  index_ = grid::StripeIndex(map, lines_and_marks, std::max(reach_, marks.reach()));
+  stripes_ = std::make_unique<map::Stripes>(map, reach_);
+  const std::vector<map::Stripe> lines_and_marks = marks.after(stripes_->all());
+  index_ = map::StripeIndex(map, lines_and_marks, std::max(reach_, marks.reach()));
   all_.resize(lines_and_marks.size());
   std::iota(all_.begin(), all_.end(), 0u);
 }
 
 double PaintedLines::over_these(std::span<const std::uint32_t> near, double below, Band band, Vec2 p,
                                 double footprint, const PaintedMarks& marks) const {
-  std::array<double, grid::Paint::kMost + 1> shares;  // first distances, then shares, of the paints in `met`
+  std::array<double, map::Paint::kMost + 1> shares;  // first distances, then shares, of the paints in `met`
   std::uint64_t met = 0;
-  const std::span<const grid::Stripe> lines = stripes_->all();
+  const std::span<const map::Stripe> lines = stripes_->all();
   auto at = near.begin();
   for (; at != near.end() && *at < lines.size(); ++at) {
-    const grid::Stripe& stripe = lines[*at];
+    const map::Stripe& stripe = lines[*at];
     if (!stripe.painted) continue;
-    const double away = grid::distance(stripe, p);
+    const double away = map::distance(stripe, p);
     if (away >= 0.5 * (paints_[stripe.paint].width + footprint)) continue;
     const std::uint64_t bit = std::uint64_t{1} << stripe.paint;
     shares[stripe.paint] = met & bit ? std::min(shares[stripe.paint], away) : away;

@@ -1,5 +1,5 @@
 // Models lines and marks that differ from the map's usual ones: other widths or colours, worn, or glossy
-// (grid::Paint).
+// (map::Paint).
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sim/base/noise.h"
-#include "sim/grid/map.h"
-#include "sim/grid/stripes.h"
+#include "sim/map/map.h"
+#include "sim/map/stripes.h"
 #include "sim/world/painted_areas.h"
 #include "sim/world/painted_marks.h"
 
@@ -20,7 +20,7 @@ class PaintedLines {
  public:
   /// Stores nothing for a map whose lines all have the usual paint and no wear. The map must outlive this
   /// object. Pass the same `marks` to over().
-  PaintedLines(const grid::Map& map, const PaintedMarks& marks);
+  PaintedLines(const map::Map& map, const PaintedMarks& marks);
 
   bool empty() const { return !stripes_; }
 
@@ -62,8 +62,8 @@ class PaintedLines {
   int last_row_;
   std::vector<Paint> paints_;
   double reach_ = 0.0;  // m
-  std::unique_ptr<grid::Stripes> stripes_;
-  grid::StripeIndex index_;         // indexes stripes_, then the marks
+  std::unique_ptr<map::Stripes> stripes_;
+  map::StripeIndex index_;          // indexes stripes_, then the marks
   std::vector<std::uint32_t> all_;  // numbers of all stripes and marks
   NoiseStream noise_;
 };

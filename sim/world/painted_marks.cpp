@@ -11,13 +11,13 @@ constexpr double kDiagonal = 0.708;  // half the diagonal of a unit square
 
 }  // namespace
 
-PaintedMarks::PaintedMarks(const grid::Map& map)
+PaintedMarks::PaintedMarks(const map::Map& map)
     : wide_(map.width * map.cell_m),
       high_(map.height * map.cell_m),
       marks_(map.course.marks),
       near_(map, kMarksTile) {
   for (std::size_t i = 0; i < marks_.size(); ++i) {
-    const grid::Mark& mark = marks_[i];
+    const map::Mark& mark = marks_[i];
     reaches_.push_back(std::sqrt(mark.half_length * mark.half_length + mark.half_width * mark.half_width));
     near_.add(static_cast<std::uint32_t>(i), mark.middle.position,
               reaches_[i] + kLookedUpFootprint * kDiagonal);
@@ -25,9 +25,9 @@ PaintedMarks::PaintedMarks(const grid::Map& map)
   }
 }
 
-std::vector<grid::Stripe> PaintedMarks::after(std::span<const grid::Stripe> lines) const {
-  std::vector<grid::Stripe> all(lines.begin(), lines.end());
-  for (const grid::Mark& mark : marks_) {
+std::vector<map::Stripe> PaintedMarks::after(std::span<const map::Stripe> lines) const {
+  std::vector<map::Stripe> all(lines.begin(), lines.end());
+  for (const map::Mark& mark : marks_) {
     const Vec2 half = mark.middle.heading * mark.half_length;
     all.push_back({mark.middle.position - half, mark.middle.position + half, {}});
   }

@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "sim/grid/map.h"
-#include "sim/grid/stripes.h"
+#include "sim/map/map.h"
+#include "sim/map/stripes.h"
 #include "sim/world/visibility_grid.h"
 
 namespace robosim::world {
 
 class PaintedMarks {
  public:
-  explicit PaintedMarks(const grid::Map& map);
+  explicit PaintedMarks(const map::Map& map);
 
   bool empty() const { return marks_.empty(); }
   std::size_t paint(std::size_t mark) const { return static_cast<std::size_t>(marks_[mark].paint); }
@@ -26,7 +26,7 @@ class PaintedMarks {
            within(own.y, marks_[mark].half_width, footprint);
   }
   /// Returns `lines` followed by the marks' middle lines, for a common index.
-  std::vector<grid::Stripe> after(std::span<const grid::Stripe> lines) const;
+  std::vector<map::Stripe> after(std::span<const map::Stripe> lines) const;
   /// Returns the greatest distance, m, from a mark's middle line at which a footprint can reach the mark.
   double reach() const { return reach_; }
   /// Returns whether a square of side `footprint` about p may reach a mark.
@@ -45,7 +45,7 @@ class PaintedMarks {
   static constexpr double kLookedUpFootprint = 0.016;  // m; for larger footprints, all marks are checked
 
   const double wide_, high_;  // m; the floor's size
-  std::vector<grid::Mark> marks_;
+  std::vector<map::Mark> marks_;
   std::vector<double> reaches_;  // m, from a mark's middle to its corners
   double reach_ = 0.0;
   VisibilityGrid near_;

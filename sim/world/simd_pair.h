@@ -2,7 +2,7 @@
 // operation if the machine has such an instruction. The results are identical bit for bit.
 //
 // Code for both wheels is a template over `Both`: a Pair, for one body; or Two, with plain members, so that
-// compilers can vectorise a loop over many bodies (sim/batch).
+// compilers can vectorise a loop over many bodies (sim/robot/batch).
 #pragma once
 
 #include <cmath>

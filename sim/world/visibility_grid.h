@@ -8,14 +8,14 @@
 #include <span>
 #include <vector>
 
-#include "sim/grid/map.h"
+#include "sim/map/map.h"
 
 namespace robosim::world {
 
 class VisibilityGrid {
  public:
   /// Makes square tiles of `side` (m), or larger tiles if more than 256 would lie along a side of the floor.
-  VisibilityGrid(const grid::Map& map, double side) {
+  VisibilityGrid(const map::Map& map, double side) {
     constexpr double kMost = 256.0;
     const double wide = map.width * map.cell_m, high = map.height * map.cell_m;
     const double tile = std::max(side, std::max(wide, high) / kMost);

@@ -7,7 +7,7 @@ namespace robosim::world {
 
 namespace {
 
-bool stops(grid::Cell c) { return c == grid::Cell::wall || c == grid::Cell::obstacle; }
+bool stops(map::Cell c) { return c == map::Cell::wall || c == map::Cell::obstacle; }
 
 Vec2 nearest_on_segment(Vec2 a, Vec2 b, Vec2 p) {
   const Vec2 d = b - a;
@@ -25,14 +25,14 @@ void Contacts::add(const Contact& contact) {
   size_ = std::min(size_ + 1, found_.size());
 }
 
-Walls::Walls(const grid::Map& map)
+Walls::Walls(const map::Map& map)
     : map_(&map), per_cell_(1.0 / map.cell_m), columns_(map.width), rows_(map.height) {
   const auto width = static_cast<std::size_t>(map.width), height = static_cast<std::size_t>(map.height);
   rings_.resize(width * height);
   // Computes the chessboard distance to the nearest solid cell, in two sweeps. Everything beyond the edge is
   // solid.
   for (std::size_t y = 0; y < height; ++y) {
-    const grid::Cell* cells = map.cells.data() + (height - 1 - y) * width;
+    const map::Cell* cells = map.cells.data() + (height - 1 - y) * width;
     for (std::size_t x = 0; x < width; ++x) {
       int rings = 0;
       if (!stops(cells[x]) && x > 0 && y > 0) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/base/vec.h"
-#include "sim/grid/map.h"
+#include "sim/map/map.h"
 
 namespace robosim::world {
 
@@ -47,7 +47,7 @@ class Walls {
   static constexpr double kNear = 0.001;
 
   /// The map must outlive the walls.
-  explicit Walls(const grid::Map& map);
+  explicit Walls(const map::Map& map);
 
   /// Returns a lower bound of the distance from p to the nearest wall, m; 0 inside walls and beyond the edge.
   /// Discs are ignored. If k is the number of rings without walls about p's cell, including this cell, the
@@ -105,7 +105,7 @@ class Walls {
   bool beyond_edge(Vec2) const;           // by more than a cell
   void touch_cell(std::span<const Vec2> polygon, int column, int row, Contacts&) const;
 
-  const grid::Map* map_;
+  const map::Map* map_;
   const double per_cell_, columns_, rows_;
   std::vector<std::uint8_t> rings_;  // row by row from the bottom; 255 = 255 or more
   State state_;

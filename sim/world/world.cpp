@@ -4,7 +4,7 @@
 
 namespace robosim::world {
 
-World::World(const grid::Map& map)
+World::World(const map::Map& map)
     : floor_(map),
       ground_(map),
       lighting_(map.lights),

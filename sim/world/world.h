@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/base/vec.h"
-#include "sim/grid/map.h"
+#include "sim/map/map.h"
 #include "sim/world/body.h"
 #include "sim/world/floor.h"
 #include "sim/world/ground.h"
@@ -22,7 +22,7 @@ namespace robosim::world {
 class World {
  public:
   /// The map must outlive the world.
-  explicit World(const grid::Map& map);
+  explicit World(const map::Map& map);
 
   const Floor& floor() const { return floor_; }
   /// Calls Floor::vary.

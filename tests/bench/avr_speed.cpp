@@ -3,9 +3,9 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
-#include "sim/avr/chip.h"
 #include "sim/build/sketch.h"
 #include "sim/exec/avr/avr_executor.h"
+#include "sim/mcu/avr/chip.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
 
@@ -28,7 +28,7 @@ void report(benchmark::State& state) {
 
 // Simulates a whole run: chip, robot, world and judge.
 void whole(benchmark::State& state, const std::filesystem::path& sketch) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");
   const auto image = image_of(sketch);
   for (auto _ : state) {
@@ -74,7 +74,7 @@ class Midway {
     return setup;
   }
 
-  grid::Map map_ = grid::read_map(grid::find_map("oval"));
+  map::Map map_ = map::read_map(map::find_map("oval"));
   robot::Description robot_ = robot::load_description("uno5");
   exec::AvrExecutor executor_;
   run::Setup setup_ = setup();

@@ -4,9 +4,9 @@
 // 0.5 s, without reading the map.
 #include <benchmark/benchmark.h>
 
-#include "sim/cells/survey.h"
-#include "sim/cells/walk.h"
-#include "sim/grid/generator.h"
+#include "sim/map/cells/survey.h"
+#include "sim/map/cells/walk.h"
+#include "sim/map/generator.h"
 #include "tests/support/v1.h"
 
 namespace {
@@ -23,8 +23,8 @@ void count_moves(benchmark::State& state) {
 }
 
 void CellsWalkMapD(benchmark::State& state) {
-  const grid::Map map = grid::read_map(grid::find_map("d"));
-  const grid::Start start = grid::default_start(map);
+  const map::Map map = map::read_map(map::find_map("d"));
+  const map::Start start = map::default_start(map);
   const CellFloor floor(map);
   CellRobot robot(floor, {start.cell, start.facing});
   for (auto _ : state) {
@@ -36,8 +36,8 @@ void CellsWalkMapD(benchmark::State& state) {
 BENCHMARK(CellsWalkMapD);
 
 void CellsWalkMapDOneByOne(benchmark::State& state) {
-  const grid::Map map = grid::read_map(grid::find_map("d"));
-  const grid::Start start = grid::default_start(map);
+  const map::Map map = map::read_map(map::find_map("d"));
+  const map::Start start = map::default_start(map);
   const CellFloor floor(map);
   CellRobot robot(floor, {start.cell, start.facing});
   for (auto _ : state) {
@@ -49,8 +49,8 @@ void CellsWalkMapDOneByOne(benchmark::State& state) {
 BENCHMARK(CellsWalkMapDOneByOne);
 
 void OriginalsSensingWalksMapD(benchmark::State& state) {
-  const grid::Map map = grid::read_map(grid::find_map("d"));
-  const grid::Start start = grid::default_start(map);
+  const map::Map map = map::read_map(map::find_map("d"));
+  const map::Start start = map::default_start(map);
   v1::Robot robot{&map, start.cell.x, start.cell.y, letter(start.facing)};
   for (auto _ : state) {
     for (int i = 0; i < kMoves; ++i) {
@@ -79,8 +79,8 @@ BENCHMARK(OriginalsSensingWalksMapD);
 
 // Packs the cells, then scans all of them into a graph.
 void CellsScanAMillionStations(benchmark::State& state) {
-  const grid::Map map = grid::generate(grid::Family::tree, 1'000'000, 1);
-  const grid::Start start = grid::default_start(map);
+  const map::Map map = map::generate(map::Family::tree, 1'000'000, 1);
+  const map::Start start = map::default_start(map);
   std::uint64_t moves = 0;
   for (auto _ : state) {
     const CellFloor floor(map);

@@ -14,15 +14,15 @@
 #include <string>
 #include <vector>
 
-#include "sim/grid/generator.h"
-#include "sim/grid/map.h"
-#include "sim/grid/network.h"
-#include "sim/grid/stripes.h"
-#include "sim/grid/true_graph.h"
+#include "sim/map/generator.h"
+#include "sim/map/map.h"
+#include "sim/map/network.h"
+#include "sim/map/stripes.h"
+#include "sim/map/true_graph.h"
 
 namespace {
 
-using namespace robosim::grid;
+using namespace robosim::map;
 
 constexpr int kSide = 8'000;
 constexpr std::size_t kChunk = 256 * 1024;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "hal/board/board_spec.h"
-#include "sim/batch/robots.h"
 #include "sim/exec/core/board_state.h"
+#include "sim/robot/batch/robots.h"
 #include "sim/robot/describe.h"
 #include "sim/robot/description.h"
 #include "sim/robot/robot.h"
@@ -18,7 +18,7 @@ namespace {
 // Drives an uno5 in circles on the oval's floor. `state.range(0)` is the number of ticks between two reads of
 // all five sensors.
 void robot_tick(benchmark::State& state) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description description = robot::load_description("uno5");
   world::World world(map);
   const auto body =
@@ -55,7 +55,7 @@ BENCHMARK(robot_tick)
 // Measures one tick of 64 robots in a batch, and reports the time per robot.
 void batch_tick(benchmark::State& state) {
   constexpr std::size_t kRobots = 64;
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description description = robot::load_description("uno5");
   const world::World world(map);
   batch::Robots robots(world);

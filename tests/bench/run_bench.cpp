@@ -15,7 +15,7 @@ constexpr SimTime kSimulated = 20 * kSecond;
 
 // Runs for kSimulated without a goal. An earlier end is an error.
 void simulate(benchmark::State& state, exec::Executor& executor) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");
   run::Setup setup;
   setup.map = &map;

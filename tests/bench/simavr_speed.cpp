@@ -27,8 +27,8 @@ const std::filesystem::path kSketches = ROBOSIM_BENCH_SKETCHES;
 double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Runs the program in Robosim. Returns why it did not run to its end, or "".
-std::string run_ours(const std::filesystem::path& image, const grid::Map& map,
-                     const robot::Description& robot, SimTime length) {
+std::string run_ours(const std::filesystem::path& image, const map::Map& map, const robot::Description& robot,
+                     SimTime length) {
   exec::AvrExecutor executor(*robot.board, image);
   run::Setup setup;
   setup.map = &map;
@@ -61,7 +61,7 @@ std::string run_libsimavr(const std::filesystem::path& image, const BoardSpec& b
 }
 
 void against_libsimavr(benchmark::State& state, const std::filesystem::path& sketch, SimTime length) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");
   build::Request request{sketch, *robot.board};
   request.target = "avr";

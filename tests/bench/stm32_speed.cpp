@@ -20,7 +20,7 @@ constexpr SimTime kSimulated = 10 * kSecond;
 
 // Simulates a whole run: chip, robot, world and judge.
 void whole(benchmark::State& state, const char* board, const std::filesystem::path& sketch) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description robot = robot::parse_description(
       std::string("base = \"bluepill5\"\nboard = \"") + board + "\"\n", "bench.toml");
   build::Request request{sketch, *robot.board};
@@ -58,7 +58,7 @@ class Midway {
     return setup;
   }
 
-  grid::Map map_ = grid::read_map(grid::find_map("oval"));
+  map::Map map_ = map::read_map(map::find_map("oval"));
   robot::Description robot_ = robot::load_description("bluepill5");
   exec::Stm32Executor executor_;
   run::Setup setup_ = setup();

@@ -11,14 +11,14 @@ namespace {
 using namespace robosim;
 
 // Returns a map with a line along a rounded rectangle, 3 m x 2 m, on an open floor.
-grid::Map loop_map(double corner_m) {
-  grid::Map map;
+map::Map loop_map(double corner_m) {
+  map::Map map;
   map.width = 40;
   map.height = 30;
-  map.cells.assign(static_cast<std::size_t>(map.width * map.height), grid::Cell::floor);
+  map.cells.assign(static_cast<std::size_t>(map.width * map.height), map::Cell::floor);
   map.corner_m = corner_m;
   const auto paint = [&map](int x, int y) {
-    map.cells[static_cast<std::size_t>(y * map.width + x)] = grid::Cell::line;
+    map.cells[static_cast<std::size_t>(y * map.width + x)] = map::Cell::line;
   };
   for (int x = 5; x <= 34; ++x) paint(x, 5), paint(x, 24);
   for (int y = 5; y <= 24; ++y) paint(5, y), paint(34, y);
@@ -30,7 +30,7 @@ constexpr int kSensors = 5;
 // Drives a circle over and next to the lines. Every `read_every` ticks (0 = never), five sensors read the
 // floor. They are 9.5 mm apart and 60 mm ahead of the axle.
 void drive_and_read(benchmark::State& state, double corner_m, int read_every) {
-  const grid::Map map = loop_map(corner_m);
+  const map::Map map = loop_map(corner_m);
   world::World world(map);
   world::Body& body = world.body(world.add_body(world::default_body_params(), {{2.0, 0.58}, {1.0, 0.0}}));
   int tick = 0;
@@ -71,7 +71,7 @@ std::vector<Vec2> points() {
 }
 
 void coverage(benchmark::State& state, double corner_m, bool raster) {
-  grid::Map map = loop_map(corner_m);
+  map::Map map = loop_map(corner_m);
   map.raster = raster;
   const world::Floor floor(map);
   const std::vector<Vec2> at = points();
@@ -91,7 +91,7 @@ void read_path(benchmark::State& state, const std::string& paint, int marks = 0)
   for (int i = 0; i < marks; ++i)
     beside += "[[mark]]\nside = \"" + std::string(i % 2 ? "left" : "right") + "\"\nalong = \"" +
               std::to_string(0.2 + 9.6 * i / marks) + " m\"\n";
-  const grid::Map map = grid::parse_map(
+  const map::Map map = map::parse_map(
       "+++\nsize = [\"4 m\", \"3 m\"]\n[[path]]\nfrom = [\"550 mm\", \"400 mm\"]\nsegments = [\n{ length = "
       "\"2.9 m\"" +
           paint + " }, " + bend + " }, { length = \"1.9 m\" }, " + bend + paint +
@@ -123,7 +123,7 @@ BENCHMARK(floor_coverage_raster);
 
 // Measures the distance along the line, at points within 15 mm of its centre.
 void distance_to_line(benchmark::State& state, double corner_m) {
-  const grid::Map map = loop_map(corner_m);
+  const map::Map map = loop_map(corner_m);
   const world::Floor floor(map);
   std::size_t i = 0;
   for (auto _ : state) {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/avr/chip.h"
+#include "sim/mcu/avr/chip.h"
 
 namespace robosim::conformance {
 

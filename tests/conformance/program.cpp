@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "hal/board/board_spec.h"
+#include "sim/base/elf/elf_file.h"
 #include "sim/base/file.h"
-#include "sim/elf/elf_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::conformance {

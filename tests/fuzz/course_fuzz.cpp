@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "sim/course/import.h"
-#include "sim/grid/map_writer.h"
-#include "sim/grid/network.h"
-#include "sim/grid/path_survey.h"
+#include "sim/map/course/import.h"
+#include "sim/map/map_writer.h"
+#include "sim/map/network.h"
+#include "sim/map/path_survey.h"
 #include "tests/fuzz/require.h"
 
 namespace {
@@ -17,16 +17,16 @@ using namespace robosim;
 
 constexpr std::size_t kLargeFloor = 4'000'000;  // cells: allowed, but slow to scan repeatedly
 
-void drive_on(const grid::Map& map) {
+void drive_on(const map::Map& map) {
   if (map.cells.size() > kLargeFloor) return;
-  const std::string written = grid::write_map(map);
-  const grid::Map read = grid::parse_map(written, "written.map");
+  const std::string written = map::write_map(map);
+  const map::Map read = map::parse_map(written, "written.map");
   require(read.cells == map.cells, "the cells are those that were written");
   require(read.course.paths.size() == map.course.paths.size(), "and so are the paths");
   require(read.course.marks.size() == map.course.marks.size(), "and the marks");
-  grid::trace_network(read, grid::default_start(read));
-  for (const grid::Path& path : read.course.paths)
-    if (path.length() < 100.0) grid::survey_path(path, read.line_m);
+  map::trace_network(read, map::default_start(read));
+  for (const map::Path& path : read.course.paths)
+    if (path.length() < 100.0) map::survey_path(path, read.line_m);
 }
 
 }  // namespace

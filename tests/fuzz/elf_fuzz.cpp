@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "sim/base/elf/elf_file.h"
+#include "sim/base/elf/elf_target.h"
 #include "sim/base/error.h"
-#include "sim/elf/elf_file.h"
-#include "sim/elf/elf_target.h"
 #include "sim/exec/elf/intel_hex.h"
 #include "sim/exec/elf/program.h"
 #include "tests/fuzz/require.h"

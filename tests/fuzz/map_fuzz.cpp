@@ -6,20 +6,20 @@
 #include <string_view>
 
 #include "sim/base/error.h"
-#include "sim/grid/map.h"
-#include "sim/grid/map_parser.h"
-#include "sim/grid/map_writer.h"
-#include "sim/grid/network.h"
-#include "sim/grid/path_survey.h"
-#include "sim/grid/picture.h"
-#include "sim/grid/stripes.h"
-#include "sim/grid/true_graph.h"
+#include "sim/map/map.h"
+#include "sim/map/map_parser.h"
+#include "sim/map/map_writer.h"
+#include "sim/map/network.h"
+#include "sim/map/path_survey.h"
+#include "sim/map/picture.h"
+#include "sim/map/stripes.h"
+#include "sim/map/true_graph.h"
 #include "tests/fuzz/require.h"
 
 namespace {
 
 using namespace robosim;
-using namespace robosim::grid;
+using namespace robosim::map;
 
 std::string outcome(std::string_view text, std::size_t piece) {
   try {

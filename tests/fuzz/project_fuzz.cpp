@@ -9,7 +9,7 @@
 #include <string>
 
 #include "sim/base/error.h"
-#include "sim/project/project.h"
+#include "sim/build/project/project.h"
 #include "tests/fuzz/require.h"
 
 namespace {

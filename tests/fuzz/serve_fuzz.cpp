@@ -16,7 +16,7 @@
 #include <thread>
 
 #include "sim/base/descriptor.h"
-#include "sim/serve/server.h"
+#include "sim/view/serve/server.h"
 #include "tests/fuzz/require.h"
 
 namespace {

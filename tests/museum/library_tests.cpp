@@ -8,7 +8,7 @@
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/build/process.h"
-#include "sim/mutate/test_report.h"
+#include "sim/campaign/mutate/test_report.h"
 
 namespace robosim::museum {
 namespace fs = std::filesystem;

@@ -8,7 +8,7 @@
 
 #include "sim/base/file.h"
 #include "sim/build/parse_context.h"
-#include "sim/mutate/operators.h"
+#include "sim/campaign/mutate/operators.h"
 
 namespace robosim::museum {
 namespace fs = std::filesystem;

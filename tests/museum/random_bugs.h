@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/mutate/mutation.h"
+#include "sim/campaign/mutate/mutation.h"
 #include "tests/museum/library_tests.h"
 #include "tests/museum/stage.h"
 

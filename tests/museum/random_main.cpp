@@ -17,7 +17,7 @@
 #include <thread>
 
 #include "sim/base/error.h"
-#include "sim/mutate/draw.h"
+#include "sim/campaign/mutate/draw.h"
 #include "tests/museum/random_bugs.h"
 
 namespace {

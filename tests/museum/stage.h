@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/mutate/mutation.h"
-#include "sim/mutate/test_report.h"
+#include "sim/campaign/mutate/mutation.h"
+#include "sim/campaign/mutate/test_report.h"
 
 #include "tests/museum/bug.h"
 

@@ -16,12 +16,12 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/base/file.h"
-#include "sim/batch/robots.h"
-#include "sim/cells/survey.h"
-#include "sim/cells/walk.h"
 #include "sim/exec/core/board_state.h"
-#include "sim/grid/generator.h"
 #include "sim/judge/goal.h"
+#include "sim/map/cells/survey.h"
+#include "sim/map/cells/walk.h"
+#include "sim/map/generator.h"
+#include "sim/robot/batch/robots.h"
 #include "sim/robot/describe.h"
 #include "sim/robot/description.h"
 #include "sim/robot/robot.h"
@@ -34,7 +34,7 @@ namespace {
 
 // Runs a robot with five sensors on `oval`, without firmware, for `count` ticks.
 void ticks(SimTime looks_every, int count) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");
   test::BuiltInDriver driver(looks_every);
   run::Setup setup;
@@ -51,10 +51,10 @@ constexpr std::size_t kRobots = 64;
 const Pose kStart{{1.2, 0.6}, {1.0, 0.0}};
 
 void single_robots(int looks_every, int count) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description description = robot::load_description("uno5");
   struct Single {
-    Single(const robot::Description& d, const grid::Map& floor, std::uint64_t seed)
+    Single(const robot::Description& d, const map::Map& floor, std::uint64_t seed)
         : world(floor),
           robot(d, world, world.add_body(robot::body_params(d, seed, Profile::typical), kStart), board, seed,
                 Profile::typical) {}
@@ -84,7 +84,7 @@ void single_robots(int looks_every, int count) {
 }
 
 void batch_of_robots(int looks_every, int count) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description description = robot::load_description("uno5");
   const world::World world(map);
   batch::Robots robots(world);
@@ -102,8 +102,8 @@ void batch_of_robots(int looks_every, int count) {
 }
 
 void moves(int count, bool one_by_one) {
-  const grid::Map map = grid::read_map(grid::find_map("d"));
-  const grid::Start start = grid::default_start(map);
+  const map::Map map = map::read_map(map::find_map("d"));
+  const map::Start start = map::default_start(map);
   const cells::CellFloor floor(map);
   cells::CellRobot robot(floor, {start.cell, start.facing});
   if (!one_by_one) return cells::walk_on(robot, cells::Side::left, static_cast<std::uint64_t>(count));
@@ -111,8 +111,8 @@ void moves(int count, bool one_by_one) {
 }
 
 void scans(int count) {
-  const grid::Map map = grid::generate(grid::Family::tree, 2000, 1);
-  const grid::Start start = grid::default_start(map);
+  const map::Map map = map::generate(map::Family::tree, 2000, 1);
+  const map::Start start = map::default_start(map);
   for (int i = 0; i < count; ++i) {
     const cells::CellFloor floor(map);
     cells::CellRobot robot(floor, {start.cell, start.facing});
@@ -137,7 +137,7 @@ void read_rows(int count) {
   }
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "robosim_workload.map";
   write_file(file, text);
-  grid::read_map(file);
+  map::read_map(file);
   std::filesystem::remove(file);
 }
 

@@ -162,7 +162,7 @@ class DebuggedRunTest : public testing::Test {
   std::string breakpoint(const char* name) const { return fmt::format("Z0,{:x},2", address_of(name)); }
   std::string none(const char* name) const { return fmt::format("z0,{:x},2", address_of(name)); }
 
-  const grid::Map map_ = grid::read_map(grid::find_map("oval"));
+  const map::Map map_ = map::read_map(map::find_map("oval"));
   const robot::Description robot_ = robot::load_description(Target::kRobot);
   const test::TemporaryFolder folder_;
   std::filesystem::path image_;

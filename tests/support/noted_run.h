@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/build/sketch.h"
-#include "sim/grid/map.h"
+#include "sim/map/map.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
 #include "tests/support/sum.h"
@@ -28,7 +28,7 @@ class NotedRun final : public Listener {
   /// `note` returns the chip's state as a number.
   NotedRun(const StockRun& what, exec::Executor& executor, std::function<std::uint64_t()> note)
       : note_(std::move(note)) {
-    const grid::Map map = grid::read_map(grid::find_map(what.map));
+    const map::Map map = map::read_map(map::find_map(what.map));
     const robot::Description robot = robot::load_description(what.robot);
     run::Setup setup;
     setup.map = &map;

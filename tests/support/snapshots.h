@@ -131,7 +131,7 @@ class ChipSnapshots : public testing::Test {
     ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
   }
   void use(const char* sketch, const char* robot, const char* map) {
-    map_ = grid::read_map(grid::find_map(map));
+    map_ = map::read_map(map::find_map(map));
     robot_ = robot::load_description(robot);
     std::filesystem::path folder = std::filesystem::path(ROBOSIM_EXAMPLES) / sketch;
     if (!exists(folder)) folder = std::filesystem::path(ROBOSIM_TEST_SKETCHES) / sketch;
@@ -156,7 +156,7 @@ class ChipSnapshots : public testing::Test {
     return setup;
   }
 
-  grid::Map map_;
+  map::Map map_;
   robot::Description robot_;
   std::filesystem::path image_;
 };
@@ -243,7 +243,7 @@ TEST_F(ChipSnapshots, AreOfAllRobotsAlsoOfThoseThatHaveTheirVerdict) {
       this->setup({agent(first, "still", "at 200ms fault left dead\nat 200ms fault right dead"),
                    agent(second, "none", "")},
                   2500 * kMillisecond);
-  setup.agents[1].start = grid::parse_start(map_, "20,2,W");
+  setup.agents[1].start = map::parse_start(map_, "20,2,W");
   Simulation simulation(setup);
   std::vector<Simulation::Snapshot> snapshots;
   for (const SimTime t : {100, 1000, 2000}) {

@@ -27,8 +27,8 @@ int move_on_line(Robot& robot) {
 
 char Robot::at(int cx, int cy) const {
   if (!map->contains({cx, cy})) return '?';
-  const grid::Cell cell = map->at({cx, cy});
-  return cell == grid::Cell::line ? '1' : cell == grid::Cell::wall ? '2' : '0';
+  const map::Cell cell = map->at({cx, cy});
+  return cell == map::Cell::line ? '1' : cell == map::Cell::wall ? '2' : '0';
 }
 
 void Robot::side(char to, int& dx, int& dy) const {

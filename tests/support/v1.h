@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/grid/map.h"
+#include "sim/map/map.h"
 
 namespace robosim::cells::v1 {
 
 struct Robot {
-  const grid::Map* map;
+  const map::Map* map;
   int x, y;
   char facing;  ///< 'N', 'S', 'E' or 'W'
   long clock = 0;

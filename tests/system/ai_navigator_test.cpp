@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "sim/grid/true_graph.h"
+#include "sim/map/true_graph.h"
 #include "tests/support/effort.h"
 #include "tests/system/system_test.h"
 
@@ -19,9 +19,9 @@ using testing::Not;
 
 constexpr double kAtStation_mm = 25.0;  // from the axle's centre to the end of the line
 
-grid::TrueGraph graph_of(const std::string& map_name, const std::string& start = "") {
-  const grid::Map map = grid::read_map(grid::find_map(map_name));
-  return grid::true_graph(map, start.empty() ? grid::default_start(map) : grid::parse_start(map, start));
+map::TrueGraph graph_of(const std::string& map_name, const std::string& start = "") {
+  const map::Map map = map::read_map(map::find_map(map_name));
+  return map::true_graph(map, start.empty() ? map::default_start(map) : map::parse_start(map, start));
 }
 
 // Observations of a run.
@@ -39,8 +39,8 @@ const std::string kScan = "at 300ms press start 100ms\n";
 // Runs until the sketch has printed the line `until`, then interrupts the run.
 Seen watch(const Run& of, const std::string& until, const std::string& start = "") {
   client::Runner& runner = runner_of(of.target);
-  const grid::Map map = grid::read_map(grid::find_map(of.map));
-  const grid::TrueGraph graph = graph_of(of.map, start);
+  const map::Map map = map::read_map(map::find_map(of.map));
+  const map::TrueGraph graph = graph_of(of.map, start);
   wire::RunRequest request = request_of(of);
   request.start = start;
   request.serial = true;
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(AiNavigator, ScansTheMapAndThenVisitsEveryStation) {
   const auto [target, map] = GetParam();
-  const grid::TrueGraph graph = graph_of(map);
+  const map::TrueGraph graph = graph_of(map);
   const int stations = static_cast<int>(graph.stations.size());
   std::string script = kScan + send_after("at 1\\r\\n", "2");
   std::vector<int> all;
@@ -217,7 +217,7 @@ INSTANTIATE_TEST_SUITE_P(At, AiNavigatorsStart,
 
 TEST_P(AiNavigatorsStart, DoesNotMatter) {
   const auto [name, map, start] = GetParam();
-  const grid::TrueGraph graph = graph_of(map, start);
+  const map::TrueGraph graph = graph_of(map, start);
   const int stations = static_cast<int>(graph.stations.size());
   std::string script = kScan;
   std::vector<int> all;

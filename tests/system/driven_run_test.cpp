@@ -1,6 +1,6 @@
 // Tests that a run controlled step by step equals the run of the same script.
 
-#include "sim/client/driven_run.h"
+#include "sim/launch/client/driven_run.h"
 
 #include "sim/base/error.h"
 #include "tests/support/require_target.h"

@@ -30,7 +30,7 @@ class Effects : public testing::Test {
   wire::RunResult run(const std::string& robot, const std::string& floor, const std::string& profile,
                       char way, std::uint64_t seed, double seconds, const std::string& script = "") {
     const std::filesystem::path map = folder_.path() / "floor.map", file = folder_.path() / "eyes.toml";
-    std::string text = read_file(grid::find_map("oval"));
+    std::string text = read_file(map::find_map("oval"));
     text.insert(text.find("+++", 3), floor);
     std::ofstream(map) << (floor.starts_with("+++") ? floor : text);
     std::ofstream(file)

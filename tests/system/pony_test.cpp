@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "sim/grid/network.h"
+#include "sim/map/network.h"
 #include "tests/system/command.h"
 #include "tests/system/system_test.h"
 
@@ -42,7 +42,7 @@ struct Watch {
     return NAN;
   }
   int digits() const { return static_cast<int>(10 * std::max(0.0, reading("tens")) + reading("ones")); }
-  double distance_to(const wire::Started::Station& station, const grid::Map& map) const {
+  double distance_to(const wire::Started::Station& station, const map::Map& map) const {
     const Vec2 centre = map.centre({station.x, station.y}) * 1e3;
     return std::hypot(last.x_mm - centre.x, last.y_mm - centre.y);
   }
@@ -51,7 +51,7 @@ struct Watch {
 // Observes all of the robot's output. A tour ends when the robot is home.
 Watch watch(const Run& of) {
   client::Runner& runner = runner_of(of.target);
-  const grid::Map map = grid::read_map(grid::find_map(of.map));
+  const map::Map map = map::read_map(map::find_map(of.map));
   wire::RunRequest request = request_of(of);
   request.serial = true;
   request.samples_every_ns = 50'000'000;
@@ -95,8 +95,8 @@ INSTANTIATE_TEST_SUITE_P(On, PonyNavigator, testing::ValuesIn(trials({"a", "b", 
 
 TEST_P(PonyNavigator, ScansTheMapAndThenVisitsEveryStation) {
   const auto [target, name] = GetParam();
-  const grid::Map map = grid::read_map(grid::find_map(name));
-  const std::size_t stations = grid::trace_network(map, grid::default_start(map)).stations.size();
+  const map::Map map = map::read_map(map::find_map(name));
+  const std::size_t stations = map::trace_network(map, map::default_start(map)).stations.size();
   std::vector<int> all;
   for (std::size_t at = 2; at <= stations; ++at) all.push_back(static_cast<int>(at));
   all.push_back(1);

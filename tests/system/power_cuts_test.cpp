@@ -1,10 +1,10 @@
 // Tests that AiNavigator, which stores its map in EEPROM, survives a power cut at every point of a write. It
 // must restart with the right map or without a map, and never with a wrong map.
-#include "sim/client/power_cuts.h"
+#include "sim/launch/client/power_cuts.h"
 
 #include <cmath>
 
-#include "sim/grid/true_graph.h"
+#include "sim/map/true_graph.h"
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
@@ -39,8 +39,8 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
   if (kSlow) GTEST_SKIP() << "too slow for this build, which tests the same with AiNavigatorsMemory";
   const test::Run plan{
       .sketch = "AiNavigator", .map = "a", .goal = "none", .script = kScript, .for_s = 120.0};
-  const grid::Map map = grid::read_map(grid::find_map(plan.map));
-  const grid::TrueGraph graph = grid::true_graph(map, grid::default_start(map));
+  const map::Map map = map::read_map(map::find_map(plan.map));
+  const map::TrueGraph graph = map::true_graph(map, map::default_start(map));
   const Vec2 station_2 = map.centre(graph.stations[1].cell) * 1e3;
   const std::string counts = std::to_string(graph.stations.size()) + " stations, " +
                              std::to_string(graph.junctions.size()) + " junctions";

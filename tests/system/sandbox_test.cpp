@@ -29,7 +29,7 @@ class Sandbox : public testing::Test {
     sketch.warnings = build::Warnings::none;
     wire::RunRequest request;
     request.image = build::build(sketch).image;
-    request.map = grid::find_map("oval");
+    request.map = map::find_map("oval");
     request.robot = "uno5";
     request.for_ns = 3'000'000'000;
     return request;

@@ -13,9 +13,9 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/build/sketch.h"
-#include "sim/client/runner.h"
-#include "sim/grid/map.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/fit_robot.h"
+#include "sim/map/map.h"
 #include "tests/support/effort.h"
 #include "tests/support/require_target.h"
 
@@ -54,7 +54,7 @@ inline wire::RunRequest request_of(const Run& run) {
   build::Request sketch{sketch_folder(run.sketch), *find_board(robot.info.board.name.c_str())};
   sketch.target = run.target;
   request.image = build::build(sketch).image;
-  request.map = grid::find_map(run.map);
+  request.map = map::find_map(run.map);
   request.robot = robot.robot;
   request.goal = run.goal;
   request.script = run.script;

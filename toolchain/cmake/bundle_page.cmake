@@ -1,4 +1,4 @@
-# cmake -DFOLDER=sim/page -DOUT=page_text.cpp -P bundle_page.cmake
+# cmake -DFOLDER=sim/view/page -DOUT=page_text.cpp -P bundle_page.cmake
 #
 # Bundles the page: inserts style.css and the modules into page.html. Embeds the result in a C++ source,
 # unless OUT is an .html file. A module may import names from modules that are earlier in the list. All

@@ -3,7 +3,7 @@
 # Compiles code that usually waits for disks, compilers or users with less optimisation, in two thirds of the
 # time.
 set(quick $<$<CONFIG:Release>:-O1>)
-foreach(library project build course print calibrate launch play wiring mutate tui client record analysis cli serve)
+foreach(library project build course print calibrate launch play wiring mutate terminal client record analysis cli serve)
   if(TARGET robosim_${library})
     target_compile_options(robosim_${library} PRIVATE ${quick})
   endif()

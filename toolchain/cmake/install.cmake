@@ -10,7 +10,7 @@ install(TARGETS robosim-host DESTINATION libexec/robosim COMPONENT host)
 if(TARGET robosim-serve)
   install(TARGETS robosim-serve DESTINATION libexec/robosim COMPONENT host)
 endif()
-install(DIRECTORY sim/cells/include DESTINATION share/robosim/sim/cells COMPONENT host)
+install(DIRECTORY sim/map/cells/include DESTINATION share/robosim/sim/map/cells COMPONENT host)
 install(DIRECTORY docs/examples sim/cli/files/new DESTINATION share/robosim COMPONENT host)
 install(DIRECTORY hal firmware maps DESTINATION share/robosim COMPONENT host PATTERN CMakeLists.txt EXCLUDE)
 install(DIRECTORY sim/robot/stock/ DESTINATION share/robosim/robots COMPONENT host)
@@ -39,7 +39,7 @@ install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim
 
 # Installs what find_package(robosim) needs: the harness as source, the headers that the harness includes, and
 # one library that contains all libraries that it links.
-set(libraries worlds launch analysis record tui client wire build project elf cells grid trace board base)
+set(libraries world_generator launch analysis record terminal client wire build project elf cells map trace board base)
 set(script "create librobosim.a\n")
 foreach(library ${libraries})
   if(TARGET robosim_${library})
@@ -62,7 +62,8 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/librobosim.a DESTINATION lib/robosim C
 install(DIRECTORY sim/testing DESTINATION share/robosim/source/sim COMPONENT host
   FILES_MATCHING PATTERN *.h PATTERN *.cpp)
 foreach(folder
-    sim/base sim/client sim/wire sim/analysis sim/launch sim/record sim/grid sim/build sim/project sim/trace sim/tui sim/worlds hal/board)
+    sim/base sim/map sim/wire sim/build sim/run/trace sim/launch sim/record sim/campaign/analysis sim/campaign/random_worlds
+    sim/view/terminal hal/board)
   install(DIRECTORY ${folder}/ DESTINATION share/robosim/source/${folder} COMPONENT host FILES_MATCHING PATTERN *.h)
 endforeach()
 include(CMakePackageConfigHelpers)

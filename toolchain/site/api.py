@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 # Folders of headers: their purpose, and the folder that an #include is relative to.
 GROUPS = [
     ("Tests", "sim/testing/", "tests of firmware in C++: [how to write them](docs/howto/testing.md)"),
-    ("Cells", "sim/cells/include/", "algorithms for [the robot on cells](docs/reference/algorithms.md)"),
+    ("Cells", "sim/map/cells/include/", "algorithms for [the robot on cells](docs/reference/algorithms.md)"),
     ("LineKit", "firmware/src/", "sketches: the parts of a line follower, and navigation on a network of lines"),
     ("Board", "", "the seam between firmware and robot: [design](docs/explanation/design.md)"),
 ]

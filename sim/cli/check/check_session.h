@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/analysis/success_rate.h"
+#include "sim/campaign/analysis/success_rate.h"
 #include "sim/cli/check/check_result.h"
 #include "sim/cli/sweep/sweep_plan.h"
-#include "sim/client/pool.h"
+#include "sim/launch/client/pool.h"
 
 namespace robosim::cli {
 

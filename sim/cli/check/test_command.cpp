@@ -15,14 +15,14 @@
 #include "sim/cli/check/junit.h"
 #include "sim/cli/check/test_report.h"
 #include "sim/cli/output.h"
-#include "sim/client/interrupts.h"
-#include "sim/tui/progress.h"
+#include "sim/launch/client/interrupts.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 namespace {
 
 /// Makes all runs. Returns false if the user interrupted them.
-bool make_runs(CheckSession& session, std::size_t jobs, tui::Progress& progress) {
+bool make_runs(CheckSession& session, std::size_t jobs, terminal::Progress& progress) {
   if (session.runs() == 0) return true;
   client::Pool pool(std::min(jobs, session.runs()));
   const client::Interrupts interrupts(pool);
@@ -58,7 +58,7 @@ int test_command(const TestArguments& arguments) {
   std::vector<std::string> sketches = arguments.sketches;
   if (sketches.empty()) sketches.emplace_back();
   const bool several = sketches.size() > 1;
-  tui::Progress progress(true);
+  terminal::Progress progress(true);
   SweepPlanner planner(progress, {false, !several});
   CheckSession session(planner, arguments.untrusted);
   if (arguments.untrusted && arguments.checks.empty())

@@ -5,20 +5,20 @@
 #include <algorithm>
 
 #include "sim/base/terminal_text.h"
-#include "sim/tui/text.h"
+#include "sim/view/terminal/text.h"
 
 namespace robosim::cli {
 namespace {
 
 std::string padded(const std::string& text, int width) {
-  return text + std::string(static_cast<std::size_t>(std::max(0, width - tui::width_of(text))), ' ');
+  return text + std::string(static_cast<std::size_t>(std::max(0, width - terminal::width_of(text))), ' ');
 }
 
 /// Returns the largest number of characters in the results of `text_of`.
 template <typename Items, typename TextOf>
 int widest(const Items& items, const TextOf& text_of) {
   int width = 0;
-  for (const auto& item : items) width = std::max(width, tui::width_of(text_of(item)));
+  for (const auto& item : items) width = std::max(width, terminal::width_of(text_of(item)));
   return width;
 }
 
@@ -40,7 +40,7 @@ std::string shown_place(const CheckResult& result) { return in_one_line(result.w
 
 std::string outcome(const CheckResult& result) {
   if (result.only)
-    return fmt::format("{} after {}", result.only->verdict, tui::time_text(result.only->time_s));
+    return fmt::format("{} after {}", result.only->verdict, terminal::time_text(result.only->time_s));
   if (result.runs > 0) return fmt::format("{} of {} runs passed", result.passed, result.runs);
   return "";
 }

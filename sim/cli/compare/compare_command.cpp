@@ -16,7 +16,7 @@
 #include "sim/cli/compare/target_runs.h"
 #include "sim/cli/output.h"
 #include "sim/launch/names.h"
-#include "sim/tui/progress.h"
+#include "sim/view/terminal/progress.h"
 #include "sim/wire/agent_of.h"
 
 namespace robosim::cli {
@@ -29,7 +29,7 @@ constexpr std::size_t kSaid = 3;        // shown lines before the differing line
 
 class CompareCommand {
  public:
-  CompareCommand(const CompareArguments& arguments, tui::Progress& progress)
+  CompareCommand(const CompareArguments& arguments, terminal::Progress& progress)
       : arguments_(arguments), progress_(progress), target_runs_(target_runs_of(arguments, progress)) {}
 
   Compared compare(std::uint64_t seed) {
@@ -253,7 +253,7 @@ class CompareCommand {
   }
 
   const CompareArguments& arguments_;
-  tui::Progress& progress_;
+  terminal::Progress& progress_;
   std::vector<TargetRun> target_runs_;
   std::optional<TargetRun> host_;
   Observer observer_{target_runs_[0].run.request};
@@ -263,7 +263,7 @@ class CompareCommand {
 }  // namespace
 
 int compare_command(const CompareArguments& arguments) {
-  tui::Progress progress(true);
+  terminal::Progress progress(true);
   CompareCommand command(arguments, progress);
   for (std::uint64_t seed = arguments.first_seed;; ++seed) {
     const Compared compared = command.compare(seed);

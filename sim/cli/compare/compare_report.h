@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/analysis/compare.h"
-#include "sim/analysis/pin_log.h"
+#include "sim/campaign/analysis/compare.h"
+#include "sim/campaign/analysis/pin_log.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/sanitizer_rerun.h"
 #include "sim/wire/lateness.h"

@@ -10,11 +10,11 @@
 #include <optional>
 #include <vector>
 
-#include "sim/analysis/edge.h"
+#include "sim/campaign/analysis/edge.h"
 #include "sim/cli/compare/compare_report.h"
 #include "sim/cli/compare/observer.h"
 #include "sim/cli/compare/target_runs.h"
-#include "sim/tui/progress.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 
@@ -30,7 +30,7 @@ class JitterProbe {
  public:
   /// `make_host` builds the robot for the host, and returns null if that fails. find() calls it if no target
   /// run is on the host. All arguments must outlive this object.
-  JitterProbe(const Observer& observer, tui::Progress& progress, std::function<TargetRun*()> make_host)
+  JitterProbe(const Observer& observer, terminal::Progress& progress, std::function<TargetRun*()> make_host)
       : observer_(observer), progress_(progress), make_host_(std::move(make_host)) {}
 
   /// Returns the edges for the difference in `compared`; empty if the targets cause the difference. The sides
@@ -49,7 +49,7 @@ class JitterProbe {
   static ObservedRobot observed_robot_of(const Compared& compared, std::size_t side, const Pair& pair);
 
   const Observer& observer_;
-  tui::Progress& progress_;
+  terminal::Progress& progress_;
   std::function<TargetRun*()> make_host_;
   std::map<const TargetRun*, FromStart> from_start_;  ///< of the target runs of one difference
 };

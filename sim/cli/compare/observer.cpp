@@ -15,9 +15,9 @@ constexpr double kOff_cells = 0.75, kOff_mm = 50.0;
 
 }  // namespace
 
-Observer::Observer(const wire::RunRequest& request) : map_(grid::read_map(request.map)) {
+Observer::Observer(const wire::RunRequest& request) : map_(map::read_map(request.map)) {
   const auto add = [&](const std::string& start) {
-    places_.emplace_back(map_, start.empty() ? grid::default_start(map_) : grid::parse_start(map_, start));
+    places_.emplace_back(map_, start.empty() ? map::default_start(map_) : map::parse_start(map_, start));
   };
   add(request.start);
   for (const wire::AgentRequest& agent : request.agents) add(agent.start);
@@ -25,7 +25,7 @@ Observer::Observer(const wire::RunRequest& request) : map_(grid::read_map(reques
 
 std::string Observer::place_of(std::size_t robot, const wire::Sample& sample) const {
   const Vec2 axle{1e-3 * sample.x_mm, 1e-3 * sample.y_mm};
-  const grid::Places& places = places_[robot];
+  const map::Places& places = places_[robot];
   const bool off = places.cells_off(axle) > kOff_cells && sample.cross_track_mm > kOff_mm;
   return off ? analysis::kOffTheLine : places.at(axle);
 }

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/analysis/history.h"
+#include "sim/campaign/analysis/history.h"
 #include "sim/cli/compare/target_runs.h"
-#include "sim/grid/map.h"
-#include "sim/grid/places.h"
+#include "sim/map/map.h"
+#include "sim/map/places.h"
 
 namespace robosim::cli {
 
@@ -47,8 +47,8 @@ class Observer {
  private:
   std::string place_of(std::size_t robot, const wire::Sample& sample) const;
 
-  grid::Map map_;
-  std::vector<grid::Places> places_;  ///< for each robot, numbered from its start
+  map::Map map_;
+  std::vector<map::Places> places_;  ///< for each robot, numbered from its start
 };
 
 }  // namespace robosim::cli

@@ -70,7 +70,7 @@ RunInputs TargetRun::inputs(std::size_t robot) const {
   return inputs_of(run.members[robot], runner.hello().version);
 }
 
-std::vector<TargetRun> target_runs_of(const CompareArguments& arguments, tui::Progress& progress) {
+std::vector<TargetRun> target_runs_of(const CompareArguments& arguments, terminal::Progress& progress) {
   const bool several = !arguments.each.fleet.members.empty();
   if (!several) refuse_image(arguments.each);
   for (const launch::Member& member : arguments.each.fleet.members) refuse_image(member.launch);
@@ -82,7 +82,7 @@ std::vector<TargetRun> target_runs_of(const CompareArguments& arguments, tui::Pr
 }
 
 TargetRun target_run_of(const CompareArguments& arguments, const std::string& target,
-                        tui::Progress& progress) {
+                        terminal::Progress& progress) {
   launch::Launcher launcher(listener_of(progress, {false, false}));
   const bool several = !arguments.each.fleet.members.empty();
   return (several ? target_run_of_fleet : target_run_of_one)(arguments, target, launcher);

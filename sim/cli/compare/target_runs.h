@@ -7,9 +7,9 @@
 
 #include "sim/cli/arguments.h"
 #include "sim/cli/run/run_json.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/fleet.h"
-#include "sim/tui/progress.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 
@@ -30,10 +30,10 @@ struct TargetRun {
 };
 
 /// Makes the target runs. Throws InputError and ToolMissing.
-std::vector<TargetRun> target_runs_of(const CompareArguments& arguments, tui::Progress& progress);
+std::vector<TargetRun> target_runs_of(const CompareArguments& arguments, terminal::Progress& progress);
 /// Makes a target run for a target that is not compared. Throws InputError and ToolMissing.
 TargetRun target_run_of(const CompareArguments& arguments, const std::string& target,
-                        tui::Progress& progress);
+                        terminal::Progress& progress);
 
 /// The result of each robot, in the order of their numbers.
 using Results = std::vector<wire::RunResult>;

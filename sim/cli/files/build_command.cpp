@@ -8,9 +8,9 @@
 #include "sim/base/file.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/launch.h"
-#include "sim/tui/progress.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -127,7 +127,7 @@ Built build_sketch(const BuildArguments& arguments, Boards boards) {
   const auto describe = [&](const std::string& name) { return describer.describe_robot(name); };
   launch::Carrier carrier = boards == Boards::own ? on_its_board(choice, describe)
                                                   : fit_to_target(choice, arguments.target, describe);
-  tui::Progress progress(true);
+  terminal::Progress progress(true);
   const launch::Listener listener = listener_of(progress);
   for (const std::string& sentence : remarks_on_project(sketch, arguments.libraries))
     listener.chosen(sentence);

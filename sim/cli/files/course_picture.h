@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "sim/grid/map.h"
-#include "sim/grid/picture.h"
+#include "sim/map/map.h"
+#include "sim/map/picture.h"
 
 namespace robosim::cli {
 
 /// Returns the floor, an arrow at the start, and a legend.
-std::string draw_course(const grid::Map& map, const grid::Start& start, const grid::PictureOptions& options);
+std::string draw_course(const map::Map& map, const map::Start& start, const map::PictureOptions& options);
 
 }  // namespace robosim::cli

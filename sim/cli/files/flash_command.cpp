@@ -14,7 +14,7 @@
 #include "sim/build/process.h"
 #include "sim/cli/files/build_command.h"
 #include "sim/cli/output.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/launch.h"
 #include "sim/launch/names.h"
 

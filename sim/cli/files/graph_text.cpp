@@ -13,9 +13,9 @@ namespace robosim::cli {
 namespace {
 
 using Json = JsonLines::Json;
-using grid::Arm;
-using grid::CellAt;
-using grid::TrueGraph;
+using map::Arm;
+using map::CellAt;
+using map::TrueGraph;
 using Behind = Arm::Behind;
 
 // One end of a line: a slot of a junction, or a station.
@@ -29,14 +29,14 @@ struct End {
 template <typename Visit>
 void for_each_line(const TrueGraph& graph, Visit visit) {
   int id = 0;
-  for (const grid::GraphStation& station : graph.stations) {
+  for (const map::GraphStation& station : graph.stations) {
     ++id;
     if (station.arm.behind == Behind::nothing) continue;
     if (station.arm.behind != Behind::station || station.arm.id > id)
       visit(End{Behind::station, id, 0}, station.arm);
   }
   id = 0;
-  for (const grid::GraphJunction& junction : graph.junctions) {
+  for (const map::GraphJunction& junction : graph.junctions) {
     ++id;
     for (int slot = 0; const Arm& arm : junction.arms) {
       const bool first = arm.id > id || (arm.id == id && arm.slot > slot);
@@ -94,14 +94,14 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string graph_text(const grid::Map& map, const grid::Start& start, const TrueGraph& graph) {
+std::string graph_text(const map::Map& map, const map::Start& start, const TrueGraph& graph) {
   std::size_t moves = 0;
   for_each_line(graph, [&](const End&, const Arm& arm) { moves += static_cast<std::size_t>(arm.length); });
   std::string out =
       fmt::format("{}: from {},{},{} {}, {}, {} of {}, {}\n", map.name, start.cell.x, start.cell.y,
                   letter(start.facing), pluralize(graph.stations.size(), "station"),
-                  pluralize(graph.junctions.size(), "junction"), pluralize(grid::line_count(graph), "line"),
-                  pluralize(moves, "move"), pluralize(grid::cycle_count(graph), "cycle"));
+                  pluralize(graph.junctions.size(), "junction"), pluralize(map::line_count(graph), "line"),
+                  pluralize(moves, "move"), pluralize(map::cycle_count(graph), "cycle"));
   return out + graph_tables(graph);
 }
 
@@ -110,13 +110,13 @@ std::string graph_tables(const TrueGraph& graph) {
   auto end = std::back_inserter(out);
   const auto at = [](CellAt cell) { return fmt::format("{},{}", cell.x, cell.y); };
   if (!graph.stations.empty()) out += "\nstation   at         leads to (junction.slot), in moves\n";
-  for (int id = 0; const grid::GraphStation& station : graph.stations) {
+  for (int id = 0; const map::GraphStation& station : graph.stations) {
     const std::string name = station.name.empty() ? "" : fmt::format("  \"{}\"", station.name);
     fmt::format_to(end, "{:<9} {:<10} {}{}\n", ++id, at(station.cell), arm_text(station.arm), name);
   }
   if (!graph.junctions.empty())
     out += "\njunction  at         slots 0, 1, 2, … lead to (junction.slot), in moves\n";
-  for (int id = 0; const grid::GraphJunction& junction : graph.junctions) {
+  for (int id = 0; const map::GraphJunction& junction : graph.junctions) {
     fmt::format_to(end, "{:<9} {:<10}", ++id, at(junction.cell));
     for (const char* separator = " "; const Arm& arm : junction.arms) {
       fmt::format_to(end, "{}{}", separator, arm_text(arm));
@@ -132,11 +132,11 @@ std::string graph_tables(const TrueGraph& graph) {
 
 void add_graph(JsonLines& lines, const TrueGraph& graph) {
   Json stations = Json::array(), junctions = Json::array(), unreachable = Json::array();
-  for (int id = 0; const grid::GraphStation& station : graph.stations) {
+  for (int id = 0; const map::GraphStation& station : graph.stations) {
     stations.push_back({{"id", ++id}, {"x", station.cell.x}, {"y", station.cell.y}});
     if (!station.name.empty()) stations.back()["name"] = station.name;
   }
-  for (int id = 0; const grid::GraphJunction& junction : graph.junctions) {
+  for (int id = 0; const map::GraphJunction& junction : graph.junctions) {
     Json slots = Json::array();
     for (const Arm& arm : junction.arms) slots.push_back(slot_json(arm));
     junctions.push_back(
@@ -148,7 +148,7 @@ void add_graph(JsonLines& lines, const TrueGraph& graph) {
   lines.add_list("unreachable", unreachable);
 }
 
-std::string graph_json(const grid::Start& start, const TrueGraph& graph) {
+std::string graph_json(const map::Start& start, const TrueGraph& graph) {
   JsonLines lines;
   lines.add("schema", "robosim.graph/1");
   lines.add("start", {start.cell.x, start.cell.y, std::string(1, letter(start.facing))});
@@ -163,7 +163,7 @@ std::string graph_json(const grid::Start& start, const TrueGraph& graph) {
   return lines.text();
 }
 
-std::string graph_dot(const grid::Map& map, const TrueGraph& graph) {
+std::string graph_dot(const map::Map& map, const TrueGraph& graph) {
   std::string out = fmt::format(
       "graph {} {{\n  layout=neato; overlap=true; splines=true\n  node [width=0.4, height=0.4, "
       "margin=0.03]\n",
@@ -176,13 +176,13 @@ std::string graph_dot(const grid::Map& map, const TrueGraph& graph) {
   const auto name_of = [](Behind kind, int id) {
     return fmt::format("{}{}", kind == Behind::station ? 's' : 'j', id);
   };
-  for (int id = 0; const grid::GraphStation& station : graph.stations) {
+  for (int id = 0; const map::GraphStation& station : graph.stations) {
     ++id;
     const std::string label =
         station.name.empty() ? std::to_string(id) : fmt::format("{} {}", id, station.name);
     node(name_of(Behind::station, id), station.cell, fmt::format("shape=circle, label={}", quoted(label)));
   }
-  for (int id = 0; const grid::GraphJunction& junction : graph.junctions) {
+  for (int id = 0; const map::GraphJunction& junction : graph.junctions) {
     ++id;
     node(name_of(Behind::junction, id), junction.cell, fmt::format("shape=box, label=\"j{}\"", id));
   }

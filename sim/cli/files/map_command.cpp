@@ -18,13 +18,13 @@
 #include "sim/cli/files/json_lines.h"
 #include "sim/cli/files/map_generate.h"
 #include "sim/cli/output.h"
-#include "sim/grid/clearance.h"
-#include "sim/grid/floor_image.h"
-#include "sim/grid/map.h"
-#include "sim/grid/network.h"
-#include "sim/grid/path_survey.h"
-#include "sim/grid/stripes.h"
-#include "sim/grid/true_graph.h"
+#include "sim/map/clearance.h"
+#include "sim/map/floor_image.h"
+#include "sim/map/map.h"
+#include "sim/map/network.h"
+#include "sim/map/path_survey.h"
+#include "sim/map/stripes.h"
+#include "sim/map/true_graph.h"
 
 namespace robosim::cli {
 namespace {
@@ -33,15 +33,15 @@ constexpr std::size_t kListed = 20;  // maximum number of listed stations or ben
 constexpr double kRoom_m = 0.08;     // next to a path: half the width of a medium stock robot, and a margin
 
 struct Survey {
-  grid::Map map;
-  grid::Start start;
-  grid::Network network;
+  map::Map map;
+  map::Start start;
+  map::Network network;
 };
 
 Survey survey(const std::string& name, const std::string& start) {
-  Survey s{grid::read_map(grid::find_map(name)), {}, {}};
-  s.start = start.empty() ? grid::default_start(s.map) : grid::parse_start(s.map, start);
-  s.network = grid::trace_network(s.map, s.start);
+  Survey s{map::read_map(map::find_map(name)), {}, {}};
+  s.start = start.empty() ? map::default_start(s.map) : map::parse_start(s.map, start);
+  s.network = map::trace_network(s.map, s.start);
   return s;
 }
 
@@ -54,7 +54,7 @@ std::string list(const Items& items, Text text) {
   return line;
 }
 
-std::string at(grid::CellAt cell) { return fmt::format("{},{}", cell.x, cell.y); }
+std::string at(map::CellAt cell) { return fmt::format("{},{}", cell.x, cell.y); }
 
 double mm(double m) { return m * 1e3; }
 
@@ -73,7 +73,7 @@ void check_goal(const Survey& s) {
   if (!goal.starts_with("station:")) return;
   const std::string wanted = goal.substr(goal.find(':') + 1);
   std::vector<std::string> names;
-  for (const grid::Station& station : s.network.stations) {
+  for (const map::Station& station : s.network.stations) {
     if (station.name == wanted || std::to_string(station.id) == wanted) return;
     names.push_back(station.name);
   }
@@ -84,19 +84,19 @@ void check_goal(const Survey& s) {
                                                at(s.start.cell), expected_one_of(wanted, names)));
 }
 
-std::size_t count_line_cells(const grid::Map& map) {
-  return static_cast<std::size_t>(std::count_if(map.cells.begin(), map.cells.end(), grid::is_line));
+std::size_t count_line_cells(const map::Map& map) {
+  return static_cast<std::size_t>(std::count_if(map.cells.begin(), map.cells.end(), map::is_line));
 }
 
-std::string line_cells(const grid::Map& map) { return pluralize(count_line_cells(map), "line cell"); }
+std::string line_cells(const map::Map& map) { return pluralize(count_line_cells(map), "line cell"); }
 
-std::string start_text(const grid::Start& start) {
-  if (!start.on_path) return fmt::format("{},{}", at(start.cell), grid::letter(start.facing));
+std::string start_text(const map::Start& start) {
+  if (!start.on_path) return fmt::format("{},{}", at(start.cell), map::letter(start.facing));
   return fmt::format("path {}, {:.10g} mm along{}", start.on_path->path + 1, mm(start.on_path->along),
                      start.on_path->backwards ? ", backwards" : "");
 }
 
-std::string describe_path(const grid::PathSurvey& path) {
+std::string describe_path(const map::PathSurvey& path) {
   return fmt::format(
       "  path      {:.0f} mm, {}, {}, {}{}\n", mm(path.length_m),
       path.is_closed ? "closed"
@@ -111,12 +111,12 @@ std::string describe_path(const grid::PathSurvey& path) {
 double shown(double m) { return std::round(m * 1e6) / 1e6; }
 
 // Counts the cells to which the legend assigns a surface.
-std::ptrdiff_t surface_cells(const grid::Map& map) {
+std::ptrdiff_t surface_cells(const map::Map& map) {
   return std::count_if(map.surface_of_cell.begin(), map.surface_of_cell.end(),
                        [](std::uint8_t surface) { return surface != 0; });
 }
 
-std::string surfaces_text(const grid::Map& map) {
+std::string surfaces_text(const map::Map& map) {
   const auto cells = static_cast<std::size_t>(surface_cells(map));
   const std::size_t areas = map.course.surfaces.size();
   const std::string by_legend = pluralize(cells, "cell") + " by the legend";
@@ -146,8 +146,8 @@ std::string survey_json(const Survey& s) {
   lines.add("stations", network.stations.size());
   lines.add("junctions", network.junctions.size());
   JsonLines::Json paths = JsonLines::Json::array();
-  for (const grid::Path& path : map.course.paths) {
-    const grid::PathSurvey survey = grid::survey_path(path, map.line_m);
+  for (const map::Path& path : map.course.paths) {
+    const map::PathSurvey survey = map::survey_path(path, map.line_m);
     paths.push_back({{"length_m", shown(survey.length_m)},
                      {"closed", survey.is_closed},
                      {"crossings", survey.crossings},
@@ -169,13 +169,13 @@ std::string survey_json(const Survey& s) {
   return lines.text();
 }
 
-std::string station_text(const grid::Station& station) {
+std::string station_text(const map::Station& station) {
   const std::string id = std::to_string(station.id);
   return (station.name == id ? id : fmt::format("{} \"{}\"", id, station.name)) + " at " + at(station.cell);
 }
 
 // Describes worn and glossy areas, and the number of unusual kinds of line.
-std::string paint_text(const grid::Map& map) {
+std::string paint_text(const map::Map& map) {
   std::vector<std::string> parts;
   if (map.worn > 0.0) parts.push_back(fmt::format("{:.10g} % worn", 100.0 * map.worn));
   if (map.gloss > 0.0) parts.push_back(fmt::format("gloss {:.10g} %", 100.0 * map.gloss));
@@ -184,7 +184,7 @@ std::string paint_text(const grid::Map& map) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string room_text(const grid::Narrowest& narrow) {
+std::string room_text(const map::Narrowest& narrow) {
   const std::string where = fmt::format("path {} at {}", narrow.path + 1, at(narrow.cell));
   const char* const wall = narrow.is_edge ? "the map's edge" : "a wall";
   if (narrow.clearance_m <= 0.0)
@@ -197,7 +197,7 @@ void describe(const Survey& s, std::ostream& out) {
   const auto& [map, start, network] = s;
   const std::string corners =
       map.corner_m > 0.0 ? fmt::format("bends of {:.10g} mm", mm(map.corner_m)) : "square bends";
-  const auto narrow = grid::narrowest(map, kRoom_m);
+  const auto narrow = map::narrowest(map, kRoom_m);
   out << fmt::format("{}: {}\n", map.file,
                      narrow ? "the map can be read, but see the note at the end" : "the map is fine");
   out << fmt::format("  size      {} x {} cells of {:.10g} mm: {:.10g} x {:.10g} mm\n", map.width, map.height,
@@ -213,7 +213,7 @@ void describe(const Survey& s, std::ostream& out) {
   if (map.image)
     out << fmt::format("  floor     {}, {} x {} pixels of {:.10g} mm\n", map.image->name(),
                        map.image->width(), map.image->height(), mm(map.image->pixel_m()));
-  for (const grid::Path& path : map.course.paths) out << describe_path(grid::survey_path(path, map.line_m));
+  for (const map::Path& path : map.course.paths) out << describe_path(map::survey_path(path, map.line_m));
   if (!map.course.marks.empty()) out << fmt::format("  marks     {}\n", map.course.marks.size());
   if (!map.course.areas.empty()) out << fmt::format("  areas     {}\n", map.course.areas.size());
   if (!map.course.hills.empty()) out << fmt::format("  hills     {}\n", map.course.hills.size());
@@ -231,19 +231,19 @@ void describe(const Survey& s, std::ostream& out) {
   if (!network.unreachable.empty())
     out << fmt::format("  note: {} cannot be reached from the start: {}\n",
                        pluralize(network.unreachable.size(), "station"), list(network.unreachable, at));
-  const std::vector<grid::TightBend> tight = grid::tight_bends(map);
+  const std::vector<map::TightBend> tight = map::tight_bends(map);
   if (!tight.empty())
     out << fmt::format("  note: {} legs too short for a radius of {:.10g} mm: {}\n",
                        tight.size() == 1 ? "1 bend has" : fmt::format("{} bends have", tight.size()),
-                       mm(map.corner_m), list(tight, [](const grid::TightBend& bend) {
+                       mm(map.corner_m), list(tight, [](const map::TightBend& bend) {
                          return fmt::format("{} gets {:.10g} mm", at(bend.cell), mm(bend.radius_m));
                        }));
   if (narrow) out << "  note: " << room_text(*narrow) << '\n';
 }
 
 // Returns the terminal's size, less a line for the prompt; a generous size without a terminal.
-grid::PictureOptions screen() {
-  grid::PictureOptions options;
+map::PictureOptions screen() {
+  map::PictureOptions options;
   winsize size{};
   if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0) {
     options.columns = size.ws_col;
@@ -273,19 +273,19 @@ ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& s
   return status;
 }
 
-ExitStatus show_map(const std::string& map, const std::string& start, const grid::PictureOptions& options,
+ExitStatus show_map(const std::string& map, const std::string& start, const map::PictureOptions& options,
                     std::ostream& out) {
   const Survey s = survey(map, start);
-  out << (s.map.course.empty() ? grid::draw(s.map, s.network, s.start, options)
+  out << (s.map.course.empty() ? map::draw(s.map, s.network, s.start, options)
                                : draw_course(s.map, s.start, options));
   return ExitStatus::ok;
 }
 
 std::string graph_of_map(const MapArguments& arguments) {
-  const grid::Map map = grid::read_map(grid::find_map(arguments.map));
-  const grid::Start start =
-      arguments.start.empty() ? grid::default_start(map) : grid::parse_start(map, arguments.start);
-  const grid::TrueGraph graph = grid::true_graph(map, start);
+  const map::Map map = map::read_map(map::find_map(arguments.map));
+  const map::Start start =
+      arguments.start.empty() ? map::default_start(map) : map::parse_start(map, arguments.start);
+  const map::TrueGraph graph = map::true_graph(map, start);
   if (arguments.json) return graph_json(start, graph);
   return arguments.dot ? graph_dot(map, graph) : graph_text(map, start, graph);
 }

@@ -7,7 +7,7 @@
 
 #include "sim/base/error.h"
 #include "sim/cli/arguments.h"
-#include "sim/grid/picture.h"
+#include "sim/map/picture.h"
 
 namespace robosim::cli {
 
@@ -19,7 +19,7 @@ ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& s
                       std::ostream& errors, bool json = false);
 
 /// Draws one map with its stations numbered from `start` ("" = the map's start). Throws InputError.
-ExitStatus show_map(const std::string& map, const std::string& start, const grid::PictureOptions& options,
+ExitStatus show_map(const std::string& map, const std::string& start, const map::PictureOptions& options,
                     std::ostream& out);
 
 /// Returns the true graph of one map as text, JSON or for Graphviz. Throws InputError.

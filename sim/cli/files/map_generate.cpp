@@ -7,17 +7,17 @@
 #include <system_error>
 
 #include "sim/base/file.h"
-#include "sim/grid/generator.h"
-#include "sim/grid/map_writer.h"
+#include "sim/map/generator.h"
+#include "sim/map/map_writer.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
 
 ExitStatus generate_maps(const GenerateArguments& arguments, std::ostream& out) {
-  const grid::Family family = *grid::family_of(arguments.family);
+  const map::Family family = *map::family_of(arguments.family);
   const fs::path folder = arguments.out;
   const auto path_of = [&](std::uint64_t n) {
-    return folder / (grid::generated_name(family, arguments.stations, arguments.seed + n) + ".map");
+    return folder / (map::generated_name(family, arguments.stations, arguments.seed + n) + ".map");
   };
   std::error_code error;
   for (std::uint64_t n = 0; n < arguments.count; ++n)
@@ -28,8 +28,8 @@ ExitStatus generate_maps(const GenerateArguments& arguments, std::ostream& out) 
   if (!fs::is_directory(folder))
     throw InputError({folder.string()}, "this folder cannot be created; name another with --out");
   for (std::uint64_t n = 0; n < arguments.count; ++n) {
-    const grid::Map map = grid::generate(family, arguments.stations, arguments.seed + n);
-    write_file(path_of(n), grid::write_map(map));
+    const map::Map map = map::generate(family, arguments.stations, arguments.seed + n);
+    write_file(path_of(n), map::write_map(map));
   }
   const std::uint64_t last = arguments.count - 1;
   out << (last == 0 ? fmt::format("wrote {}\n", path_of(0).string())

@@ -10,9 +10,9 @@
 #include "sim/base/file.h"
 #include "sim/cli/files/map_command.h"
 #include "sim/cli/output.h"
-#include "sim/course/import.h"
-#include "sim/grid/floor_image.h"
-#include "sim/grid/map_writer.h"
+#include "sim/map/course/import.h"
+#include "sim/map/floor_image.h"
+#include "sim/map/map_writer.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -47,13 +47,13 @@ ExitStatus import_map(const ImportArguments& arguments, std::ostream& out) {
                                         ? course::import_picture(text, file.string(), name, arguments.pixel_m)
                                         : course::import_course(text, file.string(), name, arguments.walls_m);
   for (const std::string& remark : imported.remarks) complain(fmt::format("robosim: note: {}\n", remark));
-  const std::string written = grid::write_map(imported.map);
+  const std::string written = map::write_map(imported.map);
   // Refuses to write a map that cannot be read again.
   try {
-    grid::parse_map(written, file.string());
+    map::parse_map(written, file.string());
   } catch (const InputError& error) {
     std::size_t segments = 0;
-    for (const grid::Path& path : imported.map.course.paths) segments += path.pieces().size();
+    for (const map::Path& path : imported.map.course.paths) segments += path.pieces().size();
     throw InputError({file.string()},
                      fmt::format("the resulting map, of {} segments and {} KB, cannot be read again: {}",
                                  segments, written.size() / 1000, error.message()));

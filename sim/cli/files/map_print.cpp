@@ -9,8 +9,8 @@
 
 #include "sim/base/file.h"
 #include "sim/base/pluralize.h"
-#include "sim/grid/map.h"
-#include "sim/print/print.h"
+#include "sim/map/map.h"
+#include "sim/map/print/print.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -24,7 +24,7 @@ ExitStatus print_map(const PrintArguments& arguments, std::ostream& out) {
   if (fs::exists(fs::symlink_status(arguments.out, error)))
     throw InputError({arguments.out},
                      "exists already; nothing was written; remove it, or name another --out");
-  const grid::Map map = grid::read_map(grid::find_map(arguments.map));
+  const map::Map map = map::read_map(map::find_map(arguments.map));
   const print::Printed printed = print::print_map(map, options);
   write_file(arguments.out, printed.pdf);
   const print::Sheets& sheets = printed.sheets;

@@ -3,7 +3,7 @@
 #include "sim/base/error.h"
 #include "sim/base/units.h"
 #include "sim/cli/options.h"
-#include "sim/print/sheets.h"
+#include "sim/map/print/sheets.h"
 
 namespace robosim::cli {
 

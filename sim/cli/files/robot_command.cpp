@@ -9,7 +9,7 @@
 #include "sim/base/parse_unsigned.h"
 #include "sim/base/robot_name.h"
 #include "sim/cli/output.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/fit_robot.h"
 #include "sim/launch/names.h"
 

@@ -15,9 +15,9 @@
 #include "sim/cli/hunt/stimuli.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/run/chip_coverage.h"
-#include "sim/grid/map.h"
-#include "sim/grid/network.h"
 #include "sim/launch/trust.h"
+#include "sim/map/map.h"
+#include "sim/map/network.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -29,21 +29,21 @@ constexpr const char* kGuesses[] = {"oval", "a"};
 constexpr std::size_t kMostWords = 60;
 
 /// Returns the number of independent cycles of the line, but at most 3.
-int cycles_of(const grid::Map& map) {
+int cycles_of(const map::Map& map) {
   int nodes = 0, links = 0;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
-    if (!grid::is_line(map.cells[i])) continue;
+    if (!map::is_line(map.cells[i])) continue;
     ++nodes;
-    const unsigned around = grid::line_neighbours(map, map.cell_at(i));
-    links += static_cast<int>(grid::has(around, grid::Direction::east)) +
-             static_cast<int>(grid::has(around, grid::Direction::south));
+    const unsigned around = map::line_neighbours(map, map.cell_at(i));
+    links += static_cast<int>(map::has(around, map::Direction::east)) +
+             static_cast<int>(map::has(around, map::Direction::south));
   }
   return std::clamp(links - nodes + 1, 0, 3);
 }
 
 }  // namespace
 
-CampaignRunner::CampaignRunner(const HuntArguments& arguments, tui::Progress& progress)
+CampaignRunner::CampaignRunner(const HuntArguments& arguments, terminal::Progress& progress)
     : work_(build::Cache(build::cache_folder())),
       pool_(arguments.jobs),
       script_(scenario_text(arguments.each)) {
@@ -58,7 +58,7 @@ CampaignRunner::CampaignRunner(const HuntArguments& arguments, tui::Progress& pr
   space_.assertions = text_assertions_in(prepared_.front().sketch.folder / "checks.toml");
 }
 
-void CampaignRunner::prepare(const HuntArguments& arguments, tui::Progress& progress) {
+void CampaignRunner::prepare(const HuntArguments& arguments, terminal::Progress& progress) {
   client::Runner describer("host");
   version_ = describer.hello().version;
   const launch::Describe describe = [&](const std::string& name) { return describer.describe_robot(name); };
@@ -113,7 +113,8 @@ void CampaignRunner::look_at_robot(const HuntArguments&, client::Runner& describ
   board_ = name.board;
   space_.robot = launch::is_path(name.robot) ? fs::absolute(name.robot).string() : name.robot;
   robot_ = prepared_.front().robot_info;
-  space_.figures = worlds::figures_of(describer.describe_robot(name.robot, true).text, robot_.file, 1.0);
+  space_.figures =
+      random_worlds::figures_of(describer.describe_robot(name.robot, true).text, robot_.file, 1.0);
   for (const auto& sensor : robot_.sensors) space_.parts.sensors.push_back(sensor.name);
   for (const auto& part : robot_.parts) {
     if (part.type == "motor") space_.parts.motors.push_back(part.name);
@@ -133,7 +134,7 @@ void CampaignRunner::look_at_maps(const HuntArguments& arguments) {
   space_.draws_maps = !arguments.only_maps && arguments.each.request.start.empty();
   for (const std::string& name : names) {
     const launch::Choice choice = launch::choose_map(name, first.sketch.folder);
-    const grid::Map map = grid::read_map(choice.path);
+    const map::Map map = map::read_map(choice.path);
     HuntSpace::Map& known = space_.maps.emplace_back();
     known.name = name;
     known.goal = goal;
@@ -144,7 +145,7 @@ void CampaignRunner::look_at_maps(const HuntArguments& arguments) {
     const bool plain =
         map.course.paths.empty() && !map.image && map.lights.empty() && !map.light_line && !map.raster;
     if (!plain) continue;
-    const bool laps = grid::trace_network(map, grid::default_start(map)).has_laps();
+    const bool laps = map::trace_network(map, map::default_start(map)).has_laps();
     const std::string& by_map = goal.empty() ? map.goal : goal;
     known.tracks = laps && (by_map.empty() || by_map.starts_with("laps"));
     known.networks = !laps && (by_map.empty() || by_map == "tour") && known.corner_mm == 0.0;
@@ -182,7 +183,7 @@ void CampaignRunner::look_at_sketch() {
 std::string CampaignRunner::fingerprint() const {
   std::string all = version_ + "\n" + options_ + script_ + robot_.sha256;
   for (const launch::Prepared& run : prepared_) all += "\n" + run.target + sha256_of_file(run.request.image);
-  for (const std::string& map : map_files_) all += "\n" + grid::sha256_of_map(map);
+  for (const std::string& map : map_files_) all += "\n" + map::sha256_of_map(map);
   for (const TextAssertion& assertion : space_.assertions)
     all += fmt::format("\n{} {}", static_cast<int>(assertion.when), assertion.text());
   return sha256(all);

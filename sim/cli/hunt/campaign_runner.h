@@ -8,16 +8,16 @@
 #include "sim/build/cache.h"
 #include "sim/cli/arguments.h"
 #include "sim/cli/hunt/test_case.h"
-#include "sim/client/pool.h"
+#include "sim/launch/client/pool.h"
 #include "sim/launch/launch.h"
-#include "sim/tui/progress.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 
 class CampaignRunner {
  public:
   /// Compiles the sketch. Throws InputError, ToolMissing and wire::RunnerError.
-  CampaignRunner(const HuntArguments& arguments, tui::Progress& progress);
+  CampaignRunner(const HuntArguments& arguments, terminal::Progress& progress);
 
   HuntSpace& space() { return space_; }
   const HuntSpace& space() const { return space_; }
@@ -60,7 +60,7 @@ class CampaignRunner {
   std::vector<Task> tasks_of(const std::vector<TestCase>& test_cases) const;
   wire::RunRequest request_of_all(const std::vector<TestCase>& test_cases, const Task& task,
                                   const std::string& folder) const;
-  void prepare(const HuntArguments& arguments, tui::Progress& progress);
+  void prepare(const HuntArguments& arguments, terminal::Progress& progress);
   void look_at_maps(const HuntArguments& arguments);
   void look_at_robot(const HuntArguments& arguments, client::Runner& describer);
   void look_at_sketch();

@@ -8,7 +8,7 @@
 #include <map>
 #include <sstream>
 
-#include "sim/analysis/line_text.h"
+#include "sim/campaign/analysis/line_text.h"
 
 namespace robosim::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
 #include "sim/cli/launching.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/record/recorder.h"
 
 namespace robosim::cli {

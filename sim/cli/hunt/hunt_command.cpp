@@ -11,7 +11,7 @@
 #include "sim/base/shell_word.h"
 #include "sim/cli/hunt/hunt.h"
 #include "sim/cli/output.h"
-#include "sim/client/interrupts.h"
+#include "sim/launch/client/interrupts.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -110,7 +110,7 @@ std::vector<std::string> missing_of(const std::vector<HuntPart>& parts) {
 }  // namespace
 
 int hunt_command(const HuntArguments& arguments) {
-  tui::Progress progress(true);
+  terminal::Progress progress(true);
   CampaignRunner campaign(arguments, progress);
   const client::Interrupts interrupts(campaign.pool());
   const std::vector<HuntPart> parts = read_parts(arguments.merge, campaign.fingerprint());

@@ -8,7 +8,7 @@
 #include <regex>
 #include <sstream>
 
-#include "sim/tui/report.h"
+#include "sim/view/terminal/report.h"
 
 namespace robosim::cli {
 namespace {

@@ -10,7 +10,7 @@
 namespace robosim::cli {
 namespace {
 
-using worlds::RandomSource;
+using random_worlds::RandomSource;
 
 constexpr int kMostStimuli = 4;
 constexpr int kLeastTalk = 4, kMoreTalk = 12, kAgain = 10;  // numbers of messages
@@ -88,8 +88,8 @@ Stimulus draw_stimulus(const TestCase& test_case, const HuntSpace& space, const 
       stimulus = holding(space, rng);
       break;
     case 'o':
-      if (const std::vector<grid::CellAt> cells = cells_with_line(test_case, space); !cells.empty()) {
-        const grid::CellAt cell = pick(rng, cells);
+      if (const std::vector<map::CellAt> cells = cells_with_line(test_case, space); !cells.empty()) {
+        const map::CellAt cell = pick(rng, cells);
         stimulus = {0,
                     fmt::format("obstacle {},{} for {}s", cell.x, cell.y, pick<int>(rng, {2, 4, 8, 15, 40})),
                     kObstacle};
@@ -182,9 +182,9 @@ void draw_talk(TestCase& test_case, const HuntSpace& space, const RandomSource& 
 }
 
 void block(TestCase& test_case, const HuntSpace& space, const RandomSource& rng) {
-  const std::vector<grid::CellAt> cells = cells_with_line(test_case, space);
+  const std::vector<map::CellAt> cells = cells_with_line(test_case, space);
   if (cells.empty()) return;
-  const grid::CellAt cell = pick(rng, cells);
+  const map::CellAt cell = pick(rng, cells);
   test_case.stimuli.push_back({200, fmt::format("obstacle {},{} for 60s", cell.x, cell.y), kObstacle});
   in_order(test_case.stimuli);
 }

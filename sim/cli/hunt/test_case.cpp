@@ -7,14 +7,14 @@
 #include <functional>
 
 #include "sim/base/noise.h"
+#include "sim/campaign/random_worlds/random_source.h"
 #include "sim/cli/hunt/stimuli.h"
-#include "sim/worlds/random_source.h"
 
 namespace robosim::cli {
 namespace {
 
-using worlds::Fault;
-using worlds::RandomSource;
+using random_worlds::Fault;
+using random_worlds::RandomSource;
 
 constexpr int kMostSquares = 4, kMostPieces = 10, kUsualPieces = 5, kFewPieces = 3, kMostFaults = 2;
 constexpr int kMostSeeds = 1000;
@@ -31,8 +31,8 @@ int apart(const HuntSpace::Map& map) {
   return std::max(4, static_cast<int>(std::ceil(2.0 * map.corner_mm / map.cell_mm)));
 }
 
-worlds::LineNetwork network_like(const HuntSpace::Map& map, int pieces, const RandomSource& rng) {
-  return worlds::grow({pieces, 3, 4, map.cycles, 0}, rng);
+random_worlds::LineNetwork network_like(const HuntSpace::Map& map, int pieces, const RandomSource& rng) {
+  return random_worlds::grow({pieces, 3, 4, map.cycles, 0}, rng);
 }
 
 void draw_map(TestCase& test_case, const HuntSpace& space, const RandomSource& rng,
@@ -42,7 +42,7 @@ void draw_map(TestCase& test_case, const HuntSpace& space, const RandomSource& r
   test_case.map = static_cast<std::size_t>(rng(static_cast<int>(space.maps.size())));
   const HuntSpace::Map& like = space.maps[test_case.map];
   if (!space.draws_maps || chance(rng, 40)) return;
-  if (like.tracks) test_case.track = worlds::lay_out({1 + rng(kMostSquares), apart(like), 0}, rng);
+  if (like.tracks) test_case.track = random_worlds::lay_out({1 + rng(kMostSquares), apart(like), 0}, rng);
   if (like.networks) test_case.network = network_like(like, 1 + rng(most_pieces), rng);
 }
 
@@ -106,9 +106,9 @@ TestCase fresh(const HuntSpace& space, const RandomSource& rng) {
   if (!space.opening.empty() && chance(rng, 15)) test_case.later_ms = 1'000 + rng(kLongBefore_ms);
   test_case.stimuli = opening_of(test_case, space);
   draw_map(test_case, space, rng);
-  if (chance(rng, 50)) test_case.robot = worlds::assemble(space.figures, rng);
+  if (chance(rng, 50)) test_case.robot = random_worlds::assemble(space.figures, rng);
   test_case.seed = 1 + static_cast<std::uint64_t>(rng(kMostSeeds));
-  if (chance(rng, 35)) test_case.faults = worlds::draw_up(space.limits, kMostFaults, space.parts, rng);
+  if (chance(rng, 35)) test_case.faults = random_worlds::draw_up(space.limits, kMostFaults, space.parts, rng);
   if (hears(space) && chance(rng, 30)) {
     draw_map(test_case, space, rng, kFewPieces);
     draw_talk(test_case, space, rng);
@@ -126,9 +126,9 @@ TestCase fresh(const HuntSpace& space, const RandomSource& rng) {
 
 /// Drops obstacles that are not on a line of the test case's map.
 void drop_obstacles(TestCase& test_case, const HuntSpace& space) {
-  const std::vector<grid::CellAt> line = cells_with_line(test_case, space);
+  const std::vector<map::CellAt> line = cells_with_line(test_case, space);
   std::erase_if(test_case.stimuli, [&](const Stimulus& stimulus) {
-    return stimulus.kind == kObstacle && std::none_of(line.begin(), line.end(), [&](grid::CellAt cell) {
+    return stimulus.kind == kObstacle && std::none_of(line.begin(), line.end(), [&](map::CellAt cell) {
              return stimulus.what.starts_with(fmt::format("obstacle {},{} ", cell.x, cell.y));
            });
   });
@@ -147,10 +147,10 @@ TestCase like(const Noted& noted, const HuntSpace& space, const RandomSource& rn
       drop_obstacles(test_case, space);
       break;
     case 1:
-      test_case.robot = worlds::assemble(space.figures, rng);
+      test_case.robot = random_worlds::assemble(space.figures, rng);
       break;
     case 2:
-      test_case.faults = worlds::draw_up(space.limits, kMostFaults, space.parts, rng);
+      test_case.faults = random_worlds::draw_up(space.limits, kMostFaults, space.parts, rng);
       break;
     case 3:
       draw_clock(test_case, space, rng);
@@ -289,16 +289,16 @@ std::vector<TestCase> smaller(const TestCase& test_case, const HuntSpace& space)
   for (std::size_t i = 0; i < test_case.stimuli.size(); ++i)
     with([&](TestCase& w) { w.stimuli.erase(w.stimuli.begin() + static_cast<std::ptrdiff_t>(i)); });
   if (test_case.faults.faults.size() > 1 || !test_case.faults.faults.empty())
-    for (const worlds::FaultPlan& plan : test_case.faults.smaller())
+    for (const random_worlds::FaultPlan& plan : test_case.faults.smaller())
       with([&](TestCase& w) { w.faults = plan; });
   if (test_case.track)
-    for (const worlds::Track& track : test_case.track->smaller())
+    for (const random_worlds::Track& track : test_case.track->smaller())
       with([&](TestCase& w) { w.track = track, drop_obstacles(w, space); });
   if (test_case.network)
-    for (const worlds::LineNetwork& network : test_case.network->smaller())
+    for (const random_worlds::LineNetwork& network : test_case.network->smaller())
       with([&](TestCase& w) { w.network = network, drop_obstacles(w, space); });
   if (!test_case.robot.levels.empty())
-    for (const worlds::RobotVariant& robot : test_case.robot.smaller())
+    for (const random_worlds::RobotVariant& robot : test_case.robot.smaller())
       with([&](TestCase& w) { w.robot = robot; });
   for (std::size_t i = 0; i < test_case.stimuli.size(); ++i)
     if (const int rounded = test_case.stimuli[i].at_ms / 1000 * 1000;
@@ -313,7 +313,7 @@ std::set<std::string> needs_of(const TestCase& test_case, const HuntSpace& space
   if (!test_case.drawn() && test_case.map != 0) needs.insert("the map " + space.maps[test_case.map].name);
   for (std::size_t i = 0; i < test_case.robot.levels.size(); ++i)
     if (test_case.robot.levels[i] != 0) {
-      const worlds::Figure& figure = space.figures[i];
+      const random_worlds::Figure& figure = space.figures[i];
       needs.insert(fmt::format("another {} of {}", figure.key.substr(0, figure.key.find(' ')), figure.table));
     }
   if (test_case.seed != 1) needs.insert("another seed");
@@ -345,18 +345,18 @@ std::string robot_text(const TestCase& test_case, const HuntSpace& space) {
   return test_case.robot.file(space.robot, space.figures);
 }
 
-std::vector<grid::CellAt> cells_with_line(const grid::Map& map) {
-  const grid::CellAt start = grid::default_start(map).cell;
-  std::vector<grid::CellAt> cells;
+std::vector<map::CellAt> cells_with_line(const map::Map& map) {
+  const map::CellAt start = map::default_start(map).cell;
+  std::vector<map::CellAt> cells;
   for (std::size_t i = 0; i < map.cells.size(); ++i)
-    if (const grid::CellAt cell = map.cell_at(i); grid::is_line(map.cells[i]) && !(cell == start))
+    if (const map::CellAt cell = map.cell_at(i); map::is_line(map.cells[i]) && !(cell == start))
       cells.push_back(cell);
   return cells;
 }
 
-std::vector<grid::CellAt> cells_with_line(const TestCase& test_case, const HuntSpace& space) {
+std::vector<map::CellAt> cells_with_line(const TestCase& test_case, const HuntSpace& space) {
   if (!test_case.drawn()) return space.maps[test_case.map].line;
-  return cells_with_line(grid::parse_map(map_text(test_case, space), "world.map"));
+  return cells_with_line(map::parse_map(map_text(test_case, space), "world.map"));
 }
 
 std::string script_text(const TestCase& test_case, const HuntSpace& space) {
@@ -366,10 +366,10 @@ std::string script_text(const TestCase& test_case, const HuntSpace& space) {
 }
 
 double line_length_m(const TestCase& test_case, const HuntSpace& space) {
-  const worlds::LineNetwork network =
-      test_case.track ? test_case.track->outline() : test_case.network.value_or(worlds::LineNetwork{});
+  const random_worlds::LineNetwork network =
+      test_case.track ? test_case.track->outline() : test_case.network.value_or(random_worlds::LineNetwork{});
   int cells = 0;
-  for (const worlds::Piece& piece : network.pieces)
+  for (const random_worlds::Piece& piece : network.pieces)
     cells += piece.down ? network.row_of(piece.end().y) - network.row_of(piece.at.y)
                         : network.column_of(piece.end().x) - network.column_of(piece.at.x);
   return cells * space.maps[test_case.map].cell_mm / 1000.0;

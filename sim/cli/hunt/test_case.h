@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "sim/campaign/random_worlds/fault_plan.h"
+#include "sim/campaign/random_worlds/line_network.h"
+#include "sim/campaign/random_worlds/robot_variant.h"
+#include "sim/campaign/random_worlds/track.h"
 #include "sim/cli/check/text_assertions.h"
-#include "sim/grid/map.h"
-#include "sim/worlds/fault_plan.h"
-#include "sim/worlds/line_network.h"
-#include "sim/worlds/robot_variant.h"
-#include "sim/worlds/track.h"
+#include "sim/map/map.h"
 
 namespace robosim::cli {
 
@@ -52,11 +52,11 @@ struct TestCase {
   Differential differential = Differential::none;
   std::size_t build = 0;  ///< index in HuntSpace::builds
   std::size_t map = 0;    ///< index in HuntSpace::maps, unless a map is drawn
-  std::optional<worlds::Track> track;
-  std::optional<worlds::LineNetwork> network;
-  worlds::RobotVariant robot;  ///< if it has no levels, the unchanged robot of the file
+  std::optional<random_worlds::Track> track;
+  std::optional<random_worlds::LineNetwork> network;
+  random_worlds::RobotVariant robot;  ///< if it has no levels, the unchanged robot of the file
   std::uint64_t seed = 1;
-  worlds::FaultPlan faults;
+  random_worlds::FaultPlan faults;
   std::vector<Stimulus> stimuli;
   int later_ms = 0;  ///< delay of its opening relative to the baseline: the robot waits first
   std::int64_t clock_ms = 0;
@@ -85,17 +85,17 @@ struct HuntSpace {
     bool tracks = false, networks = false;  ///< the kind of random maps that resemble this map
     int cycles = 0;                         ///< approximate number of cycles of its network
     double cell_mm = 100.0, corner_mm = 0.0;
-    std::vector<grid::CellAt> line = {};  ///< cells with line, except the start
-    bool tours = true;                    ///< the sketch also reaches its goal on similar maps
+    std::vector<map::CellAt> line = {};  ///< cells with line, except the start
+    bool tours = true;                   ///< the sketch also reaches its goal on similar maps
   };
   std::vector<Build> builds;
   std::optional<std::size_t> host_counterpart;  ///< the last build, with which chips are compared
   std::vector<Map> maps;
   bool draws_maps = true;
   std::string robot;  ///< the base of the variants: a name or a path
-  std::vector<worlds::Figure> figures;
-  worlds::Breakable parts;
-  worlds::FaultLimits limits;
+  std::vector<random_worlds::Figure> figures;
+  random_worlds::Breakable parts;
+  random_worlds::FaultLimits limits;
   std::vector<std::string> buttons;  ///< buttons and keys
   std::vector<std::pair<std::string, std::string>>
       listeners;                   ///< parts that receive messages, and their types
@@ -150,8 +150,8 @@ std::vector<TestCase> smaller(const TestCase& test_case, const HuntSpace& space)
 std::set<std::string> needs_of(const TestCase& test_case, const HuntSpace& space);
 
 /// Returns the cells of the test case's map that have line, except the start.
-std::vector<grid::CellAt> cells_with_line(const TestCase& test_case, const HuntSpace& space);
-std::vector<grid::CellAt> cells_with_line(const grid::Map& map);
+std::vector<map::CellAt> cells_with_line(const TestCase& test_case, const HuntSpace& space);
+std::vector<map::CellAt> cells_with_line(const map::Map& map);
 
 /// Return the contents of files. The map is empty if none is drawn; the robot is empty if it is unchanged.
 std::string map_text(const TestCase& test_case, const HuntSpace& space);

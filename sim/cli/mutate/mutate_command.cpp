@@ -7,15 +7,15 @@
 #include <filesystem>
 
 #include "sim/build/parse_context.h"
+#include "sim/campaign/mutate/draw.h"
+#include "sim/campaign/mutate/operators.h"
 #include "sim/cli/check/checks_file.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/mutate/mutate_report.h"
 #include "sim/cli/output.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/launch.h"
-#include "sim/mutate/draw.h"
-#include "sim/mutate/operators.h"
-#include "sim/tui/progress.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t kControls = 6;
 
-build::ParseContext read(const launch::Launch& launch, tui::Progress& progress) {
+build::ParseContext read(const launch::Launch& launch, terminal::Progress& progress) {
   launch::Chosen chosen = choose(launch);
   client::Runner runner(chosen.target);
   launch::Launcher launcher(listener_of(progress, {false, false}));
@@ -37,7 +37,7 @@ build::ParseContext read(const launch::Launch& launch, tui::Progress& progress) 
 }
 
 /// Parses the sketch's source as the first check builds it.
-build::ParseContext read(const std::string& sketch, const Check& check, tui::Progress& progress) {
+build::ParseContext read(const std::string& sketch, const Check& check, terminal::Progress& progress) {
   launch::Launch launch = launch_of(check.sweep.each);
   launch.sketch = sketch;
   if (!check.sweep.maps.empty()) launch.map = check.sweep.maps.front();
@@ -48,7 +48,7 @@ build::ParseContext read(const std::string& sketch, const Check& check, tui::Pro
 }
 
 /// Parses the sketch's source as built by default, or for an AVR if it only compiles there.
-build::ParseContext read(const std::string& sketch, tui::Progress& progress) {
+build::ParseContext read(const std::string& sketch, terminal::Progress& progress) {
   launch::Launch launch;
   launch.sketch = sketch;
   launch.target = "host";
@@ -95,7 +95,7 @@ int mutate_command(const MutateArguments& arguments) {
     throw InputError(
         {file}, "no such file: robosim mutate requires checks to try, or programs of tests with --tests");
 
-  tui::Progress progress(true);
+  terminal::Progress progress(true);
   progress.say("reading the sketch");
   const mutate::Tree tree =
       mutate::parse(by_tests ? read(arguments.sketch, progress)

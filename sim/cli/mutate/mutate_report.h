@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/campaign/mutate/mutation.h"
 #include "sim/cli/mutate/trial.h"
-#include "sim/mutate/mutation.h"
 
 namespace robosim::cli {
 

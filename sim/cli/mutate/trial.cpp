@@ -7,11 +7,11 @@
 
 #include "sim/base/file.h"
 #include "sim/build/sketch.h"
+#include "sim/campaign/mutate/test_report.h"
 #include "sim/cli/check/check_session.h"
-#include "sim/client/interrupts.h"
-#include "sim/client/pool.h"
-#include "sim/mutate/test_report.h"
-#include "sim/tui/progress.h"
+#include "sim/launch/client/interrupts.h"
+#include "sim/launch/client/pool.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -24,7 +24,7 @@ Trial::Ending ending_of(const CheckResult& failed) {
 }
 
 Trial make_checks(const std::string& sketch, const std::string& file, std::size_t jobs) {
-  tui::Progress silent(false);
+  terminal::Progress silent(false);
   SweepPlanner planner(silent, {false, false});
   CheckSession session(planner);
   session.add(sketch, file);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "sim/build/cache.h"
+#include "sim/campaign/mutate/mutation.h"
 #include "sim/cli/check/check_result.h"
-#include "sim/mutate/mutation.h"
 
 namespace robosim::cli {
 

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/fleet.h"
 #include "sim/launch/launch.h"
 #include "sim/record/floor_shapes.h"
 #include "sim/record/recording.h"
-#include "sim/tui/progress.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 
@@ -40,7 +40,7 @@ class Rerun {
                                  const std::string& trace_hash);
   client::Runner& runner(const std::string& target);
 
-  tui::Progress progress_;
+  terminal::Progress progress_;
   launch::Launcher launcher_;
   std::map<std::string, client::Runner> runners_;  ///< by target
 };

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "sim/analysis/success_rate.h"
 #include "sim/base/markup.h"
+#include "sim/campaign/analysis/success_rate.h"
 #include "sim/cli/report/page_parts.h"
 #include "sim/cli/report/report_page.h"
 #include "sim/launch/names.h"

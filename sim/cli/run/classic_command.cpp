@@ -6,15 +6,15 @@
 
 #include "sim/base/error.h"
 #include "sim/build/algorithm.h"
-#include "sim/cells/custom.h"
-#include "sim/cells/survey.h"
-#include "sim/cells/walk.h"
 #include "sim/cli/files/graph_text.h"
 #include "sim/cli/output.h"
 #include "sim/cli/run/classic_text.h"
 #include "sim/cli/run/supervise.h"
-#include "sim/grid/map.h"
 #include "sim/launch/names.h"
+#include "sim/map/cells/custom.h"
+#include "sim/map/cells/survey.h"
+#include "sim/map/cells/walk.h"
+#include "sim/map/map.h"
 
 namespace robosim::cli {
 namespace {
@@ -23,7 +23,7 @@ using cells::Ending;
 
 // Returns a limit for a robot that gets lost because of noise. The limit is far above the moves of a scan:
 // two for each line cell, and a few at the ends of lines.
-std::uint64_t enough_moves(const grid::Map& map) { return 100 * map.cells.size() + 100'000; }
+std::uint64_t enough_moves(const map::Map& map) { return 100 * map.cells.size() + 100'000; }
 
 // Records moves if they must be printed, and forwards them.
 class Tape final : public cells::MoveWatcher {
@@ -46,9 +46,9 @@ ExitStatus status_of(Ending ending) {
 }
 
 // Returns the station for a number or a name.
-int station_of(const grid::TrueGraph& graph, const std::string& wanted) {
+int station_of(const map::TrueGraph& graph, const std::string& wanted) {
   std::vector<std::string> known;
-  for (int id = 0; const grid::GraphStation& station : graph.stations) {
+  for (int id = 0; const map::GraphStation& station : graph.stations) {
     known.push_back(std::to_string(++id));
     if (wanted == known.back() || (!station.name.empty() && wanted == station.name)) return id;
     if (!station.name.empty()) known.back() += " (" + station.name + ")";
@@ -63,7 +63,7 @@ int station_of(const grid::TrueGraph& graph, const std::string& wanted) {
   throw InputError(fmt::format("--to: unknown or unreachable station “{}”; {}", wanted, there));
 }
 
-std::vector<cells::Route> drive(cells::Survey& survey, const grid::TrueGraph& graph,
+std::vector<cells::Route> drive(cells::Survey& survey, const map::TrueGraph& graph,
                                 const ClassicArguments& arguments) {
   const std::string planner = arguments.planner.empty() ? survey.default_planner() : arguments.planner;
   std::vector<cells::Route> routes;
@@ -87,7 +87,7 @@ std::vector<cells::Route> drive(cells::Survey& survey, const grid::TrueGraph& gr
 
 /// Runs the algorithm and prints the report. `library`: the user's own algorithm, if any. `progressed`
 /// receives the robot's moves.
-int run_on(const grid::Map& map, const grid::Start& start, const ClassicArguments& arguments,
+int run_on(const map::Map& map, const map::Start& start, const ClassicArguments& arguments,
            const std::filesystem::path& library, cells::MoveWatcher* progressed) {
   const cells::CellFloor floor(map);
   cells::CellRobot robot(floor, {start.cell, start.facing}, arguments.speed);
@@ -118,11 +118,11 @@ int run_on(const grid::Map& map, const grid::Start& start, const ClassicArgument
 }  // namespace
 
 int classic_command(const ClassicArguments& arguments) {
-  const grid::Map map = grid::read_map(grid::find_map(arguments.map));
-  const grid::Start start =
-      arguments.start.empty() ? grid::default_start(map) : grid::parse_start(map, arguments.start);
-  grid::require_cells(map, start, "classic");
-  if (map.at(start.cell) == grid::Cell::obstacle)
+  const map::Map map = map::read_map(map::find_map(arguments.map));
+  const map::Start start =
+      arguments.start.empty() ? map::default_start(map) : map::parse_start(map, arguments.start);
+  map::require_cells(map, start, "classic");
+  if (map.at(start.cell) == map::Cell::obstacle)
     throw InputError(
         fmt::format("{}: there is an obstacle on the start, {},{}", map.file, start.cell.x, start.cell.y));
   if (!launch::is_path(arguments.algorithm)) return run_on(map, start, arguments, {}, nullptr);

@@ -59,7 +59,7 @@ const char* ending_of(const cells::Walk& walk) {
 
 Json walk_json(const cells::Walk& walk) {
   Json ends = Json::array();
-  for (const grid::CellAt cell : walk.dead_ends) ends.push_back({cell.x, cell.y});
+  for (const map::CellAt cell : walk.dead_ends) ends.push_back({cell.x, cell.y});
   return {{"time", number(walk.time)},
           {"moves", walk.moves},
           {"end", pose_json(walk.end)},
@@ -140,7 +140,7 @@ std::string classic_text(const ClassicReport& r) {
     fmt::format_to(end, "{}: {} in {} s{}; the robot is at {}\n", from, pluralize(r.walk->moves, "move"),
                    r.walk->time, ending_of(*r.walk), pose_text(r.walk->end));
     fmt::format_to(end, "ends of lines visited:");
-    for (const grid::CellAt cell : r.walk->dead_ends) fmt::format_to(end, " {},{}", cell.x, cell.y);
+    for (const map::CellAt cell : r.walk->dead_ends) fmt::format_to(end, " {},{}", cell.x, cell.y);
     out += r.walk->dead_ends.empty() ? " none\n" : "\n";
   }
   if (!r.routes.empty()) out += "\nfrom  to    time      junctions / turns\n";

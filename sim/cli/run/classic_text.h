@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/cells/survey.h"
-#include "sim/cells/walk.h"
 #include "sim/cli/arguments.h"
+#include "sim/map/cells/survey.h"
+#include "sim/map/cells/walk.h"
 
 namespace robosim::cli {
 
@@ -19,8 +19,8 @@ struct TapedMove {
 };
 
 struct ClassicReport {
-  const grid::Map& map;
-  grid::Start start;
+  const map::Map& map;
+  map::Start start;
   const ClassicArguments& arguments;
   std::optional<cells::Scan> scan;
   std::optional<cells::Walk> walk;

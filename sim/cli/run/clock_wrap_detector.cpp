@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "sim/cli/run/chip_coverage.h"
-#include "sim/client/interrupts.h"
+#include "sim/launch/client/interrupts.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;

@@ -23,7 +23,7 @@
 
 #include <vector>
 
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/wire/messages.h"
 
 namespace robosim::cli {

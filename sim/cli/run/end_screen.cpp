@@ -8,7 +8,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/profile.h"
-#include "sim/tui/terminal.h"
+#include "sim/view/terminal/terminal.h"
 
 namespace robosim::cli {
 namespace {
@@ -20,9 +20,9 @@ constexpr std::uintmax_t kLargestPicturedMap_bytes = 4'000'000;
 }  // namespace
 
 ScreenSize screen_size() {
-  const auto size = tui::terminal_size(STDOUT_FILENO);
+  const auto size = terminal::terminal_size(STDOUT_FILENO);
   return {std::min(size ? size->columns - 1 : kWidest_columns, kWidest_columns),
-          tui::look_from_environment(size.has_value())};
+          terminal::look_from_environment(size.has_value())};
 }
 
 void check_view(const RunArguments& arguments) {
@@ -32,15 +32,15 @@ void check_view(const RunArguments& arguments) {
   }
 }
 
-grid::Map map_of(const wire::RunRequest& request) {
-  return grid::read_map(request.map, {request.seed, profile_of(request.profile)});
+map::Map map_of(const wire::RunRequest& request) {
+  return map::read_map(request.map, {request.seed, profile_of(request.profile)});
 }
 
-std::unique_ptr<grid::Map> map_to_draw(const wire::RunRequest& request) {
+std::unique_ptr<map::Map> map_to_draw(const wire::RunRequest& request) {
   std::error_code error;
   const auto bytes = std::filesystem::file_size(request.map, error);
   if (error || bytes > kLargestPicturedMap_bytes) return nullptr;
-  return std::make_unique<grid::Map>(map_of(request));
+  return std::make_unique<map::Map>(map_of(request));
 }
 
 }  // namespace robosim::cli

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "sim/cli/arguments.h"
-#include "sim/grid/map.h"
-#include "sim/tui/frame.h"
+#include "sim/map/map.h"
+#include "sim/view/terminal/frame.h"
 #include "sim/wire/run_request.h"
 
 namespace robosim::cli {
@@ -13,7 +13,7 @@ namespace robosim::cli {
 /// The standard output's usable width, and its display options.
 struct ScreenSize {
   int columns;
-  tui::Look look;
+  terminal::Look look;
 };
 ScreenSize screen_size();
 
@@ -21,8 +21,8 @@ ScreenSize screen_size();
 void check_view(const RunArguments& arguments);
 
 /// Returns the map of a run, with the values that its seed and profile draw.
-grid::Map map_of(const wire::RunRequest& request);
+map::Map map_of(const wire::RunRequest& request);
 /// Returns the map for pictures; null if it is too large to draw.
-std::unique_ptr<grid::Map> map_to_draw(const wire::RunRequest& request);
+std::unique_ptr<map::Map> map_to_draw(const wire::RunRequest& request);
 
 }  // namespace robosim::cli

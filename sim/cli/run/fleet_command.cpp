@@ -17,13 +17,13 @@
 #include "sim/cli/run/recorders.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/sanitizer_rerun.h"
-#include "sim/client/interrupts.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/interrupts.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/fleet.h"
 #include "sim/record/recorder.h"
-#include "sim/tui/fleet_report.h"
-#include "sim/tui/live_view.h"
-#include "sim/tui/progress.h"
+#include "sim/view/terminal/fleet_report.h"
+#include "sim/view/terminal/live_view.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 namespace {
@@ -43,13 +43,15 @@ wire::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, 
                       const RunArguments& arguments, const wire::OnEvent& on_event) {
   runner.keep_close();
   const launch::Prepared& first = run.members.front();
-  const grid::Map floor = map_of(run.request);
+  const map::Map floor = map_of(run.request);
   std::vector<std::string> names;
   for (const launch::Member& member : fleet.members) names.push_back(member.name);
-  tui::LiveScene scene(fmt::format("{} robots on {}; below: {}", names.size(), first.map.name, names.front()),
-                       floor, first.robot_info, names);
-  tui::LiveView live(scene, {arguments.speed, tui::look_from_environment(true),
-                             [] { return client::Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
+  terminal::LiveScene scene(
+      fmt::format("{} robots on {}; below: {}", names.size(), first.map.name, names.front()), floor,
+      first.robot_info, names);
+  terminal::LiveView live(scene,
+                          {arguments.speed, terminal::look_from_environment(true),
+                           [] { return client::Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
   const wire::RunResult result = runner.run(run.request, [&](const wire::Event& event) {
     on_event(event);
     live.on_event(event);
@@ -66,12 +68,12 @@ int fleet_command(const RunArguments& arguments) {
   launch::Fleet fleet = arguments.fleet;
   launch::ChosenFleet chosen = choose(fleet);
   check_view(arguments);
-  tui::Progress progress(!arguments.view && !arguments.live);
+  terminal::Progress progress(!arguments.view && !arguments.live);
   wire::RunRequest common = arguments.request;
   common.script.clear();
   const bool draws = !arguments.json && !arguments.live;
-  common.samples_every_ns = draws || progress.active() ? tui::trail_every_ns(common.for_ns) : 0;
-  if (arguments.view) common.samples_every_ns = tui::kViewEvery_ns;
+  common.samples_every_ns = draws || progress.active() ? terminal::trail_every_ns(common.for_ns) : 0;
+  if (arguments.view) common.samples_every_ns = terminal::kViewEvery_ns;
   common.serial = arguments.view || arguments.live;
   if (arguments.live) common.columns_every_ns = record::kRecordEvery_ns;
   common.notes = true;
@@ -84,7 +86,7 @@ int fleet_command(const RunArguments& arguments) {
       launcher, fleet, std::move(chosen), common,
       [&](const std::string& name) { return runner.describe_robot(name); }, runner.hello());
 
-  tui::FleetReport report;
+  terminal::FleetReport report;
   report.map = run.members.front().map.name;
   for (std::size_t i = 0; i < run.members.size(); ++i) {
     const launch::Prepared& member = run.members[i];
@@ -140,7 +142,7 @@ int fleet_command(const RunArguments& arguments) {
     for (std::size_t i = 0; i < results.size(); ++i) report.rows[i].result = results[i];
     const ScreenSize screen = screen_size();
     const auto drawn = map_to_draw(run.request);
-    print_coloured(tui::fleet_screen(report, drawn.get(), screen.columns, screen.look));
+    print_coloured(terminal::fleet_screen(report, drawn.get(), screen.columns, screen.look));
     if (!unwritten) print(written_text(arguments));
   }
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)

@@ -13,10 +13,10 @@
 #include "sim/base/error.h"
 #include "sim/base/wall_clock.h"
 #include "sim/cli/output.h"
-#include "sim/client/driven_run.h"
-#include "sim/client/interrupts.h"
+#include "sim/launch/client/driven_run.h"
+#include "sim/launch/client/interrupts.h"
 #include "sim/record/recording.h"
-#include "sim/tui/pacer.h"
+#include "sim/view/terminal/pacer.h"
 #include "sim/wire/json_writer.h"
 #include "sim/wire/protocol.h"
 
@@ -179,7 +179,7 @@ class Live {
   std::string begun_;          // reports until all robots have started; the recording precedes them
   std::string told_;
   Requests requests_;
-  tui::Pacer pacer_ = paused();
+  terminal::Pacer pacer_ = paused();
   double next_ns_ = 0.0;            // the time of the next pause
   std::int64_t leg_ns_ = kTick_ns;  // at maximum speed: the duration of about a frame
   client::DrivenRun run_;           // last, so that its listeners are constructed before it
@@ -189,8 +189,8 @@ class Live {
     gatherer.begin(run);
     return gatherer;
   }
-  static tui::Pacer paused() {
-    tui::Pacer pacer(1.0);
+  static terminal::Pacer paused() {
+    terminal::Pacer pacer(1.0);
     pacer.set_paused(true);
     return pacer;
   }

@@ -5,7 +5,7 @@
 // ends at the end of the standard input.
 #pragma once
 
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/record/recorder.h"
 
 namespace robosim::cli {

@@ -11,11 +11,11 @@
 #include <system_error>
 
 #include "sim/base/error.h"
-#include "sim/grid/network.h"
 #include "sim/launch/names.h"
-#include "sim/play/play_cells.h"
-#include "sim/play/play_robot.h"
-#include "sim/play/session.h"
+#include "sim/map/network.h"
+#include "sim/view/play/play_cells.h"
+#include "sim/view/play/play_robot.h"
+#include "sim/view/play/session.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -56,8 +56,8 @@ std::string describe(const fs::path& file, const std::string& where) {
   if (bytes > kLargestListed_bytes)
     return fmt::format("{:.1f} MB{}", static_cast<double>(bytes) * 1e-6, where);
   try {
-    const grid::Map map = grid::read_map(file);
-    const grid::Network network = grid::trace_network(map, grid::default_start(map));
+    const map::Map map = map::read_map(file);
+    const map::Network network = map::trace_network(map, map::default_start(map));
     return fmt::format("{:>3} x {:<3} {:>3} stations {:>3} junctions{}", map.width, map.height,
                        network.stations.size(), network.junctions.size(), where);
   } catch (const InputError& problem) {
@@ -83,18 +83,18 @@ class Host final : public play::SessionHost {
       entries.push_back({name, describe(launch::stock_map_folder() / (name + ".map"), "")});
     return entries;
   }
-  grid::Map open_map(const std::string& name) override {
-    const auto quoted_path = launch::is_path(name) ? fs::path(name) : grid::find_map(name);
-    grid::Map map = grid::read_map(quoted_path);
-    grid::require_cells(map, grid::default_start(map), "play");  // also throws if there is no line
+  map::Map open_map(const std::string& name) override {
+    const auto quoted_path = launch::is_path(name) ? fs::path(name) : map::find_map(name);
+    map::Map map = map::read_map(quoted_path);
+    map::require_cells(map, map::default_start(map), "play");  // also throws if there is no line
     return map;
   }
-  std::unique_ptr<play::CellDriver> cells(const grid::Map& map, const grid::Start& start,
+  std::unique_ptr<play::CellDriver> cells(const map::Map& map, const map::Start& start,
                                           double seconds_per_move) override {
     return play::drive_cells(map, start, seconds_per_move);
   }
-  std::string drive_robot(const grid::Map& map, const grid::Start& start, play::Algorithm algorithm,
-                          tui::Console& console, const play::AskPerson& ask) override {
+  std::string drive_robot(const map::Map& map, const map::Start& start, play::Algorithm algorithm,
+                          terminal::Console& console, const play::AskPerson& ask) override {
     return play_robot(map, start, algorithm, console, ask);
   }
 };
@@ -111,14 +111,14 @@ int play_command(const PlayArguments& arguments) {
   Host host;
   const play::Session::Options options{arguments.map, arguments.start};
   if (!can_address_cursor()) {
-    tui::LineConsole console(STDIN_FILENO, STDOUT_FILENO, tui::look_from_environment(false));
+    terminal::LineConsole console(STDIN_FILENO, STDOUT_FILENO, terminal::look_from_environment(false));
     play::Session(host, console, options).run();
     return static_cast<int>(ExitStatus::ok);
   }
   bool complete = true;
   {
     const NotedSignals signals;
-    tui::ScreenConsole console(tui::look_from_environment(true), [] { return the_signal != 0; });
+    terminal::ScreenConsole console(terminal::look_from_environment(true), [] { return the_signal != 0; });
     complete = play::Session(host, console, options).run();
   }
   if (the_signal == SIGTERM || the_signal == SIGHUP) ::raise(the_signal);

@@ -14,15 +14,15 @@
 #include "sim/base/file_lock.h"
 #include "sim/cli/output.h"
 #include "sim/cli/run/recorders.h"
-#include "sim/client/interrupts.h"
+#include "sim/launch/client/interrupts.h"
 #include "sim/launch/fleet.h"
 #include "sim/record/record_page.h"
 #include "sim/record/record_trace.h"
 #include "sim/record/recording.h"
 #include "sim/record/track.h"
-#include "sim/tui/fleet_report.h"
-#include "sim/tui/live_view.h"
-#include "sim/tui/report.h"
+#include "sim/view/terminal/fleet_report.h"
+#include "sim/view/terminal/live_view.h"
+#include "sim/view/terminal/report.h"
 
 namespace robosim::cli {
 namespace {
@@ -52,16 +52,16 @@ wire::RunResult whole_result(const record::RecordingHeader& header) {
   return launch::whole_of(result, request);
 }
 
-void watch(const record::Recording& recording, const grid::Map& map, double speed) {
+void watch(const record::Recording& recording, const map::Map& map, double speed) {
   const record::RecordingHeader& header = recording.header();
   const std::vector<std::string> names = names_of(header);
   const std::string title =
       names.empty() ? fmt::format("{} · {} on {}", header.sketch, header.robot, header.map)
                     : fmt::format("{} robots on {}; below: {}", names.size(), header.map, names.front());
-  tui::LiveScene scene(title, map, header.robot_info, names);
+  terminal::LiveScene scene(title, map, header.robot_info, names);
   bool left = false;
-  tui::LiveView view(scene,
-                     {speed, tui::look_from_environment(true), [&] { return left; }, [&] { left = true; }});
+  terminal::LiveView view(
+      scene, {speed, terminal::look_from_environment(true), [&] { return left; }, [&] { left = true; }});
   try {
     recording.play([&](const wire::Event& event) {
       view.on_event(event);
@@ -125,10 +125,10 @@ std::string apart_text(const record::Recording& one, const std::vector<record::T
   return text;
 }
 
-std::string end_screen(const record::Recording& recording, const grid::Map* map, std::int64_t every_us,
-                       int columns, tui::Look look) {
+std::string end_screen(const record::Recording& recording, const map::Map* map, std::int64_t every_us,
+                       int columns, terminal::Look look) {
   const record::RecordingHeader& header = recording.header();
-  tui::Report report;
+  terminal::Report report;
   report.sketch = header.sketch;
   report.map = header.map;
   report.robot = header.robot;
@@ -145,20 +145,20 @@ std::string end_screen(const record::Recording& recording, const grid::Map* map,
   report.chip_target = board ? board->chip->target : header.target;
   report.board = header.robot_info.board.name;
   report.chip_ram_bytes = board ? board->ram_bytes : 0;
-  return tui::end_screen(report, map, columns, look);
+  return terminal::end_screen(report, map, columns, look);
 }
 
-std::string fleet_screen(const record::Recording& recording, const grid::Map* map, std::int64_t every_us,
-                         int columns, tui::Look look) {
+std::string fleet_screen(const record::Recording& recording, const map::Map* map, std::int64_t every_us,
+                         int columns, terminal::Look look) {
   const record::RecordingHeader& header = recording.header();
-  tui::FleetReport report;
+  terminal::FleetReport report;
   report.map = header.map;
   report.started = header.started;
   for (std::size_t i = 0; i < header.robot_count(); ++i) {
     const record::RobotRecord& robot = header.of(i);
     report.rows.push_back({robot.name, robot.sketch, robot.robot, robot.target, robot.result, {}});
   }
-  const auto trail = [&](int agent) -> tui::Trail& {
+  const auto trail = [&](int agent) -> terminal::Trail& {
     return report.rows.at(static_cast<std::size_t>(agent)).trail;
   };
   recording.play([&](const wire::Event& event) {
@@ -166,7 +166,7 @@ std::string fleet_screen(const record::Recording& recording, const grid::Map* ma
     if (sample && sample->t_us % every_us == 0) trail(sample->agent).add(*sample);
     if (const auto* note = std::get_if<wire::Note>(&event)) trail(note->agent).add(*note);
   });
-  return tui::fleet_screen(report, map, columns, look);
+  return terminal::fleet_screen(report, map, columns, look);
 }
 
 }  // namespace
@@ -182,20 +182,20 @@ int replay_command(const ReplayArguments& arguments) {
   }
   write(recording, arguments, apart ? &over : nullptr);
   const record::RecordingHeader& header = recording.header();
-  std::optional<grid::Map> map;
+  std::optional<map::Map> map;
   const bool has_picture = header.floor && header.floor->picture;
   if (!header.map_text.empty())
-    map = grid::parse_map(header.map_text, header.map,
-                          has_picture ? from_base64(header.floor->picture->png) : "",
-                          {header.result.seed, profile_of(header.result.profile)});
+    map = map::parse_map(header.map_text, header.map,
+                         has_picture ? from_base64(header.floor->picture->png) : "",
+                         {header.result.seed, profile_of(header.result.profile)});
   const bool on_terminal = ::isatty(STDOUT_FILENO) != 0;
   if (on_terminal && map) watch(recording, *map, arguments.speed);
 
-  const auto size = tui::terminal_size(STDOUT_FILENO);
+  const auto size = terminal::terminal_size(STDOUT_FILENO);
   const int columns = std::min(size ? size->columns - 1 : kWidestEnd_columns, kWidestEnd_columns);
-  const tui::Look look = tui::look_from_environment(size.has_value());
+  const terminal::Look look = terminal::look_from_environment(size.has_value());
   const std::int64_t every_us =
-      tui::trail_every_ns(static_cast<std::int64_t>(header.result.for_s * 1e9)) / 1000;
+      terminal::trail_every_ns(static_cast<std::int64_t>(header.result.for_s * 1e9)) / 1000;
   print_coloured(header.others.empty()
                      ? end_screen(recording, map ? &*map : nullptr, every_us, columns, look)
                      : fleet_screen(recording, map ? &*map : nullptr, every_us, columns, look));

@@ -26,14 +26,14 @@
 #include "sim/cli/run/recorders.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/sanitizer_rerun.h"
-#include "sim/client/interrupts.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/interrupts.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/launch.h"
 #include "sim/launch/names.h"
 #include "sim/record/recorder.h"
-#include "sim/tui/live_view.h"
-#include "sim/tui/progress.h"
-#include "sim/tui/report.h"
+#include "sim/view/terminal/live_view.h"
+#include "sim/view/terminal/progress.h"
+#include "sim/view/terminal/report.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -44,9 +44,9 @@ double wall_now_s() { return 1e-6 * static_cast<double>(wall_us()); }
 
 /// Returns the sample period, as a multiple of 1 ms; 0 = no samples.
 std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
-  if (arguments.view) return tui::kViewEvery_ns;
+  if (arguments.view) return terminal::kViewEvery_ns;
   if (arguments.live || (arguments.json && !progress)) return 0;
-  return tui::trail_every_ns(arguments.request.for_ns);
+  return terminal::trail_every_ns(arguments.request.for_ns);
 }
 
 /// Returns the RAM that neither variables nor the deepest stack used.
@@ -57,8 +57,8 @@ std::optional<std::int64_t> free_bytes(const wire::RunResult& result, const Boar
 }
 
 /// Returns how far the firmware's stated limits could be raised.
-std::vector<tui::Room> rooms(const build::Image& image, std::optional<std::int64_t> free) {
-  std::vector<tui::Room> rooms;
+std::vector<terminal::Room> rooms(const build::Image& image, std::optional<std::int64_t> free) {
+  std::vector<terminal::Room> rooms;
   if (!free) return rooms;
   for (const build::Limit& limit : build::stated_limits(image)) {
     if (limit.bytes_each == 0) continue;
@@ -71,10 +71,10 @@ std::vector<tui::Room> rooms(const build::Image& image, std::optional<std::int64
 /// All listeners of a run's events.
 class Listeners {
  public:
-  Listeners(record::Recorders& recorders, std::int64_t for_ns, tui::Progress& progress)
+  Listeners(record::Recorders& recorders, std::int64_t for_ns, terminal::Progress& progress)
       : recorders_(recorders), progress_(progress), for_s_(static_cast<double>(for_ns) * 1e-9) {}
 
-  void watch(tui::LiveView* view) { view_ = view; }
+  void watch(terminal::LiveView* view) { view_ = view; }
   void print_serial() { print_serial_ = true; }
   void finish_serial() { serial_.finish(); }
   void name_debugger(std::string command) { debugger_ = std::move(command); }
@@ -94,7 +94,7 @@ class Listeners {
   }
 
   const wire::Started& started() const { return started_; }
-  const tui::Trail& trail() const { return trail_; }
+  const terminal::Trail& trail() const { return trail_; }
 
  private:
   void add(const wire::Sample& sample) {
@@ -105,13 +105,13 @@ class Listeners {
   }
 
   record::Recorders& recorders_;
-  tui::Progress& progress_;
-  tui::LiveView* view_ = nullptr;
+  terminal::Progress& progress_;
+  terminal::LiveView* view_ = nullptr;
   bool print_serial_ = false;
   SerialPrinter serial_;
   std::string debugger_;  ///< the command that attaches a debugger
   wire::Started started_;
-  tui::Trail trail_;
+  terminal::Trail trail_;
   std::deque<wire::Note> notes_;  ///< notes not yet passed to the trail
   double for_s_;
 };
@@ -126,12 +126,13 @@ wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run,
   if (!arguments.view) return runner.run(run.request, on_event);
 
   runner.keep_close();
-  const grid::Map floor = map_of(run.request);
+  const map::Map floor = map_of(run.request);
   const std::string title =
       fmt::format("{} · {} on {}", launch::title_of(run.sketch), run.robot.name, run.map.name);
-  tui::LiveScene scene(title, floor, run.robot_info);
-  tui::LiveView live(scene, {arguments.speed, tui::look_from_environment(true),
-                             [] { return client::Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
+  terminal::LiveScene scene(title, floor, run.robot_info);
+  terminal::LiveView live(scene,
+                          {arguments.speed, terminal::look_from_environment(true),
+                           [] { return client::Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
   listeners.watch(&live);
   const wire::RunResult result = runner.run(run.request, on_event);
   live.finish(result);
@@ -156,7 +157,7 @@ int run_command(const RunArguments& arguments) {
     launch.count_lines = true;
     launch.request.counters = counters->path().string();
   }
-  tui::Progress progress(!arguments.view && !arguments.live && !arguments.serial);
+  terminal::Progress progress(!arguments.view && !arguments.live && !arguments.serial);
   launch.request.samples_every_ns = samples_every_ns(arguments, progress.active());
   launch.request.serial = arguments.view || arguments.serial;
   launch.request.notes = true;
@@ -220,10 +221,10 @@ int run_command(const RunArguments& arguments) {
     const auto free = free_bytes(result, board);
     listeners.finish_serial();
     (arguments.serial ? complain_coloured : print_coloured)(
-        tui::end_screen({sketch, run.map.name, run.robot.name, run.target, listeners.started(), result,
-                         listeners.trail(), wall_s, free, rooms(run.image, free), board.chip->target,
-                         !run.robot_info.sensors.empty(), board.name, board.ram_bytes},
-                        drawn.get(), screen.columns, screen.look));
+        terminal::end_screen({sketch, run.map.name, run.robot.name, run.target, listeners.started(), result,
+                              listeners.trail(), wall_s, free, rooms(run.image, free), board.chip->target,
+                              !run.robot_info.sensors.empty(), board.name, board.ram_bytes},
+                             drawn.get(), screen.columns, screen.look));
     if (!unwritten) (arguments.serial ? complain : print)(written_text(arguments));
   }
   if (counters) {

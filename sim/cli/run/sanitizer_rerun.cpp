@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "sim/cli/run/clock_wrap_detector.h"
-#include "sim/client/interrupts.h"
+#include "sim/launch/client/interrupts.h"
 
 namespace robosim::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "sim/build/sketch.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 
 namespace robosim::cli {
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "sim/cells/cell_robot.h"
+#include "sim/map/cells/cell_robot.h"
 
 namespace robosim::cli {
 

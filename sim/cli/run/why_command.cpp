@@ -6,8 +6,8 @@
 #include "sim/cli/output.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/source_text.h"
-#include "sim/client/interrupts.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/interrupts.h"
+#include "sim/launch/client/runner.h"
 
 namespace robosim::cli {
 
@@ -36,7 +36,7 @@ int why_command(const WhyArguments& arguments) {
   launch::Chosen chosen = choose(launch);
   launch.request.why = true;
   client::Runner runner(chosen.target);
-  tui::Progress progress(!arguments.run.json);
+  terminal::Progress progress(!arguments.run.json);
   launch::Launcher launcher(listener_of(progress));
   const launch::Prepared run = launcher.prepare(
       launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); },

@@ -9,10 +9,10 @@
 #include <system_error>
 #include <thread>
 
-#include "sim/analysis/success_rate.h"
 #include "sim/base/error.h"
 #include "sim/base/units.h"
 #include "sim/build/sketch.h"
+#include "sim/campaign/analysis/success_rate.h"
 #include "sim/cli/run_options.h"
 
 namespace robosim::cli {

@@ -7,16 +7,16 @@
 #include <optional>
 #include <utility>
 
-#include "sim/analysis/success_rate.h"
 #include "sim/base/error.h"
+#include "sim/campaign/analysis/success_rate.h"
 #include "sim/cli/output.h"
 #include "sim/cli/sweep/sweep_plan.h"
 #include "sim/cli/sweep/sweep_report.h"
 #include "sim/cli/sweep/sweep_table.h"
-#include "sim/client/interrupts.h"
-#include "sim/client/pool.h"
+#include "sim/launch/client/interrupts.h"
+#include "sim/launch/client/pool.h"
 #include "sim/launch/fleet.h"
-#include "sim/tui/progress.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 namespace {
@@ -51,7 +51,7 @@ void check_unchanged(const Combination& c, const wire::RunResult& result) {
 
 class Sweep {
  public:
-  Sweep(const SweepArguments& arguments, const SweepPlan& plan, tui::Progress& progress)
+  Sweep(const SweepArguments& arguments, const SweepPlan& plan, terminal::Progress& progress)
       : arguments_(arguments),
         plan_(plan),
         progress_(progress),
@@ -125,7 +125,7 @@ class Sweep {
 
   const SweepArguments& arguments_;
   const SweepPlan& plan_;
-  tui::Progress& progress_;
+  terminal::Progress& progress_;
   std::vector<SweepOutcome> outcomes_;
   std::optional<SweepTable> table_;
   std::vector<analysis::Tally> counters_;  ///< have a demand only if runs may be skipped
@@ -138,7 +138,7 @@ class Sweep {
 }  // namespace
 
 int sweep_command(const SweepArguments& arguments) {
-  tui::Progress progress(true);
+  terminal::Progress progress(true);
   const SweepPlan plan = SweepPlanner(progress, {}).plan(arguments);
   Sweep sweep(arguments, plan, progress);
   bool complete = false;

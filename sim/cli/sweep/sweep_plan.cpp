@@ -11,9 +11,9 @@
 #include "sim/base/shell_word.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/run/fleet_arguments.h"
-#include "sim/grid/map.h"
 #include "sim/launch/fleet.h"
 #include "sim/launch/trust.h"
+#include "sim/map/map.h"
 
 namespace robosim::cli {
 namespace {
@@ -57,7 +57,7 @@ std::string conditions_of(const wire::RunRequest& r, const std::string& version)
 
 class SweepSupplies {
  public:
-  SweepSupplies(tui::Progress& progress, Says says) : launcher_(listener_of(progress, says)) {}
+  SweepSupplies(terminal::Progress& progress, Says says) : launcher_(listener_of(progress, says)) {}
 
   launch::Prepared prepare(const launch::Launch& launch, launch::Chosen chosen) {
     return launcher_.prepare(launch, std::move(chosen), describe_, describer().hello());
@@ -82,7 +82,7 @@ class SweepSupplies {
   const std::string& hash_of_map(const std::string& path) {
     const auto known = hashes_.find(path);
     if (known != hashes_.end()) return known->second;
-    return hashes_.emplace(path, grid::sha256_of_map(path)).first->second;
+    return hashes_.emplace(path, map::sha256_of_map(path)).first->second;
   }
 
  private:
@@ -229,7 +229,7 @@ client::Task SweepPlan::task_of(std::size_t run) const {
   return task;
 }
 
-SweepPlanner::SweepPlanner(tui::Progress& progress, Says says)
+SweepPlanner::SweepPlanner(terminal::Progress& progress, Says says)
     : supplies_(std::make_unique<SweepSupplies>(progress, says)) {}
 
 SweepPlanner::~SweepPlanner() = default;

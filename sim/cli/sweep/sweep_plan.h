@@ -11,8 +11,8 @@
 #include "sim/cli/arguments.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/run/run_json.h"
-#include "sim/client/pool.h"
-#include "sim/tui/progress.h"
+#include "sim/launch/client/pool.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 
@@ -57,7 +57,7 @@ class SweepSupplies;
 /// reported only once.
 class SweepPlanner {
  public:
-  SweepPlanner(tui::Progress& progress, Says says);
+  SweepPlanner(terminal::Progress& progress, Says says);
   ~SweepPlanner();
 
   /// Makes the plan. Throws InputError, ToolMissing and client::RunnerError.

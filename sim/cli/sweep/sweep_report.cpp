@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "sim/base/terminal_text.h"
-#include "sim/tui/text.h"
+#include "sim/view/terminal/text.h"
 
 namespace robosim::cli {
 namespace {
@@ -45,13 +45,14 @@ using Lines = std::vector<std::vector<std::string>>;
 std::string aligned(const Lines& lines, std::size_t left) {
   std::vector<int> widths(lines[0].size());
   for (const auto& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], tui::width_of(line[i]));
+    for (std::size_t i = 0; i < line.size(); ++i)
+      widths[i] = std::max(widths[i], terminal::width_of(line[i]));
   }
   std::string text;
   for (const auto& line : lines) {
     std::string row;
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const std::string space(static_cast<std::size_t>(widths[i] - tui::width_of(line[i])), ' ');
+      const std::string space(static_cast<std::size_t>(widths[i] - terminal::width_of(line[i])), ' ');
       row += (i == 0 ? "" : "  ") + (i < left ? line[i] + space : space + line[i]);
     }
     text += row + "\n";

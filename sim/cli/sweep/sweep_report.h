@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/analysis/success_rate.h"
+#include "sim/campaign/analysis/success_rate.h"
 #include "sim/cli/arguments.h"
 #include "sim/cli/sweep/sweep_plan.h"
 #include "sim/cli/sweep/sweep_table.h"

@@ -3,7 +3,7 @@
 #include "sim/base/file.h"
 #include "sim/base/robot_name.h"
 #include "sim/build/source.h"
-#include "sim/client/interrupts.h"
+#include "sim/launch/client/interrupts.h"
 
 namespace robosim::cli {
 namespace {

@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <string>
 
+#include "sim/campaign/wiring/draft.h"
 #include "sim/cli/arguments.h"
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 #include "sim/launch/launch.h"
-#include "sim/wiring/draft.h"
 
 namespace robosim::cli {
 

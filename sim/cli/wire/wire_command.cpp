@@ -53,7 +53,7 @@ int wire_command(const WireArguments& arguments) {
   launch.map = arguments.map;
   launch.target = arguments.target.empty() ? "host" : arguments.target;
   launch.libraries = arguments.libraries;
-  tui::Progress progress(true);
+  terminal::Progress progress(true);
   const build::Cache cache(build::cache_folder());
   const build::WorkFolder scratch(cache);
   CandidateTrial try_out(launch, board, scratch.path(),

@@ -1,6 +1,6 @@
-// Runs the flashed ELF file of an AVR board in an emulated chip (sim/avr).
+// Runs the flashed ELF file of an AVR board in an emulated chip (sim/mcu/avr).
 //
-//   ELF ──► WatchedChip ── Chip of sim/avr ──► BoardAdapter ──► FirmwarePort
+//   ELF ──► WatchedChip ── Chip of sim/mcu/avr ──► BoardAdapter ──► FirmwarePort
 //
 // The chip uses the board's clock. A tick ends with a whole instruction, up to 3 cycles late.
 #pragma once

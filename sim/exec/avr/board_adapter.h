@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "sim/avr/chip.h"
-#include "sim/avr/chip_environment.h"
 #include "sim/exec/avr/clock_map.h"
 #include "sim/exec/core/clocked_board.h"
+#include "sim/mcu/avr/chip.h"
+#include "sim/mcu/avr/chip_environment.h"
 
 namespace robosim::exec::avr {
 

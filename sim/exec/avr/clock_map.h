@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hal/board/cycle_time.h"
-#include "sim/avr/cycle.h"
+#include "sim/mcu/avr/cycle.h"
 
 namespace robosim::exec::avr {
 

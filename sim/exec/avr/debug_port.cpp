@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/elf/avr_addresses.h"
+#include "sim/base/elf/avr_addresses.h"
 
 namespace robosim::exec::avr {
 namespace {

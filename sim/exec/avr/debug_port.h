@@ -2,7 +2,7 @@
 // watchpoints.
 //
 //   registers   0-31 r0 to r31, 32 SREG (1 byte), 33 SP (2), 34 PC (4; a byte address)
-//   addresses   flash from 0, data memory from kAvrData, EEPROM from kAvrEeprom (sim/elf/avr_addresses.h)
+//   addresses   flash from 0, data from kAvrData, EEPROM from kAvrEeprom (sim/base/elf/avr_addresses.h)
 //
 // Breakpoints do not slow the emulation, because they are traps in the decoded flash.
 #pragma once

@@ -7,14 +7,14 @@
 #include <span>
 #include <utility>
 
-#include "sim/avr/decode.h"
+#include "sim/base/elf/avr_addresses.h"
+#include "sim/base/elf/avr_device.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/elf/avr_addresses.h"
-#include "sim/elf/avr_device.h"
 #include "sim/exec/avr/registers.h"
 #include "sim/exec/elf/intel_hex.h"
 #include "sim/exec/elf/program.h"
+#include "sim/mcu/avr/decode.h"
 
 namespace robosim::exec::avr {
 namespace {

@@ -6,9 +6,9 @@
 #include <bit>
 #include <optional>
 
-#include "sim/avr/infinite_loop.h"
-#include "sim/elf/avr_addresses.h"
+#include "sim/base/elf/avr_addresses.h"
 #include "sim/exec/avr/registers.h"
+#include "sim/mcu/avr/infinite_loop.h"
 
 namespace robosim::exec::avr {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <utility>
 
-#include "sim/avr/decode.h"
 #include "sim/exec/elf/loop_locator.h"
+#include "sim/mcu/avr/decode.h"
 
 namespace robosim::exec::avr {
 namespace {

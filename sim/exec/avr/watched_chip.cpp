@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/elf/avr_addresses.h"
+#include "sim/base/elf/avr_addresses.h"
 
 namespace robosim::exec::avr {
 namespace {

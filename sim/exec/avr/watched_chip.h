@@ -1,5 +1,5 @@
-// Runs a chip (sim/avr) with a sketch in its flash, and detects faults: wild reads, writes and jumps, stack
-// overflow, and repeated watchdog resets.
+// Runs a chip (sim/mcu/avr) with a sketch in its flash, and detects faults: wild reads, writes and jumps,
+// stack overflow, and repeated watchdog resets.
 //
 // The chip starts at the address to which the boot loader would jump. After a watchdog reset, the chip is in
 // the state that the Uno's boot loader (optiboot) leaves: MCUSR is cleared, and the watchdog is off. Without
@@ -13,13 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "sim/avr/chip.h"
 #include "sim/exec/avr/clock_map.h"
 #include "sim/exec/avr/detect/detector.h"
 #include "sim/exec/avr/detect/race_analysis.h"
 #include "sim/exec/avr/firmware.h"
 #include "sim/exec/elf/line_counts.h"
 #include "sim/exec/elf/loop_timer.h"
+#include "sim/mcu/avr/chip.h"
 
 namespace robosim::exec::avr {
 

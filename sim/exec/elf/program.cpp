@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "sim/base/elf/elf_target.h"
 #include "sim/base/error.h"
-#include "sim/elf/elf_target.h"
 
 namespace robosim::exec {
 

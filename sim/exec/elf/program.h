@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hal/board/board_spec.h"
-#include "sim/elf/elf_file.h"
+#include "sim/base/elf/elf_file.h"
 
 namespace robosim::exec {
 

@@ -11,16 +11,16 @@
 #include "robosim/random_worlds.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/campaign/random_worlds/fault_plan.h"
+#include "sim/campaign/random_worlds/line_network.h"
+#include "sim/campaign/random_worlds/robot_variant.h"
+#include "sim/campaign/random_worlds/track.h"
 #include "sim/testing/request_builder.h"
-#include "sim/worlds/fault_plan.h"
-#include "sim/worlds/line_network.h"
-#include "sim/worlds/robot_variant.h"
-#include "sim/worlds/track.h"
 
 namespace robosim::testing {
 namespace {
 
-using namespace worlds;
+using namespace random_worlds;
 
 /// Returns a generator of objects that can shrink themselves. `draw(rng, size)` draws one object.
 template <typename Thing, typename Draw>

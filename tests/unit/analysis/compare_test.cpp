@@ -1,6 +1,6 @@
 // Tests the comparison of fictitious histories.
 
-#include "sim/analysis/compare.h"
+#include "sim/campaign/analysis/compare.h"
 
 #include <gmock/gmock.h>
 

@@ -1,10 +1,10 @@
 // Tests, on fictitious runs, the comparison of two targets by means of runs with a slightly wrong clock.
 
-#include "sim/analysis/edge.h"
+#include "sim/campaign/analysis/edge.h"
 
 #include <gtest/gtest.h>
 
-#include "sim/analysis/alignment.h"
+#include "sim/campaign/analysis/alignment.h"
 
 namespace robosim::analysis {
 namespace edge_test {

@@ -1,4 +1,4 @@
-#include "sim/analysis/history.h"
+#include "sim/campaign/analysis/history.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "sim/analysis/line_text.h"
+#include "sim/campaign/analysis/line_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/analysis/success_rate.h"
+#include "sim/campaign/analysis/success_rate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Tests the window of counter values that CounterExtrapolation finds. Within this window, a counter changes
 // neither the branches of a computation nor the results that are held.
-#include "sim/avr/counter_extrapolation.h"
+#include "sim/mcu/avr/counter_extrapolation.h"
 
 #include <gtest/gtest.h>
 

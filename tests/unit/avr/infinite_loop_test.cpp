@@ -1,5 +1,5 @@
 // Tests the detection of endless loops, and of the memory that an interrupt handler may change.
-#include "sim/avr/infinite_loop.h"
+#include "sim/mcu/avr/infinite_loop.h"
 
 #include <gtest/gtest.h>
 

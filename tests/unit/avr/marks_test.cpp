@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega328p.h"
-#include "sim/avr/cpu.h"
+#include "sim/mcu/avr/cpu.h"
 
 namespace robosim::avr {
 namespace marks_test {

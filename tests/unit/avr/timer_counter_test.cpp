@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "sim/avr/timer_counter.h"
+#include "sim/mcu/avr/timer_counter.h"
 #include "tests/support/effort.h"
 #include "tests/unit/avr/idle_chip.h"
 

@@ -16,7 +16,7 @@ extern "C" {
 #include <random>
 
 #include "hal/board/atmega328p.h"
-#include "sim/avr/cpu.h"
+#include "sim/mcu/avr/cpu.h"
 #include "tests/support/effort.h"
 
 namespace robosim::avr {

@@ -1,6 +1,6 @@
 // A model of the processor, written only from the AVR Instruction Set Manual, DS40002198B: opcode patterns,
-// Boolean formulas of flags, and cycles of AVRe and AVRe+. It is slow, and shares no code with sim/avr.
-// sim/avr's instructions are compared with it.
+// Boolean formulas of flags, and cycles of AVRe and AVRe+. It is slow, and shares no code with sim/mcu/avr.
+// sim/mcu/avr's instructions are compared with it.
 //
 // All data memory is one array of 64 KB, which includes SREG, SP, RAMPZ and EIND. There are no peripherals
 // and no interrupts.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/avr/cpu.h"
+#include "sim/mcu/avr/cpu.h"
 #include "tests/unit/avr_cpu/manual_model.h"
 
 namespace robosim::avr {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "hal/board/atmega328p.h"
-#include "sim/avr/cpu.h"
+#include "sim/mcu/avr/cpu.h"
 
 namespace robosim::avr {
 namespace time_count_test {

@@ -1,5 +1,5 @@
 // Tests a batch against single robots: the same commands give bit-identical runs.
-#include "sim/batch/robots.h"
+#include "sim/robot/batch/robots.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ robot::Description some_uno5(Chance& chance) {
 
 // A robot::Robot, alone in a world of its own.
 struct Single {
-  Single(const robot::Description& robot_, const grid::Map& map, std::uint64_t seed, Profile profile,
+  Single(const robot::Description& robot_, const map::Map& map, std::uint64_t seed, Profile profile,
          const Pose& start, std::uint32_t number)
       : description(robot_),
         world(map),
@@ -115,7 +115,7 @@ void compare(const std::string& name, unsigned seed, std::size_t robots, Counts&
   const Profile profile = chance.once_in(3)   ? Profile::ideal
                           : chance.once_in(2) ? Profile::typical
                                               : Profile::typical_2;
-  const grid::Map map = grid::read_map(grid::find_map(name));
+  const map::Map map = map::read_map(map::find_map(name));
   world::World world(map);
   world.vary_floor(NoiseStream(7, 0, "floor", "test"), profile == Profile::ideal ? 0.0 : 0.05);
   std::vector<robot::Description> descriptions;
@@ -184,7 +184,7 @@ TEST(Batch, DoesToTheLastBitWhatSingleRobotsDo) {
 }
 
 std::string refused(robot::Description robot, const std::string& map_name = "oval") {
-  const grid::Map map = grid::read_map(grid::find_map(map_name));
+  const map::Map map = map::read_map(map::find_map(map_name));
   const world::World world(map);
   Robots batch(world);
   try {
@@ -212,7 +212,7 @@ TEST(Batch, SaysWhatItCannotHold) {
 }
 
 TEST(Batch, NeedsAPlaneFloor) {
-  const grid::Map map = grid::parse_map(
+  const map::Map map = map::parse_map(
       "+++\n[[surface]]\nat = [\"0 mm\", \"0 mm\"]\nsize = [\"50 mm\", \"50 mm\"]\ngrip = "
       "0.5\n+++\n___\n___\n",
       "hills.map");

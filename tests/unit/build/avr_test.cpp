@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <thread>
 
-#include "sim/elf/elf_file.h"
+#include "sim/base/elf/elf_file.h"
 #include "tests/support/require_target.h"
 #include "tests/unit/build/fixture.h"
 

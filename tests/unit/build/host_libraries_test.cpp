@@ -1,8 +1,8 @@
 // Tests that libraries written for an AVR also work on the target host.
 #include <gmock/gmock.h>
 
+#include "sim/base/elf/elf_file.h"
 #include "sim/build/libraries.h"
-#include "sim/elf/elf_file.h"
 #include "tests/unit/build/run_fixture.h"
 
 namespace robosim::build {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/file.h"
-#include "sim/calibrate/calibrate.h"
+#include "sim/campaign/calibrate/calibrate.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/calibrate/bench_logs.h"
 

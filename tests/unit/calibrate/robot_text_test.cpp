@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/config.h"
-#include "sim/calibrate/robot_text.h"
+#include "sim/campaign/calibrate/robot_text.h"
 
 namespace robosim::calibrate {
 namespace robot_text_test {

@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "sim/calibrate/drive_fit.h"
-#include "sim/calibrate/stopwatch.h"
+#include "sim/campaign/calibrate/drive_fit.h"
+#include "sim/campaign/calibrate/stopwatch.h"
 #include "tests/unit/calibrate/bench_logs.h"
 
 namespace robosim::calibrate {

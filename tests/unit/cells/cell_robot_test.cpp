@@ -1,20 +1,20 @@
-#include "sim/cells/cell_robot.h"
+#include "sim/map/cells/cell_robot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/cells/walk.h"
+#include "sim/map/cells/walk.h"
 
 namespace robosim::cells {
 namespace cell_robot_test {
 
-using grid::Direction;
+using map::Direction;
 using ::testing::ElementsAre;
 
 struct OnFloor {
-  grid::Map map;
+  map::Map map;
   CellFloor floor{map};
-  explicit OnFloor(const char* rows) : map(grid::parse_map(rows, "drawn.map")) {}
+  explicit OnFloor(const char* rows) : map(map::parse_map(rows, "drawn.map")) {}
   Sense sense(int x, int y, Direction d) const { return floor.sense(floor.index_of({x, y}), d); }
 };
 
@@ -131,10 +131,10 @@ TEST(Walk, OnATreeVisitsEveryDeadEndAndComesHome) {
   const Walk l = walk(left, Side::left);
   EXPECT_EQ(l.ending, Walk::Ending::closed);
   EXPECT_THAT(l.dead_ends,
-              ElementsAre(grid::CellAt{0, 2}, grid::CellAt{3, 1}, grid::CellAt{5, 2}, grid::CellAt{1, 3}));
+              ElementsAre(map::CellAt{0, 2}, map::CellAt{3, 1}, map::CellAt{5, 2}, map::CellAt{1, 3}));
   CellRobot right(f.floor, {{0, 2}, Direction::east});
   EXPECT_THAT(walk(right, Side::right).dead_ends,
-              ElementsAre(grid::CellAt{0, 2}, grid::CellAt{1, 3}, grid::CellAt{5, 2}, grid::CellAt{3, 1}));
+              ElementsAre(map::CellAt{0, 2}, map::CellAt{1, 3}, map::CellAt{5, 2}, map::CellAt{3, 1}));
   EXPECT_EQ(l.end, (CellPose{{0, 2}, Direction::east}));
 }
 

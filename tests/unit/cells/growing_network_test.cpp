@@ -1,4 +1,4 @@
-#include "sim/cells/growing_network.h"
+#include "sim/map/cells/growing_network.h"
 
 #include <gtest/gtest.h>
 

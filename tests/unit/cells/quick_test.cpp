@@ -1,5 +1,5 @@
 // Tests that fast walks, which do not call a watcher, equal walks that call a watcher after each move.
-#include "sim/cells/quick.h"
+#include "sim/map/cells/quick.h"
 
 #include <gtest/gtest.h>
 
@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "sim/base/noise.h"
-#include "sim/cells/survey.h"
-#include "sim/cells/walk.h"
-#include "sim/grid/generator.h"
+#include "sim/map/cells/survey.h"
+#include "sim/map/cells/walk.h"
+#include "sim/map/generator.h"
 #include "tests/support/effort.h"
 
 namespace robosim::cells {
 namespace quick_test {
 
-using grid::Cell;
-using grid::CellAt;
-using grid::Direction;
+using map::Cell;
+using map::CellAt;
+using map::Direction;
 
 /// A watcher that does nothing when a walk calls it.
 class Asks final : public MoveWatcher {
@@ -38,8 +38,8 @@ class Dice {
 };
 
 // Returns a map of random cells of all kinds. The line cells seldom form lines.
-grid::Map jumble(Dice& dice) {
-  grid::Map map;
+map::Map jumble(Dice& dice) {
+  map::Map map;
   map.width = 2 + static_cast<int>(dice.below(9));
   map.height = 1 + static_cast<int>(dice.below(9));
   const std::size_t lines = 2 + dice.below(8);
@@ -49,16 +49,16 @@ grid::Map jumble(Dice& dice) {
 }
 
 // Returns a generated map with some changed cells.
-grid::Map damaged(Dice& dice) {
-  constexpr grid::Family kFamilies[] = {grid::Family::tree, grid::Family::cycles, grid::Family::grid};
-  grid::Map map =
-      grid::generate(kFamilies[dice.below(3)], 3 + static_cast<int>(dice.below(30)), dice.below(1000));
+map::Map damaged(Dice& dice) {
+  constexpr map::Family kFamilies[] = {map::Family::tree, map::Family::cycles, map::Family::grid};
+  map::Map map =
+      map::generate(kFamilies[dice.below(3)], 3 + static_cast<int>(dice.below(30)), dice.below(1000));
   for (std::size_t n = dice.below(12); n > 0; --n)
     map.cells[dice.below(map.cells.size())] = static_cast<Cell>(dice.below(5));
   return map;
 }
 
-std::optional<CellPose> somewhere(const grid::Map& map, Dice& dice) {
+std::optional<CellPose> somewhere(const map::Map& map, Dice& dice) {
   std::vector<CellAt> open;
   for (std::size_t i = 0; i < map.cells.size(); ++i)
     if (map.cells[i] == Cell::line || map.cells[i] == Cell::gap) open.push_back(map.cell_at(i));
@@ -80,20 +80,20 @@ std::string text(const Walk& walk) {
 std::string text(const Scan& scan) {
   std::string all = std::to_string(static_cast<int>(scan.ending)) + " " + std::to_string(scan.moves) + " " +
                     text(scan.end) + "\n";
-  const auto add = [&](const grid::Arm& arm) {
+  const auto add = [&](const map::Arm& arm) {
     all += " " + std::to_string(static_cast<int>(arm.out)) + ":" +
            std::to_string(static_cast<int>(arm.behind)) + ":" + std::to_string(arm.id) + ":" +
            std::to_string(arm.slot) + ":" + std::to_string(arm.length) + ":" +
            text({arm.obstacle, Direction::east});
   };
-  for (const grid::GraphStation& station : scan.graph.stations) {
+  for (const map::GraphStation& station : scan.graph.stations) {
     all += text({station.cell, Direction::north});
     add(station.arm);
     all += "\n";
   }
-  for (const grid::GraphJunction& junction : scan.graph.junctions) {
+  for (const map::GraphJunction& junction : scan.graph.junctions) {
     all += text({junction.cell, Direction::south});
-    for (const grid::Arm& arm : junction.arms) add(arm);
+    for (const map::Arm& arm : junction.arms) add(arm);
     all += "\n";
   }
   return all;
@@ -102,7 +102,7 @@ std::string text(const Scan& scan) {
 TEST(Quick, ManyMovesOfAWalkLeadWhereTheyLeadOneByOne) {
   for (std::uint64_t n = 0; n < test::rounds(6000u); ++n) {
     Dice dice(n);
-    const grid::Map map = n % 2 == 0 ? jumble(dice) : damaged(dice);
+    const map::Map map = n % 2 == 0 ? jumble(dice) : damaged(dice);
     const std::optional<CellPose> start = somewhere(map, dice);
     if (!start) continue;
     const CellFloor floor(map);
@@ -129,7 +129,7 @@ TEST(Quick, AWalkEndsAsOneThatIsWatched) {
   int closed = 0;
   for (std::uint64_t n = 0; n < test::rounds(6000u); ++n) {
     Dice dice(n + 100'000);
-    const grid::Map map = n % 2 == 0 ? jumble(dice) : damaged(dice);
+    const map::Map map = n % 2 == 0 ? jumble(dice) : damaged(dice);
     const std::optional<CellPose> start = somewhere(map, dice);
     if (!start) continue;
     const CellFloor floor(map);
@@ -151,7 +151,7 @@ TEST(Quick, AScanAndDrivesEndAsWatchedOnes) {
   int complete = 0, arrived = 0;
   for (std::uint64_t n = 0; n < test::rounds(2000u); ++n) {
     Dice dice(n + 200'000);
-    const grid::Map map = n % 4 == 0 ? jumble(dice) : damaged(dice);
+    const map::Map map = n % 4 == 0 ? jumble(dice) : damaged(dice);
     const std::optional<CellPose> start = somewhere(map, dice);
     if (!start) continue;
     const CellFloor floor(map);
@@ -184,7 +184,7 @@ TEST(Quick, AScanAndDrivesEndAsWatchedOnes) {
 // walker can store.
 TEST(Quick, AScanDeeperThanTheWalkersMemoryEndsAsAWatchedOne) {
   constexpr int kWidth = 1001, kRows = test::rounds(150);
-  grid::Map map;
+  map::Map map;
   map.width = kWidth;
   map.height = 4 * kRows;
   map.cells.assign(static_cast<std::size_t>(map.width) * static_cast<std::size_t>(map.height), Cell::floor);
@@ -205,7 +205,7 @@ TEST(Quick, AScanDeeperThanTheWalkersMemoryEndsAsAWatchedOne) {
   EXPECT_EQ(expected.ending, Ending::complete);
   EXPECT_GT(expected.graph.junctions.size(), test::rounds(70'000u));
   const Scan& scan = fast.scan();
-  EXPECT_EQ(grid::difference(expected.graph, scan.graph), "");
+  EXPECT_EQ(map::difference(expected.graph, scan.graph), "");
   EXPECT_EQ(scan.moves, expected.moves);
   EXPECT_EQ(text(scan.end), text(expected.end));
 }

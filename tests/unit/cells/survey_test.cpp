@@ -1,12 +1,12 @@
-#include "sim/cells/survey.h"
+#include "sim/map/cells/survey.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "sim/cells/planners.h"
-#include "sim/grid/generator.h"
+#include "sim/map/cells/planners.h"
+#include "sim/map/generator.h"
 #include "tests/support/effort.h"
 
 namespace robosim::cells {
@@ -14,26 +14,26 @@ namespace survey_test {
 
 using ::testing::ElementsAre;
 
-grid::Map drawn(const std::string& rows) { return grid::parse_map(rows, "drawn.map"); }
+map::Map drawn(const std::string& rows) { return map::parse_map(rows, "drawn.map"); }
 
 // A survey of a map. `from` is the start, as "X,Y,DIR"; if it is empty, the map's default start is used.
 struct Surveyed {
-  grid::Map map;
-  grid::Start start;
+  map::Map map;
+  map::Start start;
   CellFloor floor;
   CellRobot robot;
   Survey survey;
 
-  explicit Surveyed(grid::Map m, const std::string& from = "")
+  explicit Surveyed(map::Map m, const std::string& from = "")
       : map(std::move(m)),
-        start(from.empty() ? grid::default_start(map) : grid::parse_start(map, from)),
+        start(from.empty() ? map::default_start(map) : map::parse_start(map, from)),
         floor(map),
         robot(floor, {start.cell, start.facing}),
         survey(robot) {
     robot.limit_moves(10'000'000);
   }
-  std::string difference() const { return grid::difference(grid::true_graph(map, start), graph()); }
-  const grid::TrueGraph& graph() const { return scan_.graph; }
+  std::string difference() const { return map::difference(map::true_graph(map, start), graph()); }
+  const map::TrueGraph& graph() const { return scan_.graph; }
   const Scan& scan() { return scan_ = survey.scan(); }
   Scan scan_;
 };
@@ -41,7 +41,7 @@ struct Surveyed {
 TEST(SurveyTest, TheMapsOfThePaperTakeThePapersTimes) {
   const std::vector<std::pair<const char*, double>> times{{"c", 94}, {"d", 141}, {"e", 129}, {"f", 247}};
   for (const auto& [name, time] : times) {
-    Surveyed s(grid::read_map(grid::find_map(name)));
+    Surveyed s(map::read_map(map::find_map(name)));
     EXPECT_EQ(s.scan().time, time) << name;
     EXPECT_EQ(s.difference(), "") << name;
   }
@@ -72,25 +72,25 @@ class EdgeCounter final : public MoveWatcher {
 };
 
 // Returns the map's default start for every third `n`; otherwise any line cell with any heading.
-grid::Start somewhere(const grid::Map& map, std::uint64_t n) {
-  if (n % 3 == 0) return grid::default_start(map);
-  std::vector<grid::CellAt> line;
+map::Start somewhere(const map::Map& map, std::uint64_t n) {
+  if (n % 3 == 0) return map::default_start(map);
+  std::vector<map::CellAt> line;
   for (std::size_t i = 0; i < map.cells.size(); ++i)
-    if (grid::is_line(map.cells[i])) line.push_back(map.cell_at(i));
-  return {line[n * 7919 % line.size()], static_cast<grid::Direction>(n / 3 % 4)};
+    if (map::is_line(map.cells[i])) line.push_back(map.cell_at(i));
+  return {line[n * 7919 % line.size()], static_cast<map::Direction>(n / 3 % 4)};
 }
 
 // Tests 1,000 maps of all families, with cycles, four-way crossings and up to 200 junctions.
-class Generated : public ::testing::TestWithParam<grid::Family> {};
+class Generated : public ::testing::TestWithParam<map::Family> {};
 
 TEST_P(Generated, FloorsAreFoundAsTheyAreAndEdgesUsedTwiceEachWayAtMost) {
   std::size_t most_junctions = 0;
   for (std::uint64_t n = 0; n < test::rounds(334u); ++n) {
-    const int most = GetParam() == grid::Family::tree ? 201 : GetParam() == grid::Family::cycles ? 140 : 80;
+    const int most = GetParam() == map::Family::tree ? 201 : GetParam() == map::Family::cycles ? 140 : 80;
     const int stations = 2 + static_cast<int>(n * n) % most;
-    grid::Map map = grid::generate(GetParam(), stations, n);
-    const grid::Start start = somewhere(map, n);
-    const grid::TrueGraph truth = grid::true_graph(map, start);
+    map::Map map = map::generate(GetParam(), stations, n);
+    const map::Start start = somewhere(map, n);
+    const map::TrueGraph truth = map::true_graph(map, start);
     ASSERT_LE(truth.junctions.size(), 200u);
     most_junctions = std::max(most_junctions, truth.junctions.size());
     const CellFloor floor(map);
@@ -104,7 +104,7 @@ TEST_P(Generated, FloorsAreFoundAsTheyAreAndEdgesUsedTwiceEachWayAtMost) {
     const std::string where = map.name + " from " + std::to_string(start.cell.x) + "," +
                               std::to_string(start.cell.y) + "," + letter(start.facing);
     ASSERT_EQ(scan.ending, Ending::complete) << where;
-    ASSERT_EQ(grid::difference(truth, scan.graph), "") << where;
+    ASSERT_EQ(map::difference(truth, scan.graph), "") << where;
     ASSERT_LE(edges.most(), 2) << where;
     ASSERT_EQ(survey.here(), 1) << where;
     for (int to = 2; to <= survey.stations(); ++to) {
@@ -119,11 +119,11 @@ TEST_P(Generated, FloorsAreFoundAsTheyAreAndEdgesUsedTwiceEachWayAtMost) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Generated,
-                         ::testing::Values(grid::Family::tree, grid::Family::cycles, grid::Family::grid),
-                         [](const auto& family) { return grid::name_of(family.param); });
+                         ::testing::Values(map::Family::tree, map::Family::cycles, map::Family::grid),
+                         [](const auto& family) { return map::name_of(family.param); });
 
 TEST(SurveyTest, AllPlannersOfTreesGiveTheOneWayThereIs) {
-  Surveyed s(grid::generate(grid::Family::tree, 40, 3));
+  Surveyed s(map::generate(map::Family::tree, 40, 3));
   s.scan();
   for (const std::string& planner : planner_names()) {
     for (int to = 2; to <= s.survey.stations(); ++to) {
@@ -136,7 +136,7 @@ TEST(SurveyTest, AllPlannersOfTreesGiveTheOneWayThereIs) {
 }
 
 TEST(SurveyTest, APlannerOfTreesRefusesANetworkWithCycles) {
-  Surveyed s(grid::read_map(grid::find_map("warehouse")));
+  Surveyed s(map::read_map(map::find_map("warehouse")));
   s.scan();
   for (const char* planner : {"climb", "interval", "pruned"}) {
     const Route route = s.survey.drive(2, planner);
@@ -158,11 +158,11 @@ TEST(SurveyTest, AWallOnTheLineBlocksItAndItsFarSideIsReachedAnotherWay) {
   ASSERT_EQ(s.graph().junctions.size(), 2u);
   EXPECT_EQ(s.graph().stations.size(), 2u) << "no station at the wall";
   int blocked = 0;
-  for (const grid::GraphJunction& junction : s.graph().junctions)
-    for (const grid::Arm& arm : junction.arms)
-      if (arm.behind == grid::Arm::Behind::blocked) {
+  for (const map::GraphJunction& junction : s.graph().junctions)
+    for (const map::Arm& arm : junction.arms)
+      if (arm.behind == map::Arm::Behind::blocked) {
         ++blocked;
-        EXPECT_EQ(arm.obstacle, (grid::CellAt{4, 3}));
+        EXPECT_EQ(arm.obstacle, (map::CellAt{4, 3}));
       }
   EXPECT_EQ(blocked, 2) << "seen from both sides";
   EXPECT_EQ(s.survey.drive(2, "dijkstra").ending, Ending::complete);
@@ -171,7 +171,7 @@ TEST(SurveyTest, AWallOnTheLineBlocksItAndItsFarSideIsReachedAnotherWay) {
 TEST(SurveyTest, WhatLiesBehindAnObstacleIsReportedUnreachable) {
   Surveyed s(drawn("0000000\n1111x11\n0000000\n"));
   EXPECT_EQ(s.scan().ending, Ending::complete);
-  EXPECT_THAT(s.graph().unreachable, ElementsAre(grid::CellAt{6, 1}));
+  EXPECT_THAT(s.graph().unreachable, ElementsAre(map::CellAt{6, 1}));
   EXPECT_EQ(s.difference(), "");
 }
 
@@ -209,8 +209,8 @@ TEST(WhereTheOriginalFailed, ASingleCellIsOneStation) {
 }
 
 TEST(WhereTheOriginalFailed, AStartThatFacesAwayTurnsRoundFirst) {
-  const grid::Map map = grid::read_map(grid::find_map("c"));
-  const grid::Start start = grid::default_start(map);
+  const map::Map map = map::read_map(map::find_map("c"));
+  const map::Start start = map::default_start(map);
   Surveyed away(map, std::to_string(start.cell.x) + "," + std::to_string(start.cell.y) + "," +
                          letter(reversed(start.facing)));
   EXPECT_EQ(away.scan().time, 94 + 1);
@@ -234,7 +234,7 @@ TEST(WhereTheOriginalFailed, ARingHasNoStationsAndEnds) {
 
 TEST(WhereTheOriginalFailed, AStartOnAJunctionIsAsGoodAsAnyOther) {
   for (const char* direction : {"N", "E", "S", "W"}) {
-    Surveyed s(grid::read_map(grid::find_map("b")), std::string("9,10,") + direction);
+    Surveyed s(map::read_map(map::find_map("b")), std::string("9,10,") + direction);
     EXPECT_EQ(s.scan().ending, Ending::complete) << direction;
     EXPECT_EQ(s.difference(), "") << direction;
     EXPECT_EQ(s.survey.here(), 1) << direction;
@@ -257,7 +257,7 @@ TEST(WhereTheOriginalFailed, JunctionsMayBeNestedDeeperThanAHundred) {
 TEST(SurveyTest, WithNoiseItAlwaysEnds) {
   int lost = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    Surveyed s(grid::read_map(grid::find_map("d")));
+    Surveyed s(map::read_map(map::find_map("d")));
     s.robot.limit_moves(5000);
     s.robot.set_noise({0.01, 0.005, seed});
     lost += s.scan().ending != Ending::complete || !s.difference().empty();

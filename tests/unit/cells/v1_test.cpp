@@ -6,17 +6,17 @@
 #include <vector>
 
 #include "sim/base/noise.h"
-#include "sim/cells/survey.h"
-#include "sim/cells/walk.h"
-#include "sim/grid/generator.h"
+#include "sim/map/cells/survey.h"
+#include "sim/map/cells/walk.h"
+#include "sim/map/generator.h"
 #include "tests/support/effort.h"
 #include "tests/support/v1.h"
 
 namespace robosim::cells {
 namespace v1_test {
 
-using grid::Cell;
-using grid::CellAt;
+using map::Cell;
+using map::CellAt;
 
 class Tape final : public MoveWatcher {
  public:
@@ -29,15 +29,15 @@ class Tape final : public MoveWatcher {
 };
 
 // Returns a map whose lines form a tree. With `walls`, some dead ends touch a wall.
-grid::Map tree(int stations, std::uint64_t seed, bool walls) {
-  grid::Map map = grid::generate(grid::Family::tree, stations, seed);
+map::Map tree(int stations, std::uint64_t seed, bool walls) {
+  map::Map map = map::generate(map::Family::tree, stations, seed);
   if (!walls) return map;
   const NoiseStream chance(seed, 0, "walls", "test");
   std::uint64_t n = 0;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {
     const CellAt cell = map.cell_at(i);
-    if (map.cells[i] != Cell::line || !std::has_single_bit(grid::line_neighbours(map, cell))) continue;
-    const auto along = static_cast<grid::Direction>(std::countr_zero(grid::line_neighbours(map, cell)));
+    if (map.cells[i] != Cell::line || !std::has_single_bit(map::line_neighbours(map, cell))) continue;
+    const auto along = static_cast<map::Direction>(std::countr_zero(map::line_neighbours(map, cell)));
     const CellAt next = ahead(cell, reversed(along)), beyond = ahead(next, reversed(along));
     if (map.contains(next) && map.at(next) == Cell::floor && map.at(beyond) != Cell::line &&
         chance.bits(n++) % 3 == 0)
@@ -48,8 +48,8 @@ grid::Map tree(int stations, std::uint64_t seed, bool walls) {
 
 TEST(AgainstV1, ScansAreTheSameMoveForMoveAndGraphsTheSameSlotForSlot) {
   for (int n = 0; n < 300; ++n) {
-    const grid::Map map = tree(3 + n % 40, 1000 + static_cast<std::uint64_t>(n), n % 2 == 1);
-    const grid::Start start = grid::default_start(map);
+    const map::Map map = tree(3 + n % 40, 1000 + static_cast<std::uint64_t>(n), n % 2 == 1);
+    const map::Start start = map::default_start(map);
     std::vector<std::string> expected;
     v1::Robot reference{&map, start.cell.x, start.cell.y, letter(start.facing), 0, &expected};
     const v1::Scan graph = v1::scan(reference);
@@ -69,8 +69,8 @@ TEST(AgainstV1, ScansAreTheSameMoveForMoveAndGraphsTheSameSlotForSlot) {
     ASSERT_EQ(scan.graph.junctions.size() + 1, graph.nodes.size()) << map.name;
     for (std::size_t j = 1; j < graph.nodes.size(); ++j) {
       for (std::size_t slot = 0; slot < 3; ++slot) {
-        const grid::Arm& arm = scan.graph.junctions[j - 1].arms[slot];
-        const bool station = arm.behind == grid::Arm::Behind::station;
+        const map::Arm& arm = scan.graph.junctions[j - 1].arms[slot];
+        const bool station = arm.behind == map::Arm::Behind::station;
         EXPECT_EQ(station ? arm.id : 0, graph.nodes[j].station[slot]) << map.name << ", node " << j;
         EXPECT_EQ(station ? 0 : arm.id, graph.nodes[j].junction[slot]) << map.name << ", node " << j;
       }
@@ -80,8 +80,8 @@ TEST(AgainstV1, ScansAreTheSameMoveForMoveAndGraphsTheSameSlotForSlot) {
 
 TEST(AgainstV1, TheLeftAndRightWalksAreTheSameMoveForMove) {
   for (int n = 0; n < test::rounds(100); ++n) {
-    const grid::Map map = tree(2 + n % 30, 5000 + static_cast<std::uint64_t>(n), n % 2 == 1);
-    const grid::Start start = grid::default_start(map);
+    const map::Map map = tree(2 + n % 30, 5000 + static_cast<std::uint64_t>(n), n % 2 == 1);
+    const map::Start start = map::default_start(map);
     for (const bool left : {true, false}) {
       std::vector<std::string> expected;
       v1::Robot reference{&map, start.cell.x, start.cell.y, letter(start.facing), 0, &expected};

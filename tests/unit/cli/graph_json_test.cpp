@@ -10,14 +10,14 @@ namespace graph_json_test {
 
 constexpr const char* kOdd = "a \"quoted\" \\ name";
 
-grid::TrueGraph graph_of_one() {
-  grid::TrueGraph graph;
+map::TrueGraph graph_of_one() {
+  map::TrueGraph graph;
   graph.stations.push_back({{1, 2}, kOdd, {}});
   return graph;
 }
 
 TEST(GraphJson, IsLaidOutAnElementToALine) {
-  EXPECT_EQ(graph_json({{1, 2}, grid::Direction::east}, graph_of_one()), R"({
+  EXPECT_EQ(graph_json({{1, 2}, map::Direction::east}, graph_of_one()), R"({
   "schema": "robosim.graph/1",
   "start": [1, 2, "E"],
   "stations": [
@@ -31,7 +31,7 @@ TEST(GraphJson, IsLaidOutAnElementToALine) {
 }
 
 TEST(ClassicJson, HoldsAnyPathAndAnyName) {
-  grid::Map map;
+  map::Map map;
   ClassicArguments arguments;
   arguments.algorithm = "sketches/my \"best\" one.cpp";
   arguments.speed = 1.5;

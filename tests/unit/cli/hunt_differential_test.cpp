@@ -239,7 +239,7 @@ TEST(TestCase, PutsNoObstacleBesideTheLineOfASmallerMap) {
   HuntSpace space = space_of_a_talker();
   space.maps.front().line = {{3, 4}};
   TestCase test_case;
-  test_case.track = worlds::lay_out({3, 4, 0}, [](int below) { return below / 2; });
+  test_case.track = random_worlds::lay_out({3, 4, 0}, [](int below) { return below / 2; });
   test_case.stimuli = {{200, "obstacle 3,4 for 60s", kObstacle}, {200, "obstacle 30,40 for 60s", kObstacle}};
   const TestCase next = smaller(test_case, space).front();
   EXPECT_FALSE(next.drawn());

@@ -1,4 +1,4 @@
-#include "sim/client/pool.h"
+#include "sim/launch/client/pool.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

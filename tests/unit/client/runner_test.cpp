@@ -1,4 +1,4 @@
-#include "sim/client/runner.h"
+#include "sim/launch/client/runner.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "sim/course/import.h"
+#include "sim/map/course/import.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -7,10 +7,10 @@
 #include <numbers>
 #include <string>
 
-#include "sim/course/rescue_tiles.h"
-#include "sim/grid/map_writer.h"
-#include "sim/grid/network.h"
-#include "sim/grid/path_survey.h"
+#include "sim/map/course/rescue_tiles.h"
+#include "sim/map/map_writer.h"
+#include "sim/map/network.h"
+#include "sim/map/path_survey.h"
 
 namespace robosim::course {
 namespace import_test {
@@ -21,11 +21,9 @@ constexpr double kPi = std::numbers::pi;
 // The tolerance in metres: the rounding of written values adds up to a few micrometres over a course.
 constexpr double kRounding = 1e-5;
 
-grid::Map import(const std::string& text) { return import_course(text, "course.txt", "course").map; }
+map::Map import(const std::string& text) { return import_course(text, "course.txt", "course").map; }
 
-grid::PathSurvey survey(const grid::Map& map) {
-  return grid::survey_path(map.course.paths.at(0), map.line_m);
-}
+map::PathSurvey survey(const map::Map& map) { return map::survey_path(map.course.paths.at(0), map.line_m); }
 
 std::string message_of(const std::string& text, double walls_m = 0.0) {
   try {
@@ -42,8 +40,8 @@ std::string robotrace(const std::string& circles, const std::string& more = "") 
 }
 
 TEST(ImportRobotrace, TwoCirclesOfOneSenseAreAnOval) {
-  const grid::Map map = import(robotrace(R"({"x":100,"y":60,"r":40},{"x":300,"y":60,"r":40,"turn":"ccw"})"));
-  const grid::PathSurvey found = survey(map);
+  const map::Map map = import(robotrace(R"({"x":100,"y":60,"r":40},{"x":300,"y":60,"r":40,"turn":"ccw"})"));
+  const map::PathSurvey found = survey(map);
   EXPECT_NEAR(found.length_m, 4.0 + 0.8 * kPi, kRounding);
   EXPECT_TRUE(found.is_closed);
   EXPECT_EQ(found.crossings, 0);
@@ -66,8 +64,8 @@ TEST(ImportRobotrace, TwoCirclesOfOneSenseAreAnOval) {
 }
 
 TEST(ImportRobotrace, TwoCirclesOfOppositeSensesAreAnEight) {
-  const grid::Map map = import(robotrace(R"({"x":-100,"y":0,"r":40},{"x":100,"y":0,"r":40,"turn":"cw"})"));
-  const grid::PathSurvey found = survey(map);
+  const map::Map map = import(robotrace(R"({"x":-100,"y":0,"r":40},{"x":100,"y":0,"r":40,"turn":"cw"})"));
+  const map::PathSurvey found = survey(map);
   const double straight = std::sqrt(2.0 * 2.0 - 0.8 * 0.8);
   EXPECT_NEAR(found.length_m, 2 * straight + 2 * 0.4 * (kPi + 2 * std::asin(0.8 / 2.0)), kRounding);
   EXPECT_EQ(found.crossings, 1);
@@ -83,19 +81,18 @@ TEST(ImportRobotrace, AStraightThatIsTooShortForStartAndGoalHasNone) {
 }
 
 TEST(ImportRobotrace, IsReadBackFromTheMapThatIsWritten) {
-  const grid::Map map =
-      import(robotrace(R"({"x":-100,"y":3.3,"r":40},{"x":100,"y":0,"r":33.3,"turn":"cw"})"));
-  const grid::Map again = grid::parse_map(grid::write_map(map), "again.map");
+  const map::Map map = import(robotrace(R"({"x":-100,"y":3.3,"r":40},{"x":100,"y":0,"r":33.3,"turn":"cw"})"));
+  const map::Map again = map::parse_map(map::write_map(map), "again.map");
   EXPECT_NEAR(survey(again).length_m, survey(map).length_m, kRounding);
   EXPECT_TRUE(survey(again).is_closed);
   EXPECT_EQ(again.course.marks.size(), map.course.marks.size());
-  EXPECT_TRUE(grid::trace_network(again, *again.start).has_laps());
+  EXPECT_TRUE(map::trace_network(again, *again.start).has_laps());
 }
 
 TEST(ImportCurvature, SegmentsAreStraightsAndArcsAndTheWayFromGoalToStartIsAdded) {
   const std::string half = fmt::format("{}, 2.0\n", kPi / 2);
-  const grid::Map map = import("#length[m], curvature[rad/m]\n1.0, 0\n" + half + "2.0, 0.0\n" + half);
-  const grid::PathSurvey found = survey(map);
+  const map::Map map = import("#length[m], curvature[rad/m]\n1.0, 0\n" + half + "2.0, 0.0\n" + half);
+  const map::PathSurvey found = survey(map);
   EXPECT_TRUE(found.is_closed);
   EXPECT_NEAR(found.length_m, 4.0 + kPi, kRounding);
   EXPECT_NEAR(found.smallest_radius_m, 0.5, 1e-12);
@@ -104,7 +101,7 @@ TEST(ImportCurvature, SegmentsAreStraightsAndArcsAndTheWayFromGoalToStartIsAdded
 }
 
 TEST(ImportPoints, AreStraightsWithCornersBetweenThem) {
-  const grid::PathSurvey found = survey(import("0 0\n0.5 0\n0.5 0.5\n0 0.5\n0 0.01\n"));
+  const map::PathSurvey found = survey(import("0 0\n0.5 0\n0.5 0.5\n0 0.5\n0 0.01\n"));
   EXPECT_NEAR(found.length_m, 1.99, 1e-12);
   EXPECT_EQ(found.corners, 3);
 }
@@ -113,12 +110,12 @@ TEST(ImportPoints, ACircleOfManyPointsStaysWithinAThirdOfAMillimetre) {
   std::string text;
   for (int i = 0; i <= 2000; ++i)
     text += fmt::format("{} {}\n", 0.4 * std::cos(i * kPi / 1000), 0.4 * std::sin(i * kPi / 1000));
-  const grid::Map map = import(text);
-  const grid::PathSurvey found = survey(map);
+  const map::Map map = import(text);
+  const map::PathSurvey found = survey(map);
   EXPECT_TRUE(found.is_closed);
   EXPECT_NEAR(found.length_m, 0.8 * kPi, 0.002);
   EXPECT_LT(found.corners, 150);
-  EXPECT_LT(grid::write_map(map).size(), 20'000u);
+  EXPECT_LT(map::write_map(map).size(), 20'000u);
 }
 
 // A maze of 3 x 3 cells: a passage leads around two enclosed cells, one of which is the goal.
@@ -132,13 +129,13 @@ constexpr const char* kMaze =
     "o---o---o---o\n";
 
 TEST(ImportMaze, PassagesBecomeLines) {
-  const grid::Map map = import(kMaze);
+  const map::Map map = import(kMaze);
   ASSERT_TRUE(map.start);
-  const grid::Network network = grid::trace_network(map, *map.start);
+  const map::Network network = map::trace_network(map, *map.start);
   // The stations are the passage's two ends. The goal and the cell below the goal are unreachable from there.
   EXPECT_EQ(network.stations.size(), 2u);
   EXPECT_EQ(network.unreachable.size(), 2u);
-  const grid::Map crlf = import([] {
+  const map::Map crlf = import([] {
     std::string text;
     for (const char* c = kMaze; *c; ++c) text += *c == '\n' ? "\r\n" : std::string(1, *c);
     return text;
@@ -217,39 +214,39 @@ constexpr const char* kPlusMaze =
     "+---+---+---+\n";
 
 TEST(Maze, MayHavePlusesForPosts) {
-  const grid::Map map = import(kPlusMaze);
+  const map::Map map = import(kPlusMaze);
   EXPECT_EQ(map.width, 9);
-  EXPECT_EQ(map.at({2, 6}), grid::Cell::line);
+  EXPECT_EQ(map.at({2, 6}), map::Cell::line);
   EXPECT_EQ(map.goal, "station:goal");
 }
 
 TEST(Maze, WithItsWallsHasThemAsThickAsASixteenthOfACellAndItsLinesAreNotPainted) {
-  const grid::Map map = import_course(kPlusMaze, "m.txt", "m", 0.180).map;
+  const map::Map map = import_course(kPlusMaze, "m.txt", "m", 0.180).map;
   EXPECT_DOUBLE_EQ(map.cell_m, 0.180 / 16);
   ASSERT_EQ(map.width, 3 * 16 + 1);
   ASSERT_EQ(map.height, 3 * 16 + 1);
   EXPECT_EQ(map.goal, "station:goal");
-  const auto middle = [](int x, int y) { return grid::CellAt{16 * x + 8, 48 - 8 - 16 * y}; };
+  const auto middle = [](int x, int y) { return map::CellAt{16 * x + 8, 48 - 8 - 16 * y}; };
   EXPECT_EQ(map.start->cell, middle(0, 0));
   EXPECT_EQ(*map.goal_cell, middle(2, 1));
   for (int i = 0; i < 49; ++i)
-    for (const grid::CellAt edge :
-         {grid::CellAt{i, 0}, grid::CellAt{i, 48}, grid::CellAt{0, i}, grid::CellAt{48, i}})
-      EXPECT_EQ(map.at(edge), grid::Cell::wall) << i;
+    for (const map::CellAt edge :
+         {map::CellAt{i, 0}, map::CellAt{i, 48}, map::CellAt{0, i}, map::CellAt{48, i}})
+      EXPECT_EQ(map.at(edge), map::Cell::wall) << i;
   // Checks the gap to the north of the start cell, and the wall to the right of the start cell.
-  EXPECT_EQ(map.at({8, 24}), grid::Cell::gap);
-  EXPECT_EQ(map.at({16, 40}), grid::Cell::wall);
-  EXPECT_EQ(map.at({16, 8}), grid::Cell::gap) << "between the two upper left cells";
+  EXPECT_EQ(map.at({8, 24}), map::Cell::gap);
+  EXPECT_EQ(map.at({16, 40}), map::Cell::wall);
+  EXPECT_EQ(map.at({16, 8}), map::Cell::gap) << "between the two upper left cells";
   int walls = 0, lines = 0;
-  for (const grid::Cell cell : map.cells) {
-    walls += cell == grid::Cell::wall;
-    lines += cell == grid::Cell::line;
+  for (const map::Cell cell : map.cells) {
+    walls += cell == map::Cell::wall;
+    lines += cell == map::Cell::line;
   }
   EXPECT_EQ(lines, 0) << "nothing is painted";
   // Counts the walls around the maze, and five walls between cells: two up from the lower edge, two to the
   // right in the middle, and one down from the upper edge.
   EXPECT_EQ(walls, 4 * 48 + 31 + 32 + 16);
-  EXPECT_NO_THROW(grid::parse_map(grid::write_map(map), "again.map"));
+  EXPECT_NO_THROW(map::parse_map(map::write_map(map), "again.map"));
   EXPECT_THAT(message_of("0 0\n1 0\n", 0.18), HasSubstr("walls require a maze"));
 }
 
@@ -277,24 +274,24 @@ const std::string kStraight = "570c27c3f5a9dabe23f3af90", kArc = "570c27c3f5a9da
                   kExit = "58cfd6549792e9313b1610e0", kZone = "58cfd6549792e9313b1610e1";
 
 TEST(ImportRescue, AStraightAGapAndTheExitAreOneWay) {
-  const grid::Map map = import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kOneGap) +
-                                          "," + rescue_tile(2, 0, 90, kExit),
-                                      "", 3, 1));
+  const map::Map map = import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kOneGap) +
+                                         "," + rescue_tile(2, 0, 90, kExit),
+                                     "", 3, 1));
   ASSERT_EQ(map.course.paths.size(), 1u);
-  const grid::Path& path = map.course.paths[0];
+  const map::Path& path = map.course.paths[0];
   EXPECT_NEAR(path.length(), 0.3 + 0.3 + 0.15, kRounding);  // the line ends at the bar in the exit tile
   double gap = 0.0;
-  for (const grid::PathPiece& piece : path.pieces()) gap += piece.is_gap ? piece.length : 0.0;
+  for (const map::PathPiece& piece : path.pieces()) gap += piece.is_gap ? piece.length : 0.0;
   EXPECT_NEAR(gap, 0.05, kRounding);
   ASSERT_EQ(map.course.areas.size(), 1u);
-  EXPECT_EQ(map.course.areas[0].colour.hue, grid::Hue::red);
+  EXPECT_EQ(map.course.areas[0].colour.hue, map::Hue::red);
   EXPECT_FALSE(map.light_line);
   EXPECT_NEAR(map.start->on_path->along, 0.15, 1e-9);
 }
 
 TEST(ImportRescue, ItsGoalIsTheCompetitionsWithTheCheckpointsAlongTheWay) {
   const std::string marked = R"(,"checkPoint":true)";
-  const grid::Map map =
+  const map::Map map =
       import(rescue(rescue_tile(0, 0, 0, kStraight, marked) + "," + rescue_tile(1, 0, 0, kArc) + "," +
                         rescue_tile(1, 1, 90, kStraight, marked) + "," + rescue_tile(1, 2, 180, kExit),
                     "", 3, 3));
@@ -308,10 +305,10 @@ TEST(ImportRescue, ItsGoalIsTheCompetitionsWithTheCheckpointsAlongTheWay) {
 
 // An arc of 150 mm radius leads down. A second arc, turned by 90 degrees, leads back to the left.
 TEST(ImportRescue, TilesAreTurnedClockwise) {
-  const grid::Map map =
+  const map::Map map =
       import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kArc) + "," +
                     rescue_tile(1, 1, 90, kArc) + "," + rescue_tile(0, 1, 180, kStraight)));
-  const grid::Path& path = map.course.paths.at(0);
+  const map::Path& path = map.course.paths.at(0);
   EXPECT_NEAR(path.length(), 0.3 + kPi * 0.15 + 0.3, kRounding);
   EXPECT_NEAR(path.end().position.x, 0.3, kRounding);
   EXPECT_NEAR(path.end().position.y, 0.3 + 0.15, kRounding);
@@ -321,19 +318,19 @@ TEST(ImportRescue, TilesAreTurnedClockwise) {
 TEST(ImportRescue, AtAnIntersectionTheWayTurnsAsTheGreensSayAndTheOtherArmsStay) {
   const std::string to_the_right = rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kPlus) + "," +
                                    rescue_tile(2, 0, 0, kStraight);
-  const grid::Map map = import(rescue(to_the_right));
+  const map::Map map = import(rescue(to_the_right));
   ASSERT_EQ(map.course.paths.size(), 3u);  // paths 1 and 2 are the arms up and down
   EXPECT_NEAR(map.course.paths[0].length(), 0.9, kRounding);
   EXPECT_NEAR(map.course.paths[1].length(), 0.15, kRounding);
   ASSERT_EQ(map.course.areas.size(), 1u);
-  const grid::Area& green = map.course.areas[0];
-  EXPECT_EQ(green.colour.hue, grid::Hue::green);
+  const map::Area& green = map.course.areas[0];
+  EXPECT_EQ(green.colour.hue, map::Hue::green);
   EXPECT_NEAR(green.middle.position.x, 0.3 + 0.45 + 0.0225, 1e-9);
   EXPECT_NEAR(green.middle.position.y, 0.3 + 0.45 + 0.0225, 1e-9);
   EXPECT_NEAR(2.0 * green.half_length, 0.025, 1e-12);
   // Turned by 180 degrees, the tile has its green square before the intersection, on the right. The route
   // leads down.
-  const grid::Map turned =
+  const map::Map turned =
       import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 180, kPlus) + "," +
                     rescue_tile(1, 1, 90, kStraight)));
   EXPECT_NEAR(turned.course.paths[0].end().position.x, 0.75, kRounding);
@@ -349,7 +346,7 @@ TEST(ImportRescue, TheWayGoesOnBehindTheEvacuationZone) {
   ASSERT_EQ(imported.map.course.paths.size(), 2u);
   EXPECT_NEAR(imported.map.course.paths[1].begin().position.x, 0.3 + 0.6, kRounding);
   ASSERT_EQ(imported.map.course.areas.size(), 2u);
-  EXPECT_EQ(imported.map.course.areas[0].colour.hue, grid::Hue::silver);
+  EXPECT_EQ(imported.map.course.areas[0].colour.hue, map::Hue::silver);
   ASSERT_EQ(imported.remarks.size(), 2u);
   EXPECT_THAT(imported.remarks[0], HasSubstr("so the map has no goal"));  // a goal requires a second tile
   EXPECT_THAT(imported.remarks[1], HasSubstr("2 tiles of the evacuation zone"));
@@ -367,7 +364,7 @@ TEST(ImportRescue, WhatAMapCannotHoldIsSaid) {
   for (const char* what : {"1 tile with obstacles", "2 speed bumps", "1 tile with ramps",
                            "the path leads over 2 tiles, but the file states 5"})
     EXPECT_THAT(all, HasSubstr(what));
-  EXPECT_EQ(imported.map.at({3 + 3 + 1, 3 + 1}), grid::Cell::wall);
+  EXPECT_EQ(imported.map.at({3 + 3 + 1, 3 + 1}), map::Cell::wall);
 }
 
 // Each tile is in the middle of four straight tiles, and is entered from each of these in turn.
@@ -381,11 +378,11 @@ TEST(ImportRescue, EveryTileLeadsFromOneSideToAnotherHoweverItIsTurned) {
             rescue_tile(1, 1, rot, std::string(kind.id)), rescue_tile(0, 1, 0, kStraight),
             rescue_tile(2, 1, 180, kStraight), rescue_tile(1, 0, 90, kStraight),
             rescue_tile(1, 2, 270, kStraight));
-        const grid::Map map = import(text);
-        const grid::Path& path = map.course.paths.at(0);
+        const map::Map map = import(text);
+        const map::Path& path = map.course.paths.at(0);
         longest = std::max(longest, path.length());
         EXPECT_LT(path.length(), 3.0) << kind.id;
-        EXPECT_NEAR(grid::parse_map(grid::write_map(map), "again").course.paths.at(0).length(), path.length(),
+        EXPECT_NEAR(map::parse_map(map::write_map(map), "again").course.paths.at(0).length(), path.length(),
                     1e-6);
       }
       EXPECT_GT(longest, kind.id == kRescueExit ? 0.4 : 0.7) << kind.id << " turned by " << rot;

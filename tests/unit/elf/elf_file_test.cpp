@@ -1,4 +1,4 @@
-#include "sim/elf/elf_file.h"
+#include "sim/base/elf/elf_file.h"
 
 #include <elf.h>
 #include <gmock/gmock.h>
@@ -7,10 +7,10 @@
 #include <cstring>
 #include <functional>
 
+#include "sim/base/elf/avr_device.h"
+#include "sim/base/elf/elf_target.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/elf/avr_device.h"
-#include "sim/elf/elf_target.h"
 
 namespace robosim {
 namespace elf_file_test {

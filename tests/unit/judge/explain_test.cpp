@@ -36,7 +36,7 @@ class Explain : public ::testing::Test {
     return next_step(e).text;
   }
   /// Reports to the judge that the robot is in the middle of a cell.
-  void robot_is_at(SimTime t, grid::CellAt cell, bool sees_line, bool driven) {
+  void robot_is_at(SimTime t, map::CellAt cell, bool sees_line, bool driven) {
     Pose pose{map_.centre(cell), {1.0, 0.0}};
     Situation now;
     now.pose = &pose;
@@ -52,10 +52,10 @@ class Explain : public ::testing::Test {
   Evidence e;
 
  private:
-  grid::Map map_ = grid::parse_map("_______\n_S1111_\n___1___\n___1___\n_______\n", "fork.map");
-  grid::Start start_ = grid::default_start(map_);
-  grid::Network network_ = grid::trace_network(map_, start_);
-  grid::Stripes stripes_{map_, map_.cell_m};
+  map::Map map_ = map::parse_map("_______\n_S1111_\n___1___\n___1___\n_______\n", "fork.map");
+  map::Start start_ = map::default_start(map_);
+  map::Network network_ = map::trace_network(map_, start_);
+  map::Stripes stripes_{map_, map_.cell_m};
   Goal goal_ = parse_goal("tour");
   Progress progress_{goal_, map_, stripes_, network_, start_};
   Judge judge_{true};
@@ -205,7 +205,7 @@ TEST_F(Explain, ARobotThatWaitedFirstDrivesInOnePlaceOnlySinceItsMotorsRan) {
 }
 
 TEST_F(Explain, ARobotThatDrivesOnUntilItsTimeIsUpDoesNotDriveInOnePlace) {
-  const grid::CellAt way[] = {{2, 1}, {3, 1}, {4, 1}, {5, 1}};
+  const map::CellAt way[] = {{2, 1}, {3, 1}, {4, 1}, {5, 1}};
   for (std::size_t i = 0; i < std::size(way); ++i)
     robot_is_at(static_cast<SimTime>(i + 9) * kSecond, way[i], true, true);
   EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("within 10 cm")));

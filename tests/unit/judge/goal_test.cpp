@@ -104,7 +104,7 @@ goal = "3.9566 m"
 // Moves the robot manually along the path, 5 mm per millisecond.
 struct RaceCourse : Course {
   explicit RaceCourse(const char* goal = nullptr) : Course(kRace, goal) {}
-  const grid::Path& path() const { return map.course.paths.front(); }
+  const map::Path& path() const { return map.course.paths.front(); }
   void drive(double from, double to) {
     for (double at = from; at < to; at += 0.005) {
       body.place(path().at(at, true));

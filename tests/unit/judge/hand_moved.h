@@ -12,9 +12,9 @@ namespace robosim::judge {
 struct HandMoved {
   /// Puts the robot on the map's default start. If `goal` is "", uses the map's goal.
   explicit HandMoved(const std::string& text, const std::string& goal = "")
-      : map(grid::parse_map(text, "test.map")),
-        start(grid::default_start(map)),
-        network(grid::trace_network(map, start)),
+      : map(map::parse_map(text, "test.map")),
+        start(map::default_start(map)),
+        network(map::trace_network(map, start)),
         stripes(map, map.cell_m),
         world(map),
         body(world.body(world.add_body(params(), stripes.pose_of(start)))),
@@ -49,10 +49,10 @@ struct HandMoved {
   }
   std::string summary() const { return progress.summary(); }
 
-  grid::Map map;
-  grid::Start start;
-  grid::Network network;
-  grid::Stripes stripes;
+  map::Map map;
+  map::Start start;
+  map::Network network;
+  map::Stripes stripes;
   world::World world;
   world::Body& body;
   Progress progress;

@@ -9,7 +9,7 @@
 
 #include "sim/base/file.h"
 #include "sim/base/program_sandbox.h"
-#include "sim/mutate/operators.h"
+#include "sim/campaign/mutate/operators.h"
 #include "tests/support/require_target.h"
 
 namespace robosim::mutate {

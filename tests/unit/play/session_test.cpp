@@ -1,4 +1,4 @@
-#include "sim/play/session.h"
+#include "sim/view/play/session.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace session_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
-using Kind = tui::Press::Kind;
+using Kind = terminal::Press::Kind;
 
 constexpr const char* kMap =
     "########\n"
@@ -24,30 +24,30 @@ constexpr const char* kMap =
 
 /// A console whose user presses the given keys, followed by the end of input. With `live`, it shows every
 /// frame.
-class FakeConsole final : public tui::Console {
+class FakeConsole final : public terminal::Console {
  public:
   explicit FakeConsole(const std::string& keys, bool live = false) : live_(live) {
     std::string bytes = keys;
-    for (tui::Press press = tui::take_press(bytes); press.kind != Kind::nothing;
-         press = tui::take_press(bytes))
+    for (terminal::Press press = terminal::take_press(bytes); press.kind != Kind::nothing;
+         press = terminal::take_press(bytes))
       keys_.push_back(press);
   }
-  tui::TerminalSize size() override { return size_; }
-  tui::Look look() const override { return {false, false}; }
+  terminal::TerminalSize size() override { return size_; }
+  terminal::Look look() const override { return {false, false}; }
   bool is_live() const override { return live_; }
-  void show(const tui::Frame& frame) override {
+  void show(const terminal::Frame& frame) override {
     last = to_text(frame, look());
     last.erase(last.find_last_not_of('\n') + 1);
     last += '\n';
     all += last + "=====\n";
     ++frames;
   }
-  tui::Press wait(int timeout_ms) override {
+  terminal::Press wait(int timeout_ms) override {
     now_us_ += 1000LL * std::max(timeout_ms, 0);
     // While a walk is displayed, the keys come from `during_walk`.
-    if (timeout_ms >= 0) return during_walk ? during_walk(*this) : tui::Press{};
+    if (timeout_ms >= 0) return during_walk ? during_walk(*this) : terminal::Press{};
     if (keys_.empty()) return at_end;
-    const tui::Press press = keys_.front();
+    const terminal::Press press = keys_.front();
     keys_.pop_front();
     return press;
   }
@@ -56,25 +56,25 @@ class FakeConsole final : public tui::Console {
 
   std::string last, all;
   int frames = 0;
-  tui::Press at_end{Kind::end};
-  std::function<tui::Press(FakeConsole&)> during_walk;
-  tui::TerminalSize size_{80, 60};
+  terminal::Press at_end{Kind::end};
+  std::function<terminal::Press(FakeConsole&)> during_walk;
+  terminal::TerminalSize size_{80, 60};
 
  private:
   bool live_;
-  std::deque<tui::Press> keys_;
+  std::deque<terminal::Press> keys_;
   std::int64_t now_us_ = 1;
 };
 
 /// A robot that makes five moves on every trip, and knows the map's true graph.
 class FakeDriver final : public CellDriver {
  public:
-  FakeDriver(const grid::Map& map, const grid::Start& start, double speed)
-      : start_(start), graph_(grid::true_graph(map, start)), speed_(speed) {}
+  FakeDriver(const map::Map& map, const map::Start& start, double speed)
+      : start_(start), graph_(map::true_graph(map, start)), speed_(speed) {}
   WalkReport walk(Algorithm, const OnStep& on_step) override { return go(on_step, "Round."); }
   WalkReport scan(const OnStep& on_step) override { return go(on_step, ""); }
-  const grid::TrueGraph& graph() const override { return graph_; }
-  grid::Start pose() const override { return start_; }
+  const map::TrueGraph& graph() const override { return graph_; }
+  map::Start pose() const override { return start_; }
   int here() const override { return here_; }
   RouteReport route(int) override {
     if (!way_) return {false, "An obstacle is between here and there.", {}, "", 0.0};
@@ -95,8 +95,8 @@ class FakeDriver final : public CellDriver {
     for (int i = 0; i < 5; ++i) on_step({start_, "straight", "step_forward", i * speed_});
     return {true, note, 5, 5 * speed_, start_};
   }
-  grid::Start start_;
-  grid::TrueGraph graph_;
+  map::Start start_;
+  map::TrueGraph graph_;
   double speed_;
   int here_ = 1;
 };
@@ -104,19 +104,19 @@ class FakeDriver final : public CellDriver {
 class FakeHost final : public SessionHost {
  public:
   std::vector<MapEntry> maps() override { return {{"one", "first"}, {"two", "second"}}; }
-  grid::Map open_map(const std::string& name) override {
+  map::Map open_map(const std::string& name) override {
     opened.push_back(name);
     if (name != "one" && name != "two") throw InputError("there is no map “" + name + "”");
-    return grid::parse_map(kMap, name);
+    return map::parse_map(kMap, name);
   }
-  std::unique_ptr<CellDriver> cells(const grid::Map& map, const grid::Start& start, double speed) override {
+  std::unique_ptr<CellDriver> cells(const map::Map& map, const map::Start& start, double speed) override {
     starts.push_back(start);
     auto driver = std::make_unique<FakeDriver>(map, start, speed);
     driver->way_ = way;
     driver->way_junctions_ = way_junctions;
     return driver;
   }
-  std::string drive_robot(const grid::Map&, const grid::Start&, Algorithm algorithm, tui::Console&,
+  std::string drive_robot(const map::Map&, const map::Start&, Algorithm algorithm, terminal::Console&,
                           const AskPerson& ask) override {
     if (algorithm == Algorithm::ai) return "sent to " + ask({"scan complete", "at 1"}, "Where to:");
     if (algorithm == Algorithm::right) throw InputError("it does not compile");
@@ -124,7 +124,7 @@ class FakeHost final : public SessionHost {
   }
 
   std::vector<std::string> opened;
-  std::vector<grid::Start> starts;
+  std::vector<map::Start> starts;
   bool way = true;
   std::size_t way_junctions = 1;
 };
@@ -191,9 +191,9 @@ TEST_F(SessionTest, StartsWhereItWasPutAndWithTheStartGiven) {
   play(console, {"one", "5,1,S"});
   shown("1\nd\n\n\n\n");
   ASSERT_EQ(host_.starts.size(), 2u);
-  EXPECT_EQ(host_.starts[0].cell, (grid::CellAt{5, 1}));
-  EXPECT_EQ(host_.starts[0].facing, grid::Direction::south);
-  EXPECT_EQ(host_.starts[1].cell, (grid::CellAt{2, 2}));
+  EXPECT_EQ(host_.starts[0].cell, (map::CellAt{5, 1}));
+  EXPECT_EQ(host_.starts[0].facing, map::Direction::south);
+  EXPECT_EQ(host_.starts[1].cell, (map::CellAt{2, 2}));
 }
 
 TEST_F(SessionTest, BadAnswersGetASentenceAndTheQuestionAgain) {
@@ -258,7 +258,7 @@ TEST_F(SessionTest, CtrlCEndsItAsInterrupted) {
 
 TEST_F(SessionTest, AWatchedWalkIsDrawnAtEveryMove) {
   FakeConsole console("1\n\n\n\n1\n", true);
-  console.during_walk = [](FakeConsole&) { return tui::Press{}; };
+  console.during_walk = [](FakeConsole&) { return terminal::Press{}; };
   EXPECT_TRUE(play(console));
   for (const char* moves : {"0 moves", "1 moves", "2 moves", "3 moves", "4 moves"})
     EXPECT_THAT(console.all, HasSubstr(moves));
@@ -270,18 +270,18 @@ TEST_F(SessionTest, APausedWalkGoesOnByOneMoveAtAStep) {
   int asked = 0;
   console.during_walk = [&](FakeConsole& c) {
     ++asked;
-    if (asked == 1) return tui::Press{Kind::character, ' '};
+    if (asked == 1) return terminal::Press{Kind::character, ' '};
     if (asked < 50) {
       EXPECT_THAT(c.last, HasSubstr("paused"));
       EXPECT_THAT(c.last, HasSubstr(" 0 moves"));
-      return tui::Press{};
+      return terminal::Press{};
     }
-    if (asked == 50) return tui::Press{Kind::character, 's'};
+    if (asked == 50) return terminal::Press{Kind::character, 's'};
     if (asked < 60) {
       EXPECT_THAT(c.last, HasSubstr(" 1 moves"));
-      return tui::Press{};
+      return terminal::Press{};
     }
-    return tui::Press{Kind::character, 'e'};
+    return terminal::Press{Kind::character, 'e'};
   };
   EXPECT_TRUE(play(console));
   EXPECT_GE(asked, 60);
@@ -294,15 +294,15 @@ TEST_F(SessionTest, AWalkGetsFasterAndSlowerAndCanBeBrokenOff) {
   console.during_walk = [&](FakeConsole& c) {
     switch (++asked) {
       case 1:
-        return tui::Press{Kind::character, '+'};
+        return terminal::Press{Kind::character, '+'};
       case 2:
         EXPECT_THAT(c.last, HasSubstr("20 moves a second"));
-        return tui::Press{Kind::character, '-'};
+        return terminal::Press{Kind::character, '-'};
       case 3:
         EXPECT_THAT(c.last, HasSubstr("10 moves a second"));
-        return tui::Press{Kind::character, 'q'};
+        return terminal::Press{Kind::character, 'q'};
       default:
-        return tui::Press{};
+        return terminal::Press{};
     }
   };
   EXPECT_TRUE(play(console));
@@ -312,7 +312,7 @@ TEST_F(SessionTest, AWalkGetsFasterAndSlowerAndCanBeBrokenOff) {
 TEST_F(SessionTest, EveryScreenFitsASmallWindow) {
   FakeConsole console("1\n\n\n\n\ng\n2\n\nn\n", true);
   console.size_ = {40, 14};
-  console.during_walk = [](FakeConsole&) { return tui::Press{Kind::character, 'e'}; };
+  console.during_walk = [](FakeConsole&) { return terminal::Press{Kind::character, 'e'}; };
   EXPECT_TRUE(play(console));
   EXPECT_THAT(console.all, Not(HasSubstr("\n\n\n")));
   for (const char* part :

@@ -1,4 +1,4 @@
-#include "sim/print/print.h"
+#include "sim/map/print/print.h"
 
 #include <gmock/gmock.h>
 
@@ -12,14 +12,13 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-grid::Map path_map(const std::string& segments, const std::string& more = "") {
-  return grid::parse_map("+++\nsize = [\"1 m\", \"600 mm\"]\n" + more +
-                             "[[path]]\nfrom = [\"100 mm\", \"100 mm\"]\nsegments = [" + segments +
-                             "]\n+++\n",
-                         "course.map");
+map::Map path_map(const std::string& segments, const std::string& more = "") {
+  return map::parse_map("+++\nsize = [\"1 m\", \"600 mm\"]\n" + more +
+                            "[[path]]\nfrom = [\"100 mm\", \"100 mm\"]\nsegments = [" + segments + "]\n+++\n",
+                        "course.map");
 }
 
-Printed printed(const grid::Map& map, bool swapped = false, Paper paper = {}) {
+Printed printed(const map::Map& map, bool swapped = false, Paper paper = {}) {
   return print_map(map, {.paper = paper, .swapped = swapped, .compressed = false});
 }
 
@@ -58,7 +57,7 @@ std::vector<Operation> operations_of(const std::string& page) {
   return all;
 }
 
-std::string message_of(const grid::Map& map, Paper paper = {}) {
+std::string message_of(const map::Map& map, Paper paper = {}) {
   try {
     printed(map, false, paper);
   } catch (const InputError& error) {
@@ -119,7 +118,7 @@ TEST(Print, ALineGoesOnAtTheSamePlaceOnTheNextSheet) {
 }
 
 TEST(Print, ArcsAreWithinAHundredthOfAMillimetre) {
-  const grid::Map map = path_map("{ radius = \"200 mm\", angle = \"180 deg\" }");
+  const map::Map map = path_map("{ radius = \"200 mm\", angle = \"180 deg\" }");
   const Printed one = printed(map);
   const auto pages = pages_of(one.pdf);
   int curves = 0;
@@ -151,13 +150,13 @@ TEST(Print, AGapStaysWhite) {
 }
 
 TEST(Print, ADarkFloorIsPrintedWholeOrAsADarkLineOnPaper) {
-  const grid::Map map = path_map("{ length = \"600 mm\" }", "paint = \"white on black\"\n");
+  const map::Map map = path_map("{ length = \"600 mm\" }", "paint = \"white on black\"\n");
   EXPECT_EQ(printed(map).sheets.printed.size(), 16u);
   EXPECT_EQ(printed(map, true).sheets.printed.size(), 3u);
 }
 
 TEST(Print, TheSameMapGivesTheSameBytesWithoutADate) {
-  const grid::Map map = path_map("{ length = \"600 mm\" }");
+  const map::Map map = path_map("{ length = \"600 mm\" }");
   const std::string pdf = print_map(map, {}).pdf;
   EXPECT_EQ(pdf, print_map(map, {}).pdf);
   EXPECT_TRUE(pdf.starts_with("%PDF-"));
@@ -165,7 +164,7 @@ TEST(Print, TheSameMapGivesTheSameBytesWithoutADate) {
 }
 
 TEST(Print, WallsAreThinOutlinesAndTakeNoSheetOfTheirOwn) {
-  const grid::Map map = grid::parse_map("....______\n#########_\n", "walls.map");
+  const map::Map map = map::parse_map("....______\n#########_\n", "walls.map");
   const Printed one = printed(map);
   EXPECT_THAT(numbers_of(one.sheets), ElementsAre("1-1", "1-2"));
   EXPECT_THAT(pages_of(one.pdf)[1], HasSubstr(" re"));
@@ -207,11 +206,11 @@ TEST(Print, TooManySheetsAreCountedAndRefused) {
   const std::string large =
       "+++\nsize = [\"9 m\", \"9 m\"]\npaint = \"white on black\"\n[[path]]\n"
       "from = [\"1 m\", \"1 m\"]\nsegments = [{ length = \"1 m\" }]\n+++\n";
-  EXPECT_EQ(message_of(grid::parse_map(large, "large.map")),
+  EXPECT_EQ(message_of(map::parse_map(large, "large.map")),
             "large.map: takes 1700 pages of this paper with its dark floor; at most 400 are printed");
   std::string huge = large;
   huge.replace(huge.find("9 m"), 3, "3000 m");
-  EXPECT_THAT(message_of(grid::parse_map(huge, "huge.map")),
+  EXPECT_THAT(message_of(map::parse_map(huge, "huge.map")),
               HasSubstr("huge.map: its floor of 3000.0 x 9.0 m is 566678 pages"));
 }
 

@@ -1,4 +1,4 @@
-#include "sim/project/project.h"
+#include "sim/build/project/project.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "sim/project/board_names.h"
+#include "sim/build/project/board_names.h"
 
 namespace robosim::project {
 namespace project_test {

@@ -40,8 +40,8 @@ class BenchRobot {
   explicit BenchRobot(Description d, Profile profile = Profile::ideal, std::uint64_t seed = 1,
                       const std::string& front_matter = "")
       : description(std::move(d)),
-        map(grid::parse_map(
-            front_matter + "___________\n___________\n_111111111_\n___________\n___________\n", "bench.map")),
+        map(map::parse_map(front_matter + "___________\n___________\n_111111111_\n___________\n___________\n",
+                           "bench.map")),
         world(map),
         number(world.add_body(body_params(description, seed, profile), {line(), {1.0, 0.0}})),
         board(*description.board),
@@ -66,7 +66,7 @@ class BenchRobot {
   bool level(Pin pin) { return board.read_level(pin, now); }
 
   Description description;
-  grid::Map map;
+  map::Map map;
   world::World world;
   std::size_t number;
   FakeBoard board;

@@ -92,7 +92,7 @@ double half_depth_mm(double height_mm, Profile profile, std::uint64_t seed) {
 double light(double height_mm, Profile profile) { return 1.0 - Sweep(height_mm, profile, 1).blackness(0.06); }
 
 double floor_variation(Profile profile, std::uint64_t seed) {
-  const grid::Map map = grid::parse_map("111\n", "bench.map");
+  const map::Map map = map::parse_map("111\n", "bench.map");
   world::World world(map);
   world.vary_floor(NoiseStream(seed, 0, "floor", "brightness"), world::typical_variation(profile));
   double sum = 0.0, squares = 0.0;

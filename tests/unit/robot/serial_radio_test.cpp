@@ -16,7 +16,7 @@ class Pair {
   explicit Pair(const std::string& keys, const std::string& other_keys, std::uint64_t seed = 1)
       : first(parse_description(kBareRobot + radio(keys), "first.toml")),
         second(parse_description(kBareRobot + radio(other_keys), "second.toml")),
-        map(grid::parse_map("___________\n_111111111_\n___________\n", "pair.map")),
+        map(map::parse_map("___________\n_111111111_\n___________\n", "pair.map")),
         world(map),
         board_a(*first.board),
         board_b(*second.board),
@@ -25,7 +25,7 @@ class Pair {
     a.begin_tick(0);
     b.begin_tick(0);
   }
-  std::size_t add(const Description& d, grid::CellAt cell) {
+  std::size_t add(const Description& d, map::CellAt cell) {
     return world.add_body(body_params(d, 1, Profile::ideal), {map.centre({cell.x, cell.y}), {1.0, 0.0}});
   }
   /// Sends the byte 0xFF from the first robot. Only the start bit of its frame is low.
@@ -45,7 +45,7 @@ class Pair {
     }
   }
   Description first, second;
-  grid::Map map;
+  map::Map map;
   world::World world;
   FakeBoard board_a, board_b;
   Robot a, b;

@@ -50,7 +50,7 @@ class AgentsTest : public testing::Test {
     setup.robot = &robot_;
     setup.executor = &firmware;
     setup.goal = judge::parse_goal(goal);
-    if (!start.empty()) setup.start = grid::parse_start(map_, start);
+    if (!start.empty()) setup.start = map::parse_start(map_, start);
     setup.scenario = scenario::parse_scenario(script, "s.txt");
     return setup;
   }
@@ -62,7 +62,7 @@ class AgentsTest : public testing::Test {
     return simulate(setup);
   }
 
-  grid::Map map_ = grid::read_map(grid::find_map("oval"));
+  map::Map map_ = map::read_map(map::find_map("oval"));
   robot::Description robot_ = robot::load_description("uno5");
   test::BuiltInDriver driver_, other_;
   Parked parked_;

@@ -72,7 +72,7 @@ class Starts final : public Distracted {
 };
 
 std::vector<wire::Detected> detected(exec::Executor& firmware, SimTime limit, bool detect = true) {
-  static const grid::Map oval = grid::read_map(grid::find_map("oval"));
+  static const map::Map oval = map::read_map(map::find_map("oval"));
   static const robot::Description uno5 = robot::load_description("uno5");
   run::Setup setup;
   setup.map = &oval;

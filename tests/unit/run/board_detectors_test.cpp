@@ -53,7 +53,7 @@ class Blinker final : public exec::Executor {
 };
 
 std::vector<wire::Detected> detected(Blinker::Led led, bool detect = true, const std::string& script = "") {
-  static const grid::Map oval = grid::read_map(grid::find_map("oval"));
+  static const map::Map oval = map::read_map(map::find_map("oval"));
   static const robot::Description uno5 = robot::load_description("uno5");
   Blinker firmware(led);
   run::Setup setup;

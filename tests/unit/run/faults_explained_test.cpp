@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string why(const std::string& script, const char* goal = "laps:3", SimTime limit = 20 * kSecond) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");
   test::BuiltInDriver driver;
   run::Setup setup;

@@ -24,7 +24,7 @@ segments = [
 +++
 )";
 
-judge::Outcome follow(const grid::Map& map, robot::Profile profile, std::uint64_t seed,
+judge::Outcome follow(const map::Map& map, robot::Profile profile, std::uint64_t seed,
                       SimTime samples_every = 0) {
   const robot::Description robot = robot::load_description("uno5");
   test::BuiltInDriver driver;
@@ -40,11 +40,11 @@ judge::Outcome follow(const grid::Map& map, robot::Profile profile, std::uint64_
 
 judge::Outcome follow(const char* map, robot::Profile profile, std::uint64_t seed,
                       SimTime samples_every = 0) {
-  return follow(grid::read_map(grid::find_map(map)), profile, seed, samples_every);
+  return follow(map::read_map(map::find_map(map)), profile, seed, samples_every);
 }
 
 TEST(Golden, TheBuiltInDriverLapsACourseOfArcs) {
-  const grid::Map map = grid::parse_map(kCourse, "eight.map");
+  const map::Map map = map::parse_map(kCourse, "eight.map");
   const judge::Outcome typical = follow(map, robot::Profile::typical, 1);
   EXPECT_EQ(typical.verdict, judge::Verdict::reached) << typical.why;
   EXPECT_EQ(typical.trace_hash, "1:af177d2cddb50204");

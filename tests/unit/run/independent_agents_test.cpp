@@ -99,7 +99,7 @@ class Turns : public testing::TestWithParam<unsigned> {};
 // Runs two robots in each of three streets. The robots may leave their streets.
 std::string turning_run_of(unsigned seed, bool takes_turns) {
   std::mt19937 random(seed);
-  const grid::Map map = grid::read_map(grid::find_map("city"));
+  const map::Map map = map::read_map(map::find_map("city"));
   const robot::Description plain = robot::load_description("uno5");
   const robot::Description seeing = seeing_robot();
   std::vector<std::string> scripts(6);
@@ -122,7 +122,7 @@ std::string turning_run_of(unsigned seed, bool takes_turns) {
     const std::string start = fmt::format("{},{},E", 8 + random() % 4 + i % 2 * 6, 7 + i / 2 * 4);
     setup.agents.push_back({.robot = some_see && i % 3 == 0 ? &seeing : &plain,
                             .executor = firmware.back().get(),
-                            .start = grid::parse_start(map, start),
+                            .start = map::parse_start(map, start),
                             .goal = judge::parse_goal("none"),
                             .scenario = scenario::parse_scenario(scripts[i], "s.txt"),
                             .listener = listeners.back().get()});
@@ -172,7 +172,7 @@ class Counting final : public exec::Executor {
 };
 
 int changes_of(const std::string& other_start) {
-  const grid::Map map = grid::read_map(grid::find_map("city"));
+  const map::Map map = map::read_map(map::find_map("city"));
   const robot::Description robot = robot::load_description("uno5");
   const void* last = nullptr;
   Counting a(last), b(last);
@@ -182,8 +182,8 @@ int changes_of(const std::string& other_start) {
   setup.leaves_rest_out = false;
   const judge::Goal goal = judge::parse_goal("none");
   setup.agents = {
-      {.robot = &robot, .executor = &a, .start = grid::parse_start(map, "10,7,E"), .goal = goal},
-      {.robot = &robot, .executor = &b, .start = grid::parse_start(map, other_start), .goal = goal}};
+      {.robot = &robot, .executor = &a, .start = map::parse_start(map, "10,7,E"), .goal = goal},
+      {.robot = &robot, .executor = &b, .start = map::parse_start(map, other_start), .goal = goal}};
   simulate(setup);
   return a.changes;
 }

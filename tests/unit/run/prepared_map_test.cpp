@@ -32,12 +32,12 @@ class SceneryTest : public testing::Test {
     EXPECT_EQ(a.metrics.distance_m, b.metrics.distance_m);
   }
 
-  const grid::Map map_ = grid::read_map(grid::find_map("city"));
+  const map::Map map_ = map::read_map(map::find_map("city"));
   const robot::Description robot_ = robot::load_description("uno5");
 };
 
 TEST_F(SceneryTest, IsWhatASimulationWouldMakeItself) {
-  const grid::Start start = grid::default_start(map_);
+  const map::Start start = map::default_start(map_);
   const Mission missions[] = {
       {}, {start, {}}, {{}, judge::parse_goal("none")}, {start, judge::parse_goal("tour")}};
   for (const Mission& prepared : missions)

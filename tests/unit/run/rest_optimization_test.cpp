@@ -132,7 +132,7 @@ std::string run_of(unsigned seed, bool leaves_rest_out) {
     return words.begin()[random() % words.size()];
   };
   const bool two = random() % 2;
-  const grid::Map map = grid::read_map(grid::find_map(two ? "oval" : one_of({"oval", "d", "warehouse"})));
+  const map::Map map = map::read_map(map::find_map(two ? "oval" : one_of({"oval", "d", "warehouse"})));
   const robot::Description robot =
       robot::load_description(one_of({"uno5", "uno3", "pony", "nano8rc", "rover5"}));
   std::string script;
@@ -159,7 +159,7 @@ std::string run_of(unsigned seed, bool leaves_rest_out) {
         {.robot = &robot, .executor = firmware.back().get(), .goal = goal, .listener = &listener});
   }
   setup.agents.front().scenario = scenario::parse_scenario(script, "s.txt");
-  if (two) setup.agents.back().start = grid::parse_start(map, "20,2,E");
+  if (two) setup.agents.back().start = map::parse_start(map, "20,2,E");
   std::string all;
   Simulation simulation(setup);
   simulation.run_until(5 * kSecond);
@@ -176,7 +176,7 @@ TEST_P(Resting, IsLeftOutWithoutATrace) {
 }
 
 TEST(RestingRobot, IsStuckThreeSecondsAfterItsLastMomentWithoutAWish) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
+  const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");
   Late firmware(1006 * kMillisecond + kMicrosecond);
   run::Setup setup;

@@ -68,7 +68,7 @@ class Driven : public exec::Executor {
 };
 
 std::vector<wire::Detected> seen(Driven::Step step, SimTime limit = 10 * kSecond) {
-  static const grid::Map oval = grid::read_map(grid::find_map("oval"));
+  static const map::Map oval = map::read_map(map::find_map("oval"));
   static const robot::Description uno5 = robot::load_description("uno5");
   Driven firmware(std::move(step));
   run::Setup setup;

@@ -61,7 +61,7 @@ class StopConditionsTest : public testing::Test {
  protected:
   OneLeg drive(std::vector<Stop> stops, const std::string& says = "", const std::string& script = "",
                SimTime until = 3 * kSecond) {
-    const grid::Map map = grid::read_map(grid::find_map("oval"));
+    const map::Map map = map::read_map(map::find_map("oval"));
     const robot::Description robot = robot::load_description("uno5");
     Talker talker(says);
     OneLeg controller;

@@ -4,8 +4,8 @@
 
 #include <string_view>
 
-#include "sim/avr/chip.h"
 #include "sim/exec/avr/avr_executor.h"
+#include "sim/mcu/avr/chip.h"
 #include "tests/support/noted_run.h"
 #include "tests/support/require_target.h"
 

@@ -26,7 +26,7 @@ run::Sample sample() {
 
 TEST(Answers, ABeginningHasCellsAndTheirSideInMillimetres) {
   run::Beginning beginning;
-  beginning.start = {{3, 4}, grid::Direction::west};
+  beginning.start = {{3, 4}, map::Direction::west};
   beginning.goal = judge::parse_goal("laps:2");
   beginning.stations = {{1, "1", {5, 6}}, {2, "dock", {7, 8}}};
   beginning.readings = {"S1", "LED"};

@@ -47,7 +47,7 @@ class WaysTest : public ::testing::Test {
   WaysTest() {
     write_file(folder_.path() / "image", "any");
     request_.image = (folder_.path() / "image").string();
-    request_.map = grid::find_map("oval").string();
+    request_.map = map::find_map("oval").string();
     request_.robot = "uno5";
     request_.goal = "none";
     request_.for_ns = 4 * kSecond;

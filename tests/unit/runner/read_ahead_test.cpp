@@ -107,7 +107,7 @@ TEST_F(ReadingAhead, AMapIsReadOnceAndStandsAsSimulationsFindIt) {
   const ReadMap* const map = read_the_map();
   ASSERT_TRUE(map);
   EXPECT_TRUE(map->prepared_map);
-  EXPECT_EQ(map->sha256, grid::sha256_of_map(map_));
+  EXPECT_EQ(map->sha256, map::sha256_of_map(map_));
   request_.seed = 2;
   EXPECT_EQ(read_the_map(), map) << "no value of the map has a spread";
   request_.profile = "ideal";

@@ -194,7 +194,7 @@ class SessionTest : public ::testing::Test {
   SessionTest() {
     write_file(folder_.path() / "image", "any");
     request_.image = (folder_.path() / "image").string();
-    request_.map = grid::find_map("oval").string();
+    request_.map = map::find_map("oval").string();
     request_.robot = "uno5";
     request_.goal = "laps:1";
     request_.for_ns = 20 * kSecond;
@@ -310,7 +310,7 @@ TEST_F(SessionTest, GivesTheResultThatTheSimulationHasWithoutIt) {
   session.line();
   const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
 
-  const grid::Map map = grid::read_map(request_.map);
+  const map::Map map = map::read_map(request_.map);
   const robot::Description robot = robot::load_description("uno5");
   test::BuiltInDriver driver;
   run::Setup setup;

@@ -1,5 +1,5 @@
 // Tests faults of the connections between a board and the simulated world. The tests act as the firmware.
-#include "sim/scenario/board_faults.h"
+#include "sim/run/scenario/board_faults.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "sim/exec/core/board_state.h"
-#include "sim/grid/map.h"
+#include "sim/map/map.h"
 #include "sim/robot/describe.h"
 #include "sim/robot/description.h"
 #include "sim/world/world.h"
@@ -84,7 +84,7 @@ class BoardFaultsTest : public testing::Test {
     return "accepted";
   }
 
-  grid::Map map = grid::read_map(grid::find_map("oval"));
+  map::Map map = map::read_map(map::find_map("oval"));
   world::World world{map};
   robot::Description description = robot::load_description("uno5");
   Probe probe;

@@ -1,5 +1,5 @@
 // Tests the observable effects of a script on a run in which the built-in driver follows the oval.
-#include "sim/scenario/scenario_player.h"
+#include "sim/run/scenario/scenario_player.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ struct Witness final : run::Listener {
 class Scripts : public testing::Test {
  protected:
   judge::Outcome play(const std::string& script, double seconds) {
-    const grid::Map map = grid::read_map(grid::find_map("oval"));
+    const map::Map map = map::read_map(map::find_map("oval"));
     const robot::Description robot = robot::load_description("uno5");
     test::BuiltInDriver driver;
     run::Setup setup;
@@ -185,8 +185,8 @@ TEST_F(Scripts, OfASweepAreEndedByPuttingTheRobotElsewhere) {
 }
 
 TEST_F(Scripts, PutAnObstacleOnTheLineAndTakeItAway) {
-  const grid::Map map = grid::read_map(grid::find_map("oval"));
-  const grid::CellAt start = grid::default_start(map).cell;
+  const map::Map map = map::read_map(map::find_map("oval"));
+  const map::CellAt start = map::default_start(map).cell;
   const std::string cell = fmt::format("{},{}", start.x + 3, start.y);
   const judge::Outcome outcome = play("at 0s obstacle " + cell + " for 2s\n", 4.0);
   EXPECT_EQ(outcome.metrics.collisions, 1);

@@ -1,4 +1,4 @@
-#include "sim/scenario/scenario.h"
+#include "sim/run/scenario/scenario.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

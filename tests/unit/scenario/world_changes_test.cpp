@@ -59,7 +59,7 @@ class ChangingWorld : public testing::Test, public run::Listener {
   }
   Vec2 place(double seconds) const { return at(seconds).pose.position; }
 
-  grid::Map map = grid::read_map(grid::find_map("oval"));
+  map::Map map = map::read_map(map::find_map("oval"));
   Profile profile = Profile::ideal;
   std::uint64_t seed = 1;
   std::vector<run::Sample> samples;  // one per millisecond
@@ -131,7 +131,7 @@ TEST_F(ChangingWorld, ALineThatIsErasedCountsAsNone) {
 TEST_F(ChangingWorld, ALineThatIsPaintedIsSeenBesideTheMapsOwn) {
   // The script paints a line in the middle of the field, and places the robot on it.
   play("at 10ms lift\nat 20ms paint 4,8 20,8\nat 30ms place 10,14,E\nat 40ms place 650mm,850mm,E\n", 0.1);
-  const grid::Map& m = map;
+  const map::Map& m = map;
   EXPECT_NEAR(m.centre({10, 8}).y, 0.1 * (m.height - 8.5), 1e-9);
   EXPECT_GT(at(0.09).readings[2], 0.9) << "in the middle of the field, where the map has no line";
 }

@@ -1,4 +1,4 @@
-#include "sim/serve/origin_check.h"
+#include "sim/view/serve/origin_check.h"
 
 #include <gtest/gtest.h>
 

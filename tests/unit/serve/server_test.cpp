@@ -1,4 +1,4 @@
-#include "sim/serve/server.h"
+#include "sim/view/serve/server.h"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -22,8 +22,8 @@
 #include "sim/base/descriptor.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/serve/folder.h"
-#include "sim/serve/job_manager.h"
+#include "sim/view/serve/folder.h"
+#include "sim/view/serve/job_manager.h"
 #include "tests/support/temporary_folder.h"
 
 namespace robosim::serve {

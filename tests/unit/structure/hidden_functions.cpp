@@ -60,26 +60,34 @@ void follow(const std::string& file, const Files& files, Names& reached) {
   }
 }
 
-std::string library_of(const std::string& file) { return file.substr(0, file.find('/', file.find('/') + 1)); }
+/// Returns the innermost of the libraries' folders that contains the file, or "".
+std::string library_of(const std::string& file, const std::set<std::string>& libraries) {
+  std::string folder = file;
+  while (!folder.empty() && !libraries.count(folder)) {
+    const std::size_t slash = folder.rfind('/');
+    folder.resize(slash == folder.npos ? 0 : slash);
+  }
+  return folder;
+}
 
 }  // namespace
 
-std::vector<std::string> hidden_functions(const Files& files) {
+std::vector<std::string> hidden_functions(const Files& files, const std::set<std::string>& libraries) {
   std::map<std::string, Names> headers_with, own;
-  std::map<std::string, std::vector<std::string>> libraries;
+  std::map<std::string, std::vector<std::string>> sources;
   for (const auto& [file, content] : files) {
     if (file.ends_with(".h")) {
       for (const std::string& function : functions_of(content, true)) headers_with[function].insert(file);
     } else if (file.ends_with(".cpp")) {
       own[file] = functions_of(content, false);
-      libraries[library_of(file)].push_back(file);
+      sources[library_of(file, libraries)].push_back(file);
     }
   }
   std::vector<std::string> hidden;
   for (const auto& [file, functions] : own) {
     for (const std::string& function : functions) {
       if (!headers_with.count(function)) continue;
-      for (const std::string& mate : libraries[library_of(file)]) {
+      for (const std::string& mate : sources[library_of(file, libraries)]) {
         if (mate == file || own[mate].count(function) || !calls(files.at(mate), function)) continue;
         Names included;
         follow(mate, files, included);

@@ -3,6 +3,7 @@
 // the header's function from the next source.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,8 @@ namespace robosim::structure {
 
 /// Returns a message for each function in an anonymous namespace of a .cpp file that may hide another
 /// function. The hidden function is declared in a header, and called in another .cpp file of the library. The
-/// compiler may choose either function without a warning. A library is a folder of two levels, such as
-/// `sim/grid`.
-std::vector<std::string> hidden_functions(const Files& files);
+/// compiler may choose either function without a warning. `libraries` are the folders of which each makes a
+/// library; a file belongs to the innermost.
+std::vector<std::string> hidden_functions(const Files& files, const std::set<std::string>& libraries);
 
 }  // namespace robosim::structure

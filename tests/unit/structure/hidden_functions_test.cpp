@@ -3,12 +3,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <set>
+
 namespace robosim::structure {
 namespace hidden_functions_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
 
+const std::set<std::string> kLibraries = {"sim/build", "sim/build/project", "sim/launch"};
 const std::string kHeader = "/// Adds.\nvoid add(Sum& sum, int more);\n";
 const std::string kOwn = "namespace {\n\nvoid add(Words& words, Word more) {\n}\n\n}  // namespace\n";
 const std::string kCalls = "#include \"sim/build/sum.h\"\nvoid f() {\n  add(sum, 2);\n}\n";
@@ -19,13 +23,21 @@ TEST(Functions, OfOneSourceHideNoneThatAnotherMeans) {
     return !file.first.starts_with("sim/") && !file.first.starts_with("hal/board/");
   });
   EXPECT_TRUE(libraries.count("sim/base/error.h"));
-  for (const std::string& sentence : hidden_functions(libraries)) ADD_FAILURE() << sentence;
+  std::set<std::string> folders;
+  const std::filesystem::path root = ROBOSIM_SOURCE_DIR;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "sim")) {
+    if (entry.path().filename() == "CMakeLists.txt")
+      folders.insert(entry.path().parent_path().lexically_relative(root).string());
+  }
+  EXPECT_TRUE(folders.count("sim/map/course"));
+  for (const std::string& sentence : hidden_functions(libraries, folders)) ADD_FAILURE() << sentence;
 }
 
 TEST(HiddenFunctions, AreAHeadersThatAnotherSourceOfTheLibraryCalls) {
   EXPECT_THAT(
       hidden_functions(
-          {{"sim/build/sum.h", kHeader}, {"sim/build/a.cpp", kOwn}, {"sim/build/deep/b.cpp", kCalls}}),
+          {{"sim/build/sum.h", kHeader}, {"sim/build/a.cpp", kOwn}, {"sim/build/deep/b.cpp", kCalls}},
+          kLibraries),
       ElementsAre("sim/build/a.cpp: its own add() may be called by sim/build/deep/b.cpp, which means that of "
                   "sim/build/sum.h, where both are compiled as one file"));
 }
@@ -36,7 +48,8 @@ TEST(HiddenFunctions, AreFoundBehindOtherIncludesAndInAnyExpression) {
     EXPECT_EQ(hidden_functions({{"sim/build/sum.h", kHeader},
                                 {"sim/build/all.h", "#include \"sim/build/sum.h\""},
                                 {"sim/build/a.cpp", kOwn},
-                                {"sim/build/b.cpp", std::string("#include \"sim/build/all.h\"\n") + line}})
+                                {"sim/build/b.cpp", std::string("#include \"sim/build/all.h\"\n") + line}},
+                               kLibraries)
                   .size(),
               1u)
         << line;
@@ -48,9 +61,10 @@ TEST(HiddenFunctions, AreNotThoseOfOtherLibrariesNorThoseThatNobodyElseCalls) {
   const auto with = [&](const char* file, const std::string& content) {
     Files all = files;
     all[file] = content;
-    return hidden_functions(all);
+    return hidden_functions(all, kLibraries);
   };
   EXPECT_THAT(with("sim/launch/b.cpp", kCalls), IsEmpty());
+  EXPECT_THAT(with("sim/build/project/b.cpp", kCalls), IsEmpty());
   EXPECT_THAT(with("sim/build/b.cpp", "void f() {\n  add(sum, 2);\n}\n"), IsEmpty()) << "nothing included";
   EXPECT_THAT(with("sim/build/b.cpp", kOwn + kCalls), IsEmpty()) << "it calls its own";
   for (const char* line :

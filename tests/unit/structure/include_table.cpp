@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -112,6 +114,65 @@ std::vector<std::string> broken_rules(const IncludeTable& table, const Files& fi
     }
   }
   return broken;
+}
+
+std::vector<std::string> foreign_namespaces(const IncludeTable& table, const Files& files) {
+  static const std::regex opening(R"(^namespace robosim::([a-z_]+)\b)");
+  std::map<std::string, std::map<std::string, int>> openings;  // by namespace: number of files by folder
+  std::map<std::string, std::set<std::string>> opened;         // by file
+  for (const auto& [file, content] : files) {
+    const auto* row = row_of(file, table);
+    if (!row || !file.starts_with("sim/")) continue;
+    std::istringstream stream(content);
+    std::string line;
+    while (std::getline(stream, line)) {
+      std::smatch match;
+      if (!std::regex_search(line, match, opening) || !opened[file].insert(match[1]).second) continue;
+      ++openings[match[1]][row->first];
+    }
+  }
+  std::vector<std::string> foreign;
+  for (const auto& [file, names] : opened) {
+    const auto* row = row_of(file, table);
+    for (const std::string& name : names) {
+      const auto& folders = openings[name];
+      const auto home = std::max_element(folders.begin(), folders.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+      if (is_below(home->first, row->first) || is_below_any(home->first, row->second)) continue;
+      foreign.push_back(fmt::format("{}: opens the namespace {} of {}, which {} may not include", file, name,
+                                    home->first, row->first));
+    }
+  }
+  return foreign;
+}
+
+std::vector<std::string> include_cycles(const IncludeTable& table, const Files& files) {
+  static const std::regex include(R"re(^\s*#\s*include\s*[<"]([^>"]+)[>"])re");
+  std::map<std::string, std::vector<std::string>> included;
+  for (const auto& [file, content] : files) {
+    std::istringstream stream(content);
+    std::string line;
+    while (std::getline(stream, line)) {
+      std::smatch match;
+      if (!std::regex_search(line, match, include)) continue;
+      if (const auto target = resolve(match[1], file, table, files)) included[file].push_back(*target);
+    }
+  }
+  std::vector<std::string> cycles, path;
+  std::set<std::string> done;
+  const std::function<void(const std::string&)> visit = [&](const std::string& file) {
+    if (const auto begin = std::find(path.begin(), path.end(), file); begin != path.end()) {
+      cycles.push_back(fmt::format("{} > {}", fmt::join(begin, path.end(), " > "), file));
+      return;
+    }
+    if (done.count(file)) return;
+    path.push_back(file);
+    for (const std::string& next : included[file]) visit(next);
+    path.pop_back();
+    done.insert(file);
+  };
+  for (const auto& [file, content] : files) visit(file);
+  return cycles;
 }
 
 Files read_sources(const std::string& root) {

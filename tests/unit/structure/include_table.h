@@ -24,6 +24,14 @@ IncludeTable read_include_table(const std::string& file, std::string_view text);
 /// Returns a message for each include that the table does not allow: file, line, and the allowed folders.
 std::vector<std::string> broken_rules(const IncludeTable& table, const Files& files);
 
+/// Returns a message for each file that opens a namespace (to declare or define something in it) which
+/// belongs to a folder that the file may not include. A namespace below robosim belongs to the folder with
+/// most files of it.
+std::vector<std::string> foreign_namespaces(const IncludeTable& table, const Files& files);
+
+/// Returns each cycle of files that include each other, as "a.h > b.h > a.h".
+std::vector<std::string> include_cycles(const IncludeTable& table, const Files& files);
+
 /// Returns a checkout's sources: .h, .c, .cpp and .ino files below hal, firmware, sim and tests.
 Files read_sources(const std::string& root);
 

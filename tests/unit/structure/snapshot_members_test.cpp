@@ -128,7 +128,7 @@ TEST(SnapshotMembers, AreConstOrInStateOrInTheTable) {
   EXPECT_THAT(
       forgotten(table,
                 {{"sim/world/body.h", "  double v_ = 0.0;\n"},
-                 {"sim/grid/map.h", "  int x_;\n"},
+                 {"sim/map/map.h", "  int x_;\n"},
                  {"sim/run/a.h",
                   "  const Body& body_;\n  Part* p_ = nullptr;\n  const int n_;\n  Events::Id due_ = 0;\n"
                   "  State state_;\n"},

@@ -38,7 +38,7 @@ TEST(Tab, IsGivenNothingThatItsCompilerLacks) {
                                          "sha2.h",           "cxxabi.h",          "elf.h",         "fcntl.h",
                                          "unistd.h",         "sys/stat.h",        "sys/types.h",   "stdint.h",
                                          "xxh_x86dispatch.h"};
-  const std::string list = robosim::read_file(kRoot / "sim/tab/CMakeLists.txt");
+  const std::string list = robosim::read_file(kRoot / "sim/view/tab/CMakeLists.txt");
   std::set<fs::path> elsewhere;
   for (const char* set : {"set(replaced ", "set(left_out "})
     for (const std::string& file : words_behind(list, set)) elsewhere.insert(kRoot / "sim" / (file + ".cpp"));
@@ -59,7 +59,7 @@ TEST(Tab, IsGivenNothingThatItsCompilerLacks) {
       EXPECT_TRUE(headers.contains(header))
           << file << " includes <" << header
           << ">, which a browser's tab does not have: replace the file by one "
-          << "in sim/tab/instead, or add it to left_out (sim/tab/CMakeLists.txt)";
+          << "in sim/view/tab/instead, or add it to left_out (sim/view/tab/CMakeLists.txt)";
     }
     std::smatch found;
     EXPECT_FALSE(std::regex_search(text, found, lacking))

@@ -11,8 +11,8 @@
 #include <set>
 
 #include "sim/base/error.h"
-#include "sim/grid/network.h"
-#include "sim/grid/true_graph.h"
+#include "sim/map/network.h"
+#include "sim/map/true_graph.h"
 #include "tests/support/caught_failures.h"
 #include "tests/support/effort.h"
 
@@ -48,14 +48,14 @@ void for_all(const rc::Gen<T>& any, std::uint64_t count, const std::function<voi
 
 struct Floor {
   explicit Floor(const std::string& text)
-      : map(grid::parse_map(text, "random")),
-        start(grid::default_start(map)),
-        network(grid::trace_network(map, start)),
-        graph(grid::true_graph(map, start)) {}
-  grid::Map map;
-  grid::Start start;
-  grid::Network network;
-  grid::TrueGraph graph;
+      : map(map::parse_map(text, "random")),
+        start(map::default_start(map)),
+        network(map::trace_network(map, start)),
+        graph(map::true_graph(map, start)) {}
+  map::Map map;
+  map::Start start;
+  map::Network network;
+  map::TrueGraph graph;
 };
 
 template <typename Check>
@@ -75,7 +75,7 @@ TEST(RandomTrees, AreConnectedAndBeginAtAStation) {
     EXPECT_TRUE(floor.network.unreachable.empty()) << text;
     EXPECT_GE(floor.graph.stations.size(), 2u) << text;
     EXPECT_EQ(floor.graph.stations[0].cell, floor.start.cell) << text;
-    EXPECT_EQ(grid::cycle_count(floor.graph), 0u) << text;
+    EXPECT_EQ(map::cycle_count(floor.graph), 0u) << text;
     seen.insert(text);
   });
   EXPECT_GT(seen.size(), test::rounds(100u));
@@ -87,7 +87,7 @@ TEST(RandomTrees, KeepTheirLandmarksApart) {
     for (const auto& station : floor.graph.stations) EXPECT_GE(station.arm.length, 4) << text;
     for (const auto& junction : floor.graph.junctions) {
       EXPECT_EQ(junction.arms.size(), 3u) << text;
-      for (const grid::Arm& arm : junction.arms) EXPECT_GE(arm.length, 4) << text;
+      for (const map::Arm& arm : junction.arms) EXPECT_GE(arm.length, 4) << text;
     }
   });
 }
@@ -97,8 +97,8 @@ TEST(RandomNetworks, HaveCyclesAndCrossingsWhereTheyMay) {
   for_all<std::string>(networks({.lines = 20, .cycles = 2, .obstacles = 1}), 60,
                        [&](const std::string& text) {
                          const Floor floor(text);
-                         EXPECT_LE(grid::cycle_count(floor.graph), 2u) << text;
-                         cycles += grid::cycle_count(floor.graph) > 0;
+                         EXPECT_LE(map::cycle_count(floor.graph), 2u) << text;
+                         cycles += map::cycle_count(floor.graph) > 0;
                          for (const auto& junction : floor.graph.junctions)
                            crossings += junction.arms.size() == 4;
                          obstacles += text.find('x') != std::string::npos;
@@ -126,7 +126,7 @@ TEST(RandomNetworks, ShrinkToTheSmallestTIfJunctionsFail) {
 }
 
 TEST(RandomNetworks, ShrinkToTheSmallestCycleIfCyclesFail) {
-  const auto has_cycle = [](const std::string& text) { return grid::cycle_count(Floor(text).graph) > 0; };
+  const auto has_cycle = [](const std::string& text) { return map::cycle_count(Floor(text).graph) > 0; };
   const std::string text = smallest(networks({.lines = 20, .cycles = 3}), has_cycle);
   EXPECT_EQ(area(text), 12 + 3) << "a square with a tail\n" << text;
 }
@@ -142,7 +142,7 @@ TEST(RandomTracks, AreSingleLoopsWithTheGoalOfALap) {
     const Floor floor(text);
     EXPECT_FALSE(floor.network.loop.empty()) << text;
     EXPECT_EQ(floor.map.goal, "laps:1");
-    EXPECT_EQ(floor.map.at(floor.start.cell), grid::Cell::line) << "a gap is not a start\n" << text;
+    EXPECT_EQ(floor.map.at(floor.start.cell), map::Cell::line) << "a gap is not a start\n" << text;
     bent += floor.network.loop.size() > 40;
     broken += text.find("3", text.find("+++", 3)) != std::string::npos;
   });

@@ -1,4 +1,4 @@
-#include "sim/trace/trace_hash.h"
+#include "sim/run/trace/trace_hash.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "sim/wiring/guess.h"
+#include "sim/campaign/wiring/guess.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "sim/wiring/draft.h"
+#include "sim/campaign/wiring/draft.h"
 
 namespace robosim::wiring {
 namespace guess_test {

@@ -1,8 +1,8 @@
-#include "sim/wiring/name_words.h"
+#include "sim/campaign/wiring/name_words.h"
 
 #include <gtest/gtest.h>
 
-#include "sim/wiring/tokens.h"
+#include "sim/campaign/wiring/tokens.h"
 
 namespace robosim::wiring {
 namespace name_words_test {

@@ -1,9 +1,9 @@
-#include "sim/wiring/sketch_names.h"
+#include "sim/campaign/wiring/sketch_names.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/wiring/tokens.h"
+#include "sim/campaign/wiring/tokens.h"
 
 namespace robosim::wiring {
 namespace sketch_names_test {

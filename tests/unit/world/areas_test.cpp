@@ -6,8 +6,8 @@ namespace robosim::world {
 namespace areas_test {
 
 // Returns a map with a 20 mm line from left to right at y = 500 mm.
-grid::Map map_with_areas(const std::string& tables, const char* paint = "black on white") {
-  return grid::parse_map(
+map::Map map_with_areas(const std::string& tables, const char* paint = "black on white") {
+  return map::parse_map(
       std::string("+++\nsize = [\"2 m\", \"1 m\"]\nline = \"20 mm\"\npaint = \"") + paint + "\"\n" + tables +
           "\n[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [{ length = \"1 m\" }]\n+++\n",
       "m.map");
@@ -16,7 +16,7 @@ grid::Map map_with_areas(const std::string& tables, const char* paint = "black o
 constexpr double kSpot = 0.002;
 
 TEST(Areas, LieUnderTheLineAndInTheirOrderUnlessTheySayTheyLieOverIt) {
-  const grid::Map map = map_with_areas(R"(
+  const map::Map map = map_with_areas(R"(
 area = [
   { colour = "green", at = ["500 mm", "500 mm"], size = ["100 mm", "100 mm"] },
   { colour = "white", at = ["530 mm", "500 mm"], radius = "10 mm" },
@@ -37,7 +37,7 @@ area = [
 }
 
 TEST(Areas, HaveAColourForWhoeverTellsColoursApart) {
-  const grid::Map map = map_with_areas(R"(
+  const map::Map map = map_with_areas(R"(
 area = [
   { colour = "green", at = ["500 mm", "600 mm"], size = ["100 mm", "100 mm"] },
   { colour = "red", at = ["800 mm", "600 mm"], size = ["100 mm", "100 mm"] },
@@ -53,9 +53,9 @@ area = [
 }
 
 TEST(Areas, AreSharesOfAFootprintAtTheirEdges) {
-  const grid::Map map = map_with_areas(R"(
+  const map::Map map = map_with_areas(R"(
 area = [{ colour = "white", at = ["500 mm", "800 mm"], radius = "50 mm" }])",
-                                       "white on black");
+                                      "white on black");
   const Floor floor(map);
   EXPECT_NEAR(floor.darkness({0.5, 0.8}, 0.01), 0.0, 1e-12);
   EXPECT_NEAR(floor.darkness({0.55, 0.8}, 0.01), 0.5, 1e-9);

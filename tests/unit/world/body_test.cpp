@@ -33,7 +33,7 @@ class BodyTest : public testing::Test {
     body.command(right, {0.0, 1.0});
   }
 
-  grid::Map map_ = empty_map(400, 400);
+  map::Map map_ = empty_map(400, 400);
   std::unique_ptr<World> world_;
 };
 

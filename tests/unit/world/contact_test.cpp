@@ -49,15 +49,15 @@ BodyParams shaped(BodyParams p, Shape shape) {
 }
 
 // Samples points of the body's outline. Returns how deep the deepest of them is inside walls or obstacles.
-double inside_walls(const grid::Map& map, const Body& body) {
+double inside_walls(const map::Map& map, const Body& body) {
   const BodyParams& p = body.params();
   double deepest = 0.0;
   const auto sample = [&](Vec2 at_body) {
     const Vec2 w = body.pose().to_world(at_body);
     const int column = static_cast<int>(std::floor(w.x / map.cell_m));
     const int row = map.height - 1 - static_cast<int>(std::floor(w.y / map.cell_m));
-    const grid::Cell cell = map.at({column, row});
-    if (cell != grid::Cell::wall && cell != grid::Cell::obstacle) return;
+    const map::Cell cell = map.at({column, row});
+    if (cell != map::Cell::wall && cell != map::Cell::obstacle) return;
     const double x = w.x / map.cell_m - column, y = w.y / map.cell_m - std::floor(w.y / map.cell_m);
     deepest = std::max(deepest, std::min({x, 1.0 - x, y, 1.0 - y}) * map.cell_m);
   };
@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(Contact, OfEveryShape,
 TEST_P(OfEveryShape, NeverPassesAOneCellWallAtAnySpeedFromAnyAngle) {
   std::vector<std::string> rows(30, std::string(30, ' '));
   for (int i = 10; i < 20; ++i) rows[10][i] = rows[19][i] = rows[i][10] = rows[i][19] = '#';
-  const grid::Map map = map_of(rows);
+  const map::Map map = map_of(rows);
   for (const double speed_factor : {1.0, 8.0, 100.0}) {
     for (int degrees = 0; degrees < 360; degrees += 7) {
       World world(map);
@@ -104,7 +104,7 @@ TEST_P(OfEveryShape, NeverPassesAOneCellWallAtAnySpeedFromAnyAngle) {
 TEST_P(OfEveryShape, NeverPassesAThinWallAtTheHighestSpeed) {
   std::vector<std::string> rows(300, std::string(300, ' '));
   for (int i = 50; i < 250; ++i) rows[50][i] = rows[249][i] = rows[i][50] = rows[i][249] = '#';
-  grid::Map map = map_of(rows);
+  map::Map map = map_of(rows);
   map.cell_m = 0.01;
   BodyParams p = shaped(fast(200.0), GetParam());
   p.grip = 1e6;
@@ -127,7 +127,7 @@ TEST_P(OfEveryShape, NeverPassesAThinWallAtTheHighestSpeed) {
 }
 
 TEST_P(OfEveryShape, TheMapsEdgeIsAWall) {
-  const grid::Map map = empty_map(5, 4);
+  const map::Map map = empty_map(5, 4);
   for (int degrees = 0; degrees < 360; degrees += 30) {
     World world(map);
     Body& body = world.body(world.add_body(shaped(fast(4.0), GetParam()), {{0.25, 0.2}, direction(degrees)}));
@@ -139,7 +139,7 @@ TEST_P(OfEveryShape, TheMapsEdgeIsAWall) {
 }
 
 TEST_P(OfEveryShape, ALastingContactCountsOnce) {
-  const grid::Map map = empty_map(20, 10);
+  const map::Map map = empty_map(20, 10);
   World world(map);
   Body& body =
       world.body(world.add_body(shaped(default_body_params(), GetParam()), {{1.5, 0.5}, {1.0, 0.0}}));
@@ -157,7 +157,7 @@ TEST_P(OfEveryShape, ALastingContactCountsOnce) {
 }
 
 TEST(Contact, AgainstAWallTheWheelsStandWhereTheGripIsGood) {
-  const grid::Map map = empty_map(20, 10);
+  const map::Map map = empty_map(20, 10);
   World world(map);
   BodyParams p = default_body_params();
   p.grip = 5.0;
@@ -176,7 +176,7 @@ TEST(Contact, AgainstAWallTheWheelsStandWhereTheGripIsGood) {
 }
 
 TEST(Contact, AnObstacleCellStopsABody) {
-  const grid::Map map = map_of({"          ", "...x......", "          "});
+  const map::Map map = map_of({"          ", "...x......", "          "});
   World world(map);
   Body& body = world.body(world.add_body(default_body_params(), {{0.12, 0.15}, {1.0, 0.0}}));
   drive(body, 1.0, 1.0);
@@ -186,7 +186,7 @@ TEST(Contact, AnObstacleCellStopsABody) {
 }
 
 TEST_P(OfEveryShape, AnObstacleCanBePutDownAndTakenAway) {
-  const grid::Map map = empty_map(40, 10);
+  const map::Map map = empty_map(40, 10);
   World world(map);
   const BodyParams p = shaped(default_body_params(), GetParam());
   Body& body = world.body(world.add_body(p, {{0.5, 0.5}, {1.0, 0.0}}));
@@ -205,7 +205,7 @@ TEST_P(OfEveryShape, AnObstacleCanBePutDownAndTakenAway) {
 }
 
 TEST(Contact, AlongASmoothWallItSlides) {
-  const grid::Map map = empty_map(100, 10);
+  const map::Map map = empty_map(100, 10);
   World world(map);
   BodyParams p = default_body_params();
   p.wall_friction = 0.02;
@@ -220,7 +220,7 @@ TEST(Contact, AlongASmoothWallItSlides) {
 }
 
 TEST(Contact, ARoughWallTurnsItTowardsItself) {
-  const grid::Map map = empty_map(100, 10);
+  const map::Map map = empty_map(100, 10);
   World world(map);
   BodyParams p = default_body_params();
   p.wall_friction = 0.6;
@@ -231,7 +231,7 @@ TEST(Contact, ARoughWallTurnsItTowardsItself) {
 }
 
 TEST(Contact, NeverGainsEnergyFromWalls) {
-  const grid::Map map = map_of({"#######", "#     #", "#  #  #", "#     #", "#######"});
+  const map::Map map = map_of({"#######", "#     #", "#  #  #", "#     #", "#######"});
   for (const Shape shape : {Shape::circle, Shape::box, Shape::triangle}) {
     BodyParams p = shaped(fast(3.0), shape);
     p.radius_m = 0.06;
@@ -254,7 +254,7 @@ TEST(Contact, NeverGainsEnergyFromWalls) {
 }
 
 TEST(Contact, TwoRobotsThatMeetStopEachOther) {
-  const grid::Map map = empty_map(40, 10);
+  const map::Map map = empty_map(40, 10);
   World world(map);
   Body& a = world.body(world.add_body(default_body_params(), {{0.5, 0.5}, {1.0, 0.0}}));
   Body& b = world.body(world.add_body(default_body_params(), {{2.5, 0.5}, {-1.0, 0.0}}));
@@ -269,7 +269,7 @@ TEST(Contact, TwoRobotsThatMeetStopEachOther) {
 }
 
 TEST(Contact, PutIntoAWallItStaysUntilItIsLiftedOut) {
-  const grid::Map map = map_of({"#####", "#####", "#####", "##   ", "#####"});
+  const map::Map map = map_of({"#####", "#####", "#####", "##   ", "#####"});
   World world(map);
   Body& body = world.body(world.add_body(default_body_params(), {{0.25, 0.35}, {1.0, 0.0}}));
   drive(body, 1.0, 1.0);
@@ -291,7 +291,7 @@ TEST(Walls, ClearanceNeverPromisesTooMuch) {
         if ((random >> 16) % 20 == 0) c = random >> 24 & 1 ? '#' : 'x';
       }
     }
-    const grid::Map map = map_of(rows);
+    const map::Map map = map_of(rows);
     const Walls walls(map);
     for (int i = 0; i < 500; ++i) {
       random = random * 1664525u + 1013904223u;

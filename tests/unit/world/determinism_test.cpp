@@ -25,7 +25,7 @@ struct Bits {
 // the hash changes, old runs can no longer be reproduced, so the change must be announced. The hash is the
 // same for gcc and clang at any optimisation.
 TEST(Determinism, TheBitsOfAMixedRunArePinned) {
-  grid::Map map =
+  map::Map map =
       map_of({"##############", "#            #", "# .......... #", "# .   #    . #", "# .  oo..  x #",
               "# .    .   . #", "# .......... #", "#            #", "##############"});
   World world(map);

@@ -15,8 +15,8 @@ namespace floor_gaps_test {
 
 constexpr double kFall = 9.80665;  // in m/s^2
 
-grid::Joint joint(double x, double gap, Vec2 heading = {1.0, 0.0}) {
-  grid::Joint joint;
+map::Joint joint(double x, double gap, Vec2 heading = {1.0, 0.0}) {
+  map::Joint joint;
   joint.middle = {{x, 10.0}, heading};
   joint.half_length = 0.5 * gap;
   joint.half_width = 2.0;
@@ -86,7 +86,7 @@ class JointsTest : public testing::Test {
     return 1.0 - v * v / (speed * speed);
   }
 
-  grid::Map map_ = empty_map(200, 200);
+  map::Map map_ = empty_map(200, 200);
   BodyParams params_ = default_body_params();
   std::unique_ptr<World> world_;
 };
@@ -94,7 +94,7 @@ class JointsTest : public testing::Test {
 TEST_F(JointsTest, SinkAWheelByTheClosedForm) {
   for (const double gap : {0.001, 0.003, 0.005, 0.006})
     for (const double r : {0.010, 0.016, 0.035}) {
-      grid::Course course;
+      map::Course course;
       course.joints = {joint(10.0, gap)};
       const FloorGaps joints(course);
       const FloorGaps::Roller wheel{r, {1.0, 0.0}, 0.1};
@@ -115,7 +115,7 @@ TEST_F(JointsTest, SinkAWheelByTheClosedForm) {
 }
 
 TEST_F(JointsTest, ABallSinksDeeperTheObliquerAWheelTheLess) {
-  grid::Course course;
+  map::Course course;
   course.joints = {joint(10.0, 0.005)};
   const FloorGaps joints(course);
   const auto depth = [&](double degrees) {

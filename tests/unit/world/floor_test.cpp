@@ -19,7 +19,7 @@ struct Random {
   }
 };
 
-grid::Map random_map(Random& random, bool raster, double corner) {
+map::Map random_map(Random& random, bool raster, double corner) {
   std::vector<std::string> rows(11, std::string(14, ' '));
   for (std::string& row : rows) {
     for (char& c : row) {
@@ -27,24 +27,24 @@ grid::Map random_map(Random& random, bool raster, double corner) {
       c = r < 0.55 ? ' ' : r < 0.85 ? '.' : r < 0.92 ? 'o' : r < 0.96 ? 'x' : '#';
     }
   }
-  grid::Map map = map_of(rows);
+  map::Map map = map_of(rows);
   map.raster = raster;
   map.corner_m = corner;
   return map;
 }
 
 // Returns a map with few long lines and bends, as on a real floor.
-grid::Map bends(double corner) {
-  grid::Map map = map_of({"                ", " .............. ", " .            . ", " .  .....     . ",
-                          " .  .   .  oo... ", " .  .   .  .    ", " .  .   ....    ", " .  .           ",
-                          " ....           ", "                "});
+map::Map bends(double corner) {
+  map::Map map = map_of({"                ", " .............. ", " .            . ", " .  .....     . ",
+                         " .  .   .  oo... ", " .  .   .  .    ", " .  .   ....    ", " .  .           ",
+                         " ....           ", "                "});
   map.corner_m = corner;
   return map;
 }
 
 // Returns a figure eight of arcs and of slanted straights, which cross.
-grid::Map eight_of_arcs() {
-  return grid::parse_map(R"(+++
+map::Map eight_of_arcs() {
+  return map::parse_map(R"(+++
 line = "19 mm"
 size = ["2.8 m", "1.4 m"]
 [[path]]
@@ -56,20 +56,20 @@ segments = [
 ]
 +++
 )",
-                         "eight.map");
+                        "eight.map");
 }
 
-double brute_distance(const grid::Stripes& stripes, Vec2 p, bool painted_only) {
+double brute_distance(const map::Stripes& stripes, Vec2 p, bool painted_only) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const grid::Stripe& s : stripes.all()) {
-    if (s.painted || !painted_only) nearest = std::min(nearest, grid::distance(s, p));
+  for (const map::Stripe& s : stripes.all()) {
+    if (s.painted || !painted_only) nearest = std::min(nearest, map::distance(s, p));
   }
   return nearest;
 }
 
-void expect_exact(const grid::Map& map, Random& random) {
+void expect_exact(const map::Map& map, Random& random) {
   const Floor floor(map);
-  const grid::Stripes stripes(map, 0.01);
+  const map::Stripes stripes(map, 0.01);
   for (int i = 0; i < 3000; ++i) {
     const Vec2 p{(random() * 1.1 - 0.05) * map.width * map.cell_m,
                  (random() * 1.1 - 0.05) * map.height * map.cell_m};
@@ -111,9 +111,9 @@ TEST(Floor, DistanceAndCoverageAreExactOverRoundedBends) {
 TEST(Floor, WhoRemembersTheNearestStripeFindsTheSame) {
   Random random;
   for (int i = 0; i < 24; ++i) {
-    grid::Map map = i % 3 == 0   ? eight_of_arcs()
-                    : i % 3 == 1 ? bends(0.02 + 0.004 * i)
-                                 : random_map(random, i % 8 == 7, 0.02);
+    map::Map map = i % 3 == 0   ? eight_of_arcs()
+                   : i % 3 == 1 ? bends(0.02 + 0.004 * i)
+                                : random_map(random, i % 8 == 7, 0.02);
     map.light_line = i % 3 == 0;
     const Floor floor(map);
     const double footprint = 0.002 + 0.003 * (i % 6), width = map.width * map.cell_m,
@@ -137,7 +137,7 @@ TEST(Floor, WhoRemembersTheNearestStripeFindsTheSame) {
 }
 
 TEST(Floor, AnEmptyFloorIsWhiteAndFarFromAnyLine) {
-  const grid::Map map = empty_map(30, 30);
+  const map::Map map = empty_map(30, 30);
   const Floor floor(map);
   EXPECT_EQ(floor.coverage({1.5, 1.5}, 0.003), 0.0);
   EXPECT_EQ(floor.coverage({-5.0, 99.0}, 0.003), 0.0);
@@ -153,7 +153,7 @@ double disc_share(double x, double radius) {
 }
 
 TEST(Floor, CoverageIsWithin26ThousandthsOfTheShareOfADiscOfThatArea) {
-  const grid::Map map = map_of({"     ", ".....", "     "});
+  const map::Map map = map_of({"     ", ".....", "     "});
   const Floor floor(map);
   double worst = 0.0;
   for (const double f : {0.001, 0.003, 0.006, 0.012}) {
@@ -168,7 +168,7 @@ TEST(Floor, CoverageIsWithin26ThousandthsOfTheShareOfADiscOfThatArea) {
 }
 
 TEST(Floor, AFootprintWiderThanTheLineSeesBothItsEdges) {
-  const grid::Map map = map_of({"     ", ".....", "     "});
+  const map::Map map = map_of({"     ", ".....", "     "});
   const Floor floor(map);
   for (const double f : {0.02, 0.025, 0.04}) {
     for (int i = -40; i <= 40; ++i) {
@@ -180,7 +180,7 @@ TEST(Floor, AFootprintWiderThanTheLineSeesBothItsEdges) {
 }
 
 TEST(Floor, AVariedFloorHasPatchesOfThatSpreadAndSizeAndAnEvenOneHasNone) {
-  const grid::Map map = empty_map(30, 30);
+  const map::Map map = empty_map(30, 30);
   Floor floor(map);
   EXPECT_EQ(floor.brightness({1.234, 0.567}), 1.0);
   floor.vary(NoiseStream(1, 0, "floor", "brightness"), 0.05);
@@ -208,7 +208,7 @@ TEST(Floor, AVariedFloorHasPatchesOfThatSpreadAndSizeAndAnEvenOneHasNone) {
 TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
   Random random;
   for (int round = 0; round < 10; ++round) {
-    const grid::Map map = random_map(random, true, round % 2 ? 0.05 : 0.0);
+    const map::Map map = random_map(random, true, round % 2 ? 0.05 : 0.0);
     const Floor floor(map);
     for (int i = 0; i < 500; ++i) {
       const Vec2 p{(random() * 1.2 - 0.1) * 1.4, (random() * 1.2 - 0.1) * 1.1};
@@ -216,8 +216,8 @@ TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
       double dark = 0.0;
       for (int y = 0; y < map.height; ++y) {
         for (int x = 0; x < map.width; ++x) {
-          const grid::Cell cell = map.at({x, y});
-          if (cell != grid::Cell::line && cell != grid::Cell::obstacle) continue;
+          const map::Cell cell = map.at({x, y});
+          if (cell != map::Cell::line && cell != map::Cell::obstacle) continue;
           const Vec2 c = map.centre({x, y});
           const double w = std::min(p.x + f / 2, c.x + 0.05) - std::max(p.x - f / 2, c.x - 0.05);
           const double h = std::min(p.y + f / 2, c.y + 0.05) - std::max(p.y - f / 2, c.y - 0.05);
@@ -231,7 +231,7 @@ TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
 
 // The reference counts the marked points of a fine grid over the footprint.
 TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
-  const grid::Map map = grid::parse_map(
+  const map::Map map = map::parse_map(
       "+++\nsize = [\"1 m\", \"1 m\"]\nline = \"1 mm\"\n[[path]]\nfrom = [\"100 mm\", \"500 mm\"]\n"
       "segments = [{ length = \"800 mm\" }]\n"
       "[[mark]]\nalong = \"400 mm\"\nwidth = \"19 mm\"\n[[mark]]\nalong = \"420 mm\"\nside = "
@@ -275,9 +275,9 @@ TEST(Marks, AreSeenFromEverywhereBesideLinesOfOneKindOrOfSeveral) {
       text += "[[mark]]\nalong = \"" + std::to_string(5 + 110 * i) + " mm\"\nside = \"" +
               (i % 2 ? "left" : "right") + "\"\nlength = \"" + std::to_string(20 + 3 * i) +
               " mm\"\nwidth = \"" + std::to_string(4 + 2 * i) + " mm\"\n";
-    return grid::parse_map(text + "+++\n", "m.map");
+    return map::parse_map(text + "+++\n", "m.map");
   };
-  const grid::Map alike = course(""), several = course(", colour = \"grey 99 %\"");
+  const map::Map alike = course(""), several = course(", colour = \"grey 99 %\"");
   ASSERT_EQ(alike.course.marks.size(), 48u);
   const Floor floor(alike), with_grey(several);
   const auto share = [](double away, double half, double f) {
@@ -289,7 +289,7 @@ TEST(Marks, AreSeenFromEverywhereBesideLinesOfOneKindOrOfSeveral) {
     const Vec2 p{3.0 * random(), 3.0 * random()};
     const double f = i % 10 == 0 ? 0.03 : 0.016 * random() + 1e-6;
     double on_mark = 0.0;
-    for (const grid::Mark& mark : alike.course.marks) {
+    for (const map::Mark& mark : alike.course.marks) {
       const Vec2 own = mark.middle.to_body(p);
       on_mark = std::max(on_mark, share(own.x, mark.half_length, f) * share(own.y, mark.half_width, f));
     }
@@ -307,8 +307,8 @@ TEST(Floor, OfALightLineIsDarkBesideIt) {
   const std::string course =
       "size = [\"1 m\", \"1 m\"]\n[[path]]\nfrom = [\"100 mm\", \"500 mm\"]\nsegments = [{ length = \"800 "
       "mm\" }]\n+++\n";
-  const grid::Map light = grid::parse_map("+++\npaint = \"white on black\"\n" + course, "m.map");
-  const grid::Map dark = grid::parse_map("+++\n" + course, "m.map");
+  const map::Map light = map::parse_map("+++\npaint = \"white on black\"\n" + course, "m.map");
+  const map::Map dark = map::parse_map("+++\n" + course, "m.map");
   const Floor on_light(light), on_dark(dark);
   for (double y = 0.45; y < 0.55; y += 0.001) {
     EXPECT_DOUBLE_EQ(on_light.darkness({0.5, y}, 0.006), 1.0 - on_dark.darkness({0.5, y}, 0.006));

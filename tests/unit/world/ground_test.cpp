@@ -18,9 +18,9 @@ namespace ground_test {
 constexpr double kG = 9.80665;
 constexpr double kWithin = 0.02;
 
-grid::Hill hill(Vec2 middle, double length, double width, std::vector<double> heights,
-                Vec2 heading = {1.0, 0.0}) {
-  grid::Hill hill;
+map::Hill hill(Vec2 middle, double length, double width, std::vector<double> heights,
+               Vec2 heading = {1.0, 0.0}) {
+  map::Hill hill;
   hill.middle = {middle, heading};
   hill.half_length = 0.5 * length;
   hill.half_width = 0.5 * width;
@@ -28,8 +28,8 @@ grid::Hill hill(Vec2 middle, double length, double width, std::vector<double> he
   return hill;
 }
 
-grid::Hill seesaw(Vec2 middle, double length, double pivot, double plank_kg) {
-  grid::Hill plank = hill(middle, length, 0.3, {});
+map::Hill seesaw(Vec2 middle, double length, double pivot, double plank_kg) {
+  map::Hill plank = hill(middle, length, 0.3, {});
   plank.pivot = pivot;
   plank.plank_kg = plank_kg;
   return plank;
@@ -74,7 +74,7 @@ class GroundTest : public testing::Test {
   }
   static double slope_of(double sine) { return sine / std::sqrt(1.0 - sine * sine); }
 
-  grid::Map map_ = empty_map(200, 200);
+  map::Map map_ = empty_map(200, 200);
   std::unique_ptr<World> world_;
 };
 
@@ -225,7 +225,7 @@ TEST_F(GroundTest, StopsOnAGivenGripInTheWayOfTheBooks) {
   BodyParams p = free_body();
   p.load_share = 1.0;
   for (const double factor : {1.0, 0.5}) {
-    grid::Surface wet;
+    map::Surface wet;
     wet.middle = {{10.0, 10.0}, {1.0, 0.0}};
     wet.half_length = wet.half_width = 20.0;
     wet.grip = factor;
@@ -245,7 +245,7 @@ TEST_F(GroundTest, StopsOnAGivenGripInTheWayOfTheBooks) {
 // Rows of a map count from the top, but y in the world counts from the bottom. A [[surface]] takes precedence
 // over a cell.
 TEST_F(GroundTest, IsMadeOfWhatTheLegendSaysOfACell) {
-  const grid::Map map = grid::parse_map(
+  const map::Map map = map::parse_map(
       "+++\n[legend]\n4 = \"wet\"\n5 = { cell = \"line\", grip = 0.3, rolling = 0.02 }\n"
       "[[surface]]\nat = [\"250 mm\", \"50 mm\"]\nradius = \"20 mm\"\nkind = \"carpet\"\n+++\n"
       "4..\n___\n__5\n",
@@ -288,10 +288,10 @@ TEST_F(GroundTest, StopsOnTheGripOfTheLegendInTheWayOfTheBooks) {
 TEST_F(GroundTest, RollsAsFarAsRollingResistanceLetsIt) {
   BodyParams p = free_body();
   p.rolling_resistance = 0.02;
-  grid::Surface carpet;
+  map::Surface carpet;
   carpet.middle = {{12.0, 10.0}, {1.0, 0.0}};
   carpet.half_length = carpet.half_width = 20.0;
-  carpet.rolling = grid::kSurfaces[2].rolling;
+  carpet.rolling = map::kSurfaces[2].rolling;
   for (const bool on_carpet : {false, true}) {
     map_.course.surfaces.clear();
     if (on_carpet) map_.course.surfaces = {carpet};

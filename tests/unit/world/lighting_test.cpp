@@ -7,7 +7,7 @@
 namespace robosim::world {
 namespace lighting_test {
 
-using grid::Light;
+using map::Light;
 
 Light lamp(double level, double height) {
   Light light;

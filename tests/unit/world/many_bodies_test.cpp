@@ -58,7 +58,7 @@ TEST(NearBodies, AreFewOnALargeFloorAndGoBeyondItsEdge) {
 }
 
 TEST(World, WhereManyTouchAtOnceTheOrderOfTheirNumbersDoesNotShow) {
-  const grid::Map map = empty_map(60, 60);
+  const map::Map map = empty_map(60, 60);
   for (const std::size_t count : {4u, 20u}) {
     const auto places = crowd(count, 0.05 * static_cast<double>(count), 0.5, count);
     const auto ends = [&](bool backwards) {
@@ -81,7 +81,7 @@ TEST(World, WhereManyTouchAtOnceTheOrderOfTheirNumbersDoesNotShow) {
 }
 
 TEST(World, SeesOtherBodiesFromAboveTheFloorButThoseInAHand) {
-  const grid::Map map = empty_map(30, 3);
+  const map::Map map = empty_map(30, 3);
   World world(map);
   const std::size_t eye = world.add_body(default_body_params(), {{0.2, 0.15}, {1.0, 0.0}});
   const std::size_t other = world.add_body(default_body_params(), {{0.8, 0.15}, {1.0, 0.0}});

@@ -4,30 +4,30 @@
 #include <string>
 #include <vector>
 
-#include "sim/grid/map.h"
+#include "sim/map/map.h"
 
 namespace robosim::world {
 
 /// Returns a map with one character per cell: ' ' floor, '.' line, '#' wall, 'o' gap, 'x' obstacle.
-inline grid::Map map_of(const std::vector<std::string>& rows) {
-  grid::Map map;
+inline map::Map map_of(const std::vector<std::string>& rows) {
+  map::Map map;
   map.file = "test.map";
   map.height = static_cast<int>(rows.size());
   map.width = static_cast<int>(rows[0].size());
   for (const std::string& row : rows) {
     for (const char c : row) {
-      map.cells.push_back(c == '.'   ? grid::Cell::line
-                          : c == '#' ? grid::Cell::wall
-                          : c == 'o' ? grid::Cell::gap
-                          : c == 'x' ? grid::Cell::obstacle
-                                     : grid::Cell::floor);
+      map.cells.push_back(c == '.'   ? map::Cell::line
+                          : c == '#' ? map::Cell::wall
+                          : c == 'o' ? map::Cell::gap
+                          : c == 'x' ? map::Cell::obstacle
+                                     : map::Cell::floor);
     }
   }
   return map;
 }
 
 /// Returns a map of empty floor.
-inline grid::Map empty_map(int width, int height) {
+inline map::Map empty_map(int width, int height) {
   return map_of(std::vector<std::string>(static_cast<std::size_t>(height),
                                          std::string(static_cast<std::size_t>(width), ' ')));
 }

@@ -170,7 +170,7 @@ class WoundBody : public testing::Test {
     return p.mass_kg + 2.0 * inertia / (w.radius_m * w.radius_m);
   }
 
-  grid::Map map_ = empty_map(400, 400);
+  map::Map map_ = empty_map(400, 400);
   std::unique_ptr<World> world_;
 };
 

@@ -10,15 +10,14 @@ namespace paint_test {
 constexpr double kSeen = 0.002;
 
 // Returns a map with a 20 mm line from left to right at y = 500 mm. The line consists of `pieces`.
-grid::Map map_of_pieces(const std::string& pieces, const std::string& top = "") {
-  return grid::parse_map("+++\nsize = [\"4 m\", \"1 m\"]\nline = \"20 mm\"\n" + top +
-                             "\n[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [" + pieces +
-                             "]\n+++\n",
-                         "m.map");
+map::Map map_of_pieces(const std::string& pieces, const std::string& top = "") {
+  return map::parse_map("+++\nsize = [\"4 m\", \"1 m\"]\nline = \"20 mm\"\n" + top +
+                            "\n[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [" + pieces + "]\n+++\n",
+                        "m.map");
 }
 
 TEST(Paints, OfSegmentsAreAsWideAndAsDarkAsTheySay) {
-  const grid::Map map = map_of_pieces(
+  const map::Map map = map_of_pieces(
       "{ length = \"600 mm\" }, { length = \"600 mm\", width = \"8 mm\" }, { length = \"600 mm\", width = "
       "\"40 "
       "mm\", colour = \"grey 60 %\" }, { length = \"600 mm\", colour = \"red\", gloss = \"10 %\" }");
@@ -50,7 +49,7 @@ TEST(Paints, OfSegmentsAreAsWideAndAsDarkAsTheySay) {
 
 TEST(Paints, OfAWideSegmentAreTheLineThere) {
   const std::string cells = "_________\n_..._..._\n_________\n";
-  const grid::Map map = grid::parse_map(
+  const map::Map map = map::parse_map(
       "+++\nline = \"20 mm\"\n[[path]]\nfrom = [\"100 mm\", \"250 mm\"]\nwidth = \"60 mm\"\nsegments = [{ "
       "length = \"300 mm\" }, { length = \"100 mm\", gap = true }, { length = \"200 mm\" }]\n+++\n" +
           cells,
@@ -81,7 +80,7 @@ Seen look_along(const Floor& floor, double from, double to) {
 
 TEST(Paints, ThatAreWornHaveLostTheirShareInPatches) {
   for (const double worn : {0.2, 0.5, 0.8}) {
-    const grid::Map map = map_of_pieces("{ length = \"3.6 m\", worn = " + std::to_string(worn) + " }");
+    const map::Map map = map_of_pieces("{ length = \"3.6 m\", worn = " + std::to_string(worn) + " }");
     double mean = 0.0, bare = 0.0;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
       Floor floor(map);
@@ -96,7 +95,7 @@ TEST(Paints, ThatAreWornHaveLostTheirShareInPatches) {
 }
 
 TEST(Paints, AreWornWhereTheSeedSaysAndNowhereElse) {
-  const grid::Map map = map_of_pieces("{ length = \"1.8 m\" }, { length = \"1.8 m\", worn = 0.5 }");
+  const map::Map map = map_of_pieces("{ length = \"1.8 m\" }, { length = \"1.8 m\", worn = 0.5 }");
   Floor one(map), same(map), other(map);
   one.wear(NoiseStream(1, 0, "floor", "wear"));
   same.wear(NoiseStream(1, 0, "floor", "wear"));
@@ -116,19 +115,18 @@ TEST(Paints, AreWornWhereTheSeedSaysAndNowhereElse) {
 
 TEST(Paints, WearOfAMapIsThatOfCellsAndMarksToo) {
   const std::string rows = "__________\n__......__\n__________\n";
-  grid::Map map = grid::parse_map("+++\nworn = 1\n+++\n" + rows, "m.map");
+  map::Map map = map::parse_map("+++\nworn = 1\n+++\n" + rows, "m.map");
   EXPECT_EQ(Floor(map).darkness({0.5, 0.15}, kSeen), 0.0);
-  map = grid::parse_map("+++\nworn = 0\n+++\n" + rows, "m.map");
+  map = map::parse_map("+++\nworn = 0\n+++\n" + rows, "m.map");
   EXPECT_EQ(Floor(map).darkness({0.5, 0.15}, kSeen), 1.0);
 
   const std::string mark = "[[mark]]\nalong = \"1 m\"\n";
   const auto with = [&](const std::string& top, const std::string& keys) {
-    grid::Map marked =
-        grid::parse_map("+++\nsize = [\"4 m\", \"1 m\"]\n" + top +
-                            "[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [{ length = "
-                            "\"2 m\" }]\n" +
-                            mark + keys + "\n+++\n",
-                        "m.map");
+    map::Map marked = map::parse_map("+++\nsize = [\"4 m\", \"1 m\"]\n" + top +
+                                         "[[path]]\nfrom = [\"200 mm\", \"500 mm\"]\nsegments = [{ length = "
+                                         "\"2 m\" }]\n" +
+                                         mark + keys + "\n+++\n",
+                                     "m.map");
     return Floor(marked).darkness({1.2, 0.57}, kSeen);
   };
   EXPECT_EQ(with("", ""), 1.0);
@@ -140,13 +138,13 @@ TEST(Paints, WearOfAMapIsThatOfCellsAndMarksToo) {
 TEST(Paints, GlossAddsToWhatAnyColourSendsBack) {
   for (const char* paint : {"black on white", "white on black"}) {
     const std::string top = std::string("paint = \"") + paint + "\"\n";
-    const grid::Map matt = map_of_pieces("{ length = \"3 m\" }", top);
-    const grid::Map glossy = map_of_pieces("{ length = \"3 m\" }", top + "gloss = \"5 %\"\n");
+    const map::Map matt = map_of_pieces("{ length = \"3 m\" }", top);
+    const map::Map glossy = map_of_pieces("{ length = \"3 m\" }", top + "gloss = \"5 %\"\n");
     const Floor a(matt), b(glossy);
     for (double away = 0.0; away < 0.02; away += 0.001)
       EXPECT_NEAR(b.darkness({1.0, 0.5 + away}, kSeen), a.darkness({1.0, 0.5 + away}, kSeen) - 0.05, 1e-12);
   }
-  const grid::Map area = map_of_pieces(
+  const map::Map area = map_of_pieces(
       "{ length = \"3 m\" }",
       "area = [{ colour = \"black\", at = [\"1 m\", \"800 mm\"], radius = \"50 mm\", gloss = 0.3 }]\n");
   EXPECT_NEAR(Floor(area).darkness({1.0, 0.8}, kSeen), 0.7, 1e-12);

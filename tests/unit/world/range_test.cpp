@@ -15,8 +15,8 @@ constexpr Vec2 kEast{1.0, 0.0}, kNorth{0.0, 1.0}, kWest{-1.0, 0.0};
 
 // Returns a room of 100 mm cells. It has a wall from column 10 on, and a single wall cell in column 4 of the
 // lowest row.
-grid::Map room() {
-  grid::Map map = map_of({
+map::Map room() {
+  map::Map map = map_of({
       "          ##",
       "          ##",
       "          ##",
@@ -28,7 +28,7 @@ grid::Map room() {
 }
 
 TEST(Range, IsTheWayToAWallOrTheMapsEdge) {
-  const grid::Map map = room();
+  const map::Map map = room();
   const World world(map);
   EXPECT_DOUBLE_EQ(world.range_along(0, {0.25, 0.25}, kEast, kMost), 0.75);
   EXPECT_DOUBLE_EQ(world.range_along(0, {0.25, 0.25}, kNorth, kMost), 0.25);
@@ -40,7 +40,7 @@ TEST(Range, IsTheWayToAWallOrTheMapsEdge) {
 }
 
 TEST(Range, OfADiscIsToItsNearSide) {
-  const grid::Map map = room();
+  const map::Map map = room();
   World world(map);
   world.add_obstacle({0.55, 0.25}, 0.05);
   EXPECT_NEAR(world.range_along(0, {0.15, 0.25}, kEast, kMost), 0.35, 1e-12);
@@ -50,7 +50,7 @@ TEST(Range, OfADiscIsToItsNearSide) {
 }
 
 TEST(Range, OfAnotherRobotIsToTheCircleAboutIt) {
-  const grid::Map map = room();
+  const map::Map map = room();
   World world(map);
   BodyParams params = default_body_params();
   params.outline.clear();
@@ -64,7 +64,7 @@ TEST(Range, OfAnotherRobotIsToTheCircleAboutIt) {
 }
 
 TEST(Range, OfABeamIsItsNearestPoint) {
-  const grid::Map map = room();
+  const map::Map map = room();
   World world(map);
   const Vec2 half = direction_of(0.2);
   EXPECT_DOUBLE_EQ(world.range_in_beam(0, {0.45, 0.25}, kEast, half, kMost), 0.55);
@@ -82,7 +82,7 @@ TEST(Range, OfABeamIsItsNearestPoint) {
 // Compares a beam with many rays inside it. No ray finds a shorter distance than the beam, and one ray finds
 // nearly the same distance.
 TEST(Range, OfABeamIsThatOfTheBestOfManyRays) {
-  grid::Map map = room();
+  map::Map map = room();
   World world(map);
   world.add_obstacle({0.62, 0.38}, 0.033);
   world.add_obstacle({0.8, 0.1}, 0.033);

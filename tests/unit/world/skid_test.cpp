@@ -35,7 +35,7 @@ class SkidTest : public testing::Test {
     return p;
   }
 
-  grid::Map map_ = empty_map(400, 400);
+  map::Map map_ = empty_map(400, 400);
   std::unique_ptr<World> world_;
 };
 

@@ -36,7 +36,7 @@ class SteerTest : public testing::Test {
     return p;
   }
 
-  grid::Map map_ = empty_map(400, 400);
+  map::Map map_ = empty_map(400, 400);
   std::unique_ptr<World> world_;
 };
 

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "sim/avr/cpu.h"
+#include "sim/mcu/avr/cpu.h"
 
 namespace robosim::exec::avr {
 

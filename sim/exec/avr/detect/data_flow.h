@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/avr/cpu.h"
+#include "sim/mcu/avr/cpu.h"
 
 namespace robosim::exec::avr {
 

@@ -6,10 +6,10 @@
 #include <functional>
 #include <vector>
 
-#include "sim/avr/cycle.h"
 #include "sim/exec/avr/firmware.h"
 #include "sim/exec/core/executor.h"
 #include "sim/exec/elf/debug_info.h"
+#include "sim/mcu/avr/cycle.h"
 
 namespace robosim::exec::avr {
 

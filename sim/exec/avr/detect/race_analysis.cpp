@@ -4,7 +4,7 @@
 #include <bit>
 #include <utility>
 
-#include "sim/elf/avr_addresses.h"
+#include "sim/base/elf/avr_addresses.h"
 #include "sim/exec/avr/detect/data_flow.h"
 
 namespace robosim::exec::avr {

@@ -26,9 +26,9 @@
 #include <optional>
 #include <vector>
 
-#include "sim/avr/chip.h"
 #include "sim/exec/avr/firmware.h"
 #include "sim/exec/elf/debug_info.h"
+#include "sim/mcu/avr/chip.h"
 
 namespace robosim::exec::avr {
 

@@ -30,9 +30,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/avr/cpu.h"
 #include "sim/exec/avr/detect/detector.h"
 #include "sim/exec/avr/machine.h"
+#include "sim/mcu/avr/cpu.h"
 
 namespace robosim::exec::avr {
 

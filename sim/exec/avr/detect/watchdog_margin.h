@@ -17,9 +17,9 @@
 // To fix the sketch, use the next longer period, or call wdt_reset() within the slow part.
 #pragma once
 
-#include "sim/avr/cpu.h"
 #include "sim/exec/avr/detect/detector.h"
 #include "sim/exec/avr/machine.h"
+#include "sim/mcu/avr/cpu.h"
 
 namespace robosim::exec::avr {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "sim/avr/instruction_effects.h"
-#include "sim/elf/avr_addresses.h"
+#include "sim/base/elf/avr_addresses.h"
+#include "sim/mcu/avr/instruction_effects.h"
 
 namespace robosim::exec::avr {
 namespace {

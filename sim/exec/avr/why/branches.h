@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/avr/cpu.h"
+#include "sim/mcu/avr/cpu.h"
 
 namespace robosim::exec::avr {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/avr/instruction_effects.h"
+#include "sim/mcu/avr/instruction_effects.h"
 
 namespace robosim::exec::avr {
 namespace {

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/avr/instruction_effects.h"
 #include "sim/exec/avr/board_adapter.h"
 #include "sim/exec/avr/watched_chip.h"
+#include "sim/mcu/avr/instruction_effects.h"
 
 namespace robosim::exec::avr {
 

@@ -1,0 +1,202 @@
+#include "sim/campaign/wiring/guess.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/campaign/wiring/tokens.h"
+
+namespace robosim::wiring {
+namespace {
+
+bool is_of_serial(const BoardSpec& board, Pin pin) { return pin < 2 && board.analog_pin_0 > 2; }
+
+std::string use_of(const PinFacts& facts) {
+  std::string text;
+  const auto add = [&](bool is, const char* what) {
+    if (is) text += fmt::format("{}{}", text.empty() ? "" : " and ", what);
+  };
+  add(facts.pwm, "driven by analogWrite");
+  add(facts.driven && !facts.pwm, "driven");
+  add(facts.measured, "measured");
+  add(facts.looked, "read");
+  add(facts.pulled_up && !facts.looked, "pulled up");
+  return text;
+}
+
+void add_pin_part(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue, const char* type,
+                  const char* otherwise, std::vector<std::pair<std::string, std::string>> keys = {}) {
+  PartDraft part{part_name(draft, clue.name.empty() || clue.in_array ? otherwise : clue.name),
+                 type,
+                 {{"pin", evidence.toml(clue.pin)}},
+                 evidence.where(clue.pin),
+                 {}};
+  part.keys.insert(part.keys.end(), keys.begin(), keys.end());
+  draft.parts.push_back(std::move(part));
+  evidence.take(clue.pin);
+}
+
+void guess_input(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue) {
+  const bool low = clue.facts->pulled_up;
+  if (says(clue.words, {"enc"}) ||
+      (evidence.is_given_to({"attachInterrupt", "digitalPinToInterrupt"}, clue.pin) &&
+       !says(clue.words, {"butt", "btn", "start", "sw"}))) {
+    PartDraft part{part_name(draft, clue.name.empty() ? "encoder" : clue.name),
+                   "encoder",
+                   {{"pins", fmt::format("{{ a = {} }}", evidence.toml(clue.pin))}},
+                   evidence.where(clue.pin),
+                   {}};
+    add_wheel_and_periods(draft, side_of(clue.words), part);
+    draft.parts.push_back(std::move(part));
+    evidence.take(clue.pin);
+  } else if (says(clue.words, {"bump", "collis", "whisk", "limit"})) {
+    low ? add_pin_part(evidence, draft, clue, "bumper", "bumper")
+        : add_pin_part(evidence, draft, clue, "bumper", "bumper", {{"resistor", "true"}});
+  } else if (low || says(clue.words, {"butt", "btn", "switch", "sw", "start", "push", "key", "mode"})) {
+    low ? add_pin_part(evidence, draft, clue, "button", "button")
+        : add_pin_part(evidence, draft, clue, "button", "button", {{"resistor", "true"}});
+    if (!low)
+      draft.parts.back().doubts.push_back(
+          "LOW when pressed, with its own resistor; if it is HIGH when pressed, add active = \"high\"");
+  }
+}
+
+void guess_measured(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue) {
+  if (says(clue.words, {"batt", "vbat", "volt"})) {
+    add_pin_part(evidence, draft, clue, "voltage", "battery", {{"share", "0.5"}});
+    draft.parts.back().doubts.push_back("share: the ratio of the voltage divider");
+  } else if (says(clue.words, {"dist", "sharp"})) {
+    add_pin_part(evidence, draft, clue, "ir-distance", "distance");
+  } else if (says(clue.words, {"curr"})) {
+    add_pin_part(evidence, draft, clue, "current-sensor", "current");
+  } else if (says(clue.words, {"pot", "trim", "knob"})) {
+    add_pin_part(evidence, draft, clue, "voltage", "knob", {{"volts", "\"2.5 V\""}});
+  }
+}
+
+void guess_output(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue) {
+  if (clue.facts->toned || says(clue.words, {"buzz", "beep", "speak", "piezo", "tone"})) {
+    clue.facts->toned ? add_pin_part(evidence, draft, clue, "buzzer", "buzzer")
+                      : add_pin_part(evidence, draft, clue, "buzzer", "buzzer", {{"passive", "false"}});
+  } else if (clue.pin == evidence.board().led_builtin || says(clue.words, {"led", "light", "lamp"})) {
+    add_pin_part(evidence, draft, clue, "led", "LED");
+  }
+}
+
+// Returns "pin 5" or "pin A0".
+std::string shown(const Evidence& evidence, Pin pin) {
+  const std::string name = evidence.board().pins[pin].name;
+  return "pin " + (name[0] == 'D' ? name.substr(1) : name);
+}
+
+// Asks what is connected to the two-wire bus if it is used. Wire only pulls the bus's pins up, and never
+// reads them as pins.
+void ask_for_the_bus(Evidence& evidence, RobotDraft& draft) {
+  const TwiSpec& bus = evidence.board().chip->twi;
+  if (bus.address == 0) return;
+  const Pin data = find_pin(evidence.board(), bus.data), clock = find_pin(evidence.board(), bus.clock);
+  for (const Pin pin : {data, clock}) {
+    const PinFacts& facts = *evidence.of(pin).facts;
+    if (!evidence.is_free(pin) || !facts.pulled_up || facts.looked || facts.driven || facts.measured) return;
+  }
+  evidence.take(data);
+  evidence.take(clock);
+  draft.questions.push_back(fmt::format(
+      "{} and {} are used as the two-wire bus (Wire): what is connected to it? Parts for it are lcd-i2c, "
+      "ssd1306, mpu-6050, vl53l0x, tcs34725 and pca9685",
+      shown(evidence, data), shown(evidence, clock)));
+}
+
+}  // namespace
+
+std::string part_name(const RobotDraft& draft, const std::string& wanted) {
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(draft.parts.begin(), draft.parts.end(),
+                       [&](const PartDraft& p) { return p.name == name; });
+  };
+  constexpr std::size_t kLongest = 36;  // of 40, because a number may follow
+  std::string plain;
+  for (const char c : wanted)
+    if (c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0) plain += c;
+  plain = plain.empty() ? "part" : plain.substr(0, kLongest);
+  std::string name = plain;
+  for (int n = 2; taken(name); ++n) name = fmt::format("{}_{}", plain, n);
+  return name;
+}
+
+void add_wheel_and_periods(const RobotDraft& draft, Side side, PartDraft& encoder) {
+  encoder.keys.emplace_back("periods", "20");
+  encoder.doubts.push_back("periods: the periods of one channel for each turn of the wheel");
+  if (side == Side::unknown) {
+    const bool has_left = std::any_of(draft.parts.begin(), draft.parts.end(),
+                                      [](const PartDraft& p) { return p.type == "encoder"; });
+    side = has_left ? Side::right : Side::left;
+    encoder.doubts.push_back("wheel: guessed from the order of the encoders");
+  }
+  encoder.keys.emplace_back("wheel", side == Side::left ? "\"left\"" : "\"right\"");
+}
+
+// Converts two servos that are named after the sides to wheel servos, if nothing else can drive the wheels.
+// On a robot with motors, such servos move a gripper, an arm or a flag.
+void guess_wheel_servos(RobotDraft& draft) {
+  PartDraft *left = nullptr, *right = nullptr;
+  for (PartDraft& part : draft.parts) {
+    if (part.type == "motor") return;
+    if (part.type != "servo") continue;
+    const Side side = side_of(words_of(part.name));
+    if (side == Side::left && left == nullptr) left = &part;
+    if (side == Side::right && right == nullptr) right = &part;
+  }
+  if (left == nullptr || right == nullptr) return;
+  left->type = right->type = "wheel-servo";
+  left->name = right->name = "";
+  left->name = part_name(draft, "left");
+  right->name = part_name(draft, "right");
+  draft.driver = "servo";
+}
+
+void guess_the_rest(Evidence& evidence, RobotDraft& draft) {
+  ask_for_the_bus(evidence, draft);
+  for (const PinEvidence* clue : evidence.left()) {
+    if (clue->facts->driven)
+      guess_output(evidence, draft, *clue);
+    else if (clue->facts->measured)
+      guess_measured(evidence, draft, *clue);
+    else
+      guess_input(evidence, draft, *clue);
+  }
+  for (const PinEvidence* clue : evidence.left()) {
+    if (is_of_serial(evidence.board(), clue->pin)) continue;
+    const std::string where = evidence.where(clue->pin);
+    draft.questions.push_back(fmt::format("{}{} is {}: what is wired to it?", shown(evidence, clue->pin),
+                                          where.empty() ? "" : " (" + where + ")", use_of(*clue->facts)));
+  }
+  for (const PinEvidence* clue : evidence.never_used())
+    draft.questions.push_back(fmt::format("{} ({}) was not used in the runs: when does the sketch use it?",
+                                          shown(evidence, clue->pin), evidence.where(clue->pin)));
+}
+
+RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,
+                 const Ways& ways) {
+  RobotDraft draft;
+  draft.board = board.name;
+  draft.base = "uno3";
+  draft.driver = "l298n";
+  Evidence evidence(board, names, history);
+  guess_shields(evidence, ways, draft);
+  guess_by_libraries(evidence, draft);
+  guess_sensors(evidence, ways, draft);
+  guess_motors(evidence, ways, draft);
+  guess_wheel_servos(draft);
+  guess_the_rest(evidence, draft);
+  const auto rank = [](const PartDraft& part) {
+    return part.type.find("motor") != std::string::npos || part.type == "wheel-servo" ? 0
+           : part.type.rfind("reflect", 0) == 0                                       ? 1
+                                                                                      : 2;
+  };
+  std::stable_sort(draft.parts.begin(), draft.parts.end(),
+                   [&](const PartDraft& a, const PartDraft& b) { return rank(a) < rank(b); });
+  return draft;
+}
+
+}  // namespace robosim::wiring

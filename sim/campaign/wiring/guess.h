@@ -1,0 +1,69 @@
+// Guesses the parts of a robot from the facts about a sketch's pins.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/campaign/wiring/pin_evidence.h"
+
+namespace robosim::wiring {
+
+/// A part of the draft.
+struct PartDraft {
+  std::string name;
+  std::string type;
+  std::vector<std::pair<std::string, std::string>> keys;  ///< in their order, as written in TOML
+  std::string why;                                        ///< the evidence: "ENA, IN1, IN2"
+  std::vector<std::string> doubts;                        ///< sentences for the user
+};
+
+/// Properties that neither names nor a run on a robot without these parts can determine. A caller can try all
+/// of them.
+struct Ways {
+  bool black_low = false;    ///< sensors read low over black
+  bool other_order = false;  ///< the first sensor is the rightmost
+  bool other_sides = false;  ///< the motors are swapped
+  bool close = false;        ///< two sensors are both on the line, not to its sides
+};
+
+/// The Ways that make a difference for this sketch.
+struct Open {
+  bool black = false;
+  bool order = false;
+  bool sides = false;
+  bool distance = false;  ///< the distance between two sensors (Ways::close)
+};
+
+struct RobotDraft {
+  std::string base;  ///< a stock robot that provides chassis and motors
+  std::string board;
+  std::string driver;   ///< the motor driver's chip
+  std::string standby;  ///< standby pin, as TOML; empty = none
+  std::vector<PartDraft> parts;
+  std::vector<std::string> questions;  ///< questions about pins without a part
+  Open open;
+};
+
+RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,
+                 const Ways& ways);
+
+// The next functions each guess one kind of part, and take the pins of the found parts.
+
+/// Guesses parts by libraries: servos, distance sensors, displays, serial modules, encoders.
+void guess_by_libraries(Evidence& evidence, RobotDraft& draft);
+/// Guesses motors on shields that have their own libraries, and devices on the two-wire bus.
+void guess_shields(Evidence& evidence, const Ways& ways, RobotDraft& draft);
+void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft);
+void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft);
+/// Guesses buttons, encoders, LEDs and buzzers. Adds a question about each remaining pin.
+void guess_the_rest(Evidence& evidence, RobotDraft& draft);
+
+/// Adds the keys of an encoder. Without a known side, the draft's first encoder is at the left wheel.
+void add_wheel_and_periods(const RobotDraft& draft, Side side, PartDraft& encoder);
+
+/// Returns a part's name, made from the letters, digits and `_` of `wanted`. It differs from the names of
+/// other parts.
+std::string part_name(const RobotDraft& draft, const std::string& wanted);
+
+}  // namespace robosim::wiring

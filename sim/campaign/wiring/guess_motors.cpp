@@ -1,0 +1,290 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/campaign/wiring/guess.h"
+
+namespace robosim::wiring {
+namespace {
+
+using Pins = std::vector<const PinEvidence*>;
+
+bool is_motor_like(const PinEvidence& clue) {
+  if (!clue.facts->driven || clue.facts->toned || clue.facts->discharged || clue.in_array)
+    return clue.in_array && clue.facts->driven && says(clue.words, {"mot", "wheel"});
+  if (says(clue.words, {"led", "light", "lamp", "buzz", "beep", "speak", "piezo", "trig", "echo", "emit",
+                        "sens", "debug"}))
+    return false;
+  if (says(clue.words, {"mot", "wheel", "pwm", "dir", "speed", "drive"})) return true;
+  return clue.facts->pwm || side_of(clue.words) != Side::unknown || clue.name.empty();
+}
+
+// Returns whether the sketch uses PWM. analogWrite(pin, 0) only sets a level, so calls in the source count,
+// too.
+bool is_pwm(const Evidence& evidence, const PinEvidence& clue) {
+  return clue.facts->pwm || evidence.is_given_to({"analogWrite"}, clue.pin);
+}
+
+// Returns whether a pin is almost always high and has no side in its name. Such a pin is the driver's enable
+// or standby input.
+bool is_enable_of_both(const Evidence& evidence, const PinEvidence& clue) {
+  constexpr double kMostly = 0.45;  // of at most 0.5
+  return clue.facts->driven && !is_pwm(evidence, clue) && !clue.in_array && says(clue.words, {"en", "ena"}) &&
+         !says(clue.words, {"enc"}) && side_of(clue.words) == Side::unknown &&
+         evidence.history().lean(kNoPin, clue.pin, kNoPin) > kMostly;
+}
+
+// Matches rmf, lf: a side and a direction in one word. The B of motorB does not count as a direction.
+bool is_short_for(const PinEvidence& clue, char direction) {
+  constexpr std::size_t kLongest = 4;
+  const bool is_channel = !clue.words.empty() && clue.words.back().size() == 1 &&
+                          side_of(clue.words) != Side::unknown &&
+                          side_of({clue.words.begin(), clue.words.end() - 1}) == Side::unknown;
+  return !clue.words.empty() && !is_channel && clue.words.back().size() <= kLongest &&
+         clue.words.back().back() == direction &&
+         (clue.words.back().size() == 1 || side_of({clue.words.back()}) != Side::unknown);
+}
+
+bool is_forward(const PinEvidence& clue) {
+  return says_forward(clue.words) || is_short_for(clue, 'f') || is_short_for(clue, 'p');
+}
+
+bool is_backward(const PinEvidence& clue) {
+  return says_backward(clue.words) || is_short_for(clue, 'b') || is_short_for(clue, 'n');
+}
+
+int number_of(const PinEvidence& clue) {
+  return clue.words.empty() || clue.words.back().empty() ||
+                 std::isdigit(static_cast<unsigned char>(clue.words.back()[0])) == 0
+             ? -1
+             : std::stoi(clue.words.back().substr(0, 4));
+}
+
+// Returns 1 if a is the forward input, -1 if b is, 0 if their names do not determine it.
+int named_order(const PinEvidence& a, const PinEvidence& b) {
+  if (is_forward(a) != is_forward(b)) return is_forward(a) ? 1 : -1;
+  if (is_backward(a) != is_backward(b)) return is_backward(a) ? -1 : 1;
+  if (number_of(a) >= 0 && number_of(b) >= 0 && number_of(a) != number_of(b))
+    return number_of(a) < number_of(b) ? 1 : -1;
+  if (a.name == b.name && a.argument >= 0 && b.argument >= 0) return a.argument < b.argument ? 1 : -1;
+  return 0;
+}
+
+// The pins of one motor, with their functions.
+class Motor {
+ public:
+  Motor(const Evidence& evidence, Pins pins) : clues_(evidence) {
+    for (const PinEvidence* clue : pins) (is_pwm(evidence, *clue) ? pwm_ : level_).push_back(clue);
+    if (pwm_.size() == 1 && level_.size() == 2) {
+      en_ = pwm_[0];
+      inputs(level_[0], level_[1]);
+    } else if (pwm_.size() == 2 && level_.size() <= 1) {
+      if (!level_.empty()) en_ = level_[0];
+      inputs(pwm_[0], pwm_[1]);
+    } else if (pwm_.size() == 1 && level_.size() == 1) {
+      if (named_order(*pwm_[0], *level_[0]) != 0 && !says(level_[0]->words, {"dir", "ph"}))
+        inputs(pwm_[0], level_[0]);
+      else
+        phase();
+    } else if (pwm_.empty() && level_.size() == 3) {
+      std::stable_sort(level_.begin(), level_.end(), [](const PinEvidence* a, const PinEvidence* b) {
+        return says(a->words, {"en", "pwm", "speed"}) > says(b->words, {"en", "pwm", "speed"});
+      });
+      en_ = level_[0];
+      inputs(level_[1], level_[2]);
+    } else if (pwm_.empty() && level_.size() == 2) {
+      inputs(level_[0], level_[1]);
+    } else if (pwm_.size() + level_.size() == 1) {
+      en_ = pwm_.empty() ? level_[0] : pwm_[0];
+    }
+  }
+
+  bool found() const { return en_ || in1_; }
+  bool is_phase() const { return phase_ != nullptr; }
+  bool is_transistor() const { return en_ && !in1_ && !phase_; }
+  bool order_is_named() const { return named_; }
+
+  // Returns a value above 0 if the motor was mostly driven forward.
+  double lean() const {
+    const Pin enable = en_ ? en_->pin : kNoPin;
+    if (phase_) return clues_.history().lean(enable, phase_->pin, kNoPin);
+    return in1_ ? clues_.history().lean(enable, in1_->pin, in2_->pin) : 0.0;
+  }
+
+  std::string pins() const {
+    std::string text;
+    const auto add = [&](const char* use, const PinEvidence* clue) {
+      if (clue) text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", use, clues_.toml(clue->pin));
+    };
+    add("en", en_);
+    add("phase", phase_);
+    add("in1", in1_);
+    add("in2", in2_);
+    return "{ " + text + " }";
+  }
+
+  std::string why() const {
+    std::string text;
+    for (const PinEvidence* clue : {en_, phase_, in1_, in2_})
+      if (clue && text.find(clue->name) == std::string::npos) text += (text.empty() ? "" : ", ") + clue->name;
+    return text;
+  }
+
+ private:
+  void inputs(const PinEvidence* a, const PinEvidence* b) {
+    const int order = named_order(*a, *b);
+    named_ = order != 0;
+    in1_ = order < 0 ? b : a;
+    in2_ = order < 0 ? a : b;
+    if (!named_ && lean() < 0.0) std::swap(in1_, in2_);
+  }
+  void phase() {
+    en_ = pwm_[0];
+    phase_ = level_[0];
+    named_ = true;
+  }
+
+  const Evidence& clues_;
+  Pins pwm_, level_;
+  const PinEvidence* en_ = nullptr;
+  const PinEvidence* phase_ = nullptr;
+  const PinEvidence* in1_ = nullptr;
+  const PinEvidence* in2_ = nullptr;
+  bool named_ = false;
+};
+
+constexpr std::size_t kMostPinsOfAMotor = 3;
+
+struct Sides {
+  Pins left, right;
+  bool named = true;
+};
+
+// Returns the pins of one motor that the sketch passes to one object, Motor(5, 7, 8). `number` counts such
+// objects.
+Pins given_together(const Evidence& evidence, const Pins& pins, std::size_t number) {
+  for (const Given& given : evidence.names().given) {
+    Pins group;
+    for (const PinEvidence* clue : pins)
+      if (std::count(given.pins.begin(), given.pins.end(), clue->pin) != 0) group.push_back(clue);
+    const bool one =
+        group.size() == given.pins.size() && group.size() >= 2 && group.size() <= kMostPinsOfAMotor;
+    if (one && number-- == 0) return group;
+  }
+  return {};
+}
+
+void put_half(const Pins& pins, Sides& sides) {
+  const std::size_t half = (pins.size() + 1) / 2;
+  for (std::size_t i = 0; i < pins.size(); ++i) (i < half ? sides.left : sides.right).push_back(pins[i]);
+}
+
+// Reads six or four pins of one object, MotorPair(1, 2, 3, 4, 5, 6). The first half belongs to one motor, the
+// second half to the other.
+Sides given_as_pair(const Evidence& evidence, const Pins& pins) {
+  for (const Given& given : evidence.names().given) {
+    Sides sides{{}, {}, false};
+    const std::size_t half = pins.size() / 2;
+    for (const PinEvidence* clue : pins) {
+      const auto at = std::find(given.pins.begin(), given.pins.end(), clue->pin) - given.pins.begin();
+      (static_cast<std::size_t>(at) < half ? sides.left : sides.right).push_back(clue);
+    }
+    const bool all = std::all_of(pins.begin(), pins.end(), [&](const PinEvidence* clue) {
+      return std::count(given.pins.begin(), given.pins.end(), clue->pin) != 0;
+    });
+    if (all && sides.left.size() == half && pins.size() == 2 * half) return sides;
+  }
+  return {};
+}
+
+Sides divide(const Evidence& evidence, const Pins& pins) {
+  Sides sides;
+  Pins unknown;
+  for (const PinEvidence* clue : pins) {
+    const Side side = side_of(clue->words);
+    (side == Side::left ? sides.left : side == Side::right ? sides.right : unknown).push_back(clue);
+  }
+  if (!sides.left.empty() && !sides.right.empty()) return sides;
+  sides = {given_together(evidence, pins, 0), given_together(evidence, pins, 1), false};
+  if (!sides.left.empty() && !sides.right.empty()) return sides;
+  sides = given_as_pair(evidence, pins);
+  if (!sides.left.empty()) return sides;
+  sides = {{}, {}, false};
+  Pins pwm, level;
+  for (const PinEvidence* clue : pins) (is_pwm(evidence, *clue) ? pwm : level).push_back(clue);
+  put_half(pwm, sides);
+  put_half(level, sides);
+  return sides;
+}
+
+// Takes the driver's enable pin: one pin without PWM that stays high, in addition to four inputs with PWM.
+void take_enable_without_name(Evidence& evidence, Pins& pins, RobotDraft& draft) {
+  constexpr double kMostly = 0.45;  // of at most 0.5
+  const auto is_level = [&](const PinEvidence* clue) { return !is_pwm(evidence, *clue); };
+  if (pins.size() != 5 || std::count_if(pins.begin(), pins.end(), is_level) != 1) return;
+  const auto enable = std::find_if(pins.begin(), pins.end(), is_level);
+  if (!(*enable)->name.empty() || evidence.history().lean(kNoPin, (*enable)->pin, kNoPin) < kMostly) return;
+  draft.standby = evidence.toml((*enable)->pin);
+  evidence.take((*enable)->pin);
+  pins.erase(enable);
+}
+
+}  // namespace
+
+void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
+  if (std::any_of(draft.parts.begin(), draft.parts.end(),
+                  [](const PartDraft& p) { return p.type == "motor"; }))
+    return;  // the motors are on a shield
+  Pins pins;
+  bool has_standby = false;
+  for (const PinEvidence* clue : evidence.left()) {
+    const bool is_standby =
+        clue->facts->driven && says(clue->words, {"stby", "standby", "slp", "nsleep", "sleep"});
+    has_standby |= is_standby;
+    if (is_standby || is_enable_of_both(evidence, *clue)) {
+      draft.standby = evidence.toml(clue->pin);
+      evidence.take(clue->pin);
+    } else if (is_motor_like(*clue) && !(clue->name.empty() && clue->pin == evidence.board().led_builtin)) {
+      pins.push_back(clue);
+    }
+  }
+  take_enable_without_name(evidence, pins, draft);
+  const auto has_name = [](const PinEvidence* clue) { return !clue->name.empty(); };
+  if (std::count_if(pins.begin(), pins.end(), has_name) >= 2)
+    pins.erase(std::stable_partition(pins.begin(), pins.end(), has_name), pins.end());
+  if (pins.empty()) return;
+  const Sides sides = divide(evidence, pins);
+  const Motor left(evidence, sides.left), right(evidence, sides.right);
+  for (const auto* side : {&sides.left, &sides.right}) {
+    if (side->size() <= kMostPinsOfAMotor) continue;
+    draft.questions.push_back(
+        fmt::format("{} pins are driven for the motors on one side: which of them belong to the same motor? "
+                    "Motors in parallel count as one part",
+                    side->size()));
+  }
+  if (!left.found() || !right.found() || left.is_transistor() != right.is_transistor()) return;
+  draft.open.sides = !sides.named;
+  const bool backward =
+      left.order_is_named() && right.order_is_named() && left.lean() < 0.0 && right.lean() < 0.0;
+  for (const bool is_left : {true, false}) {
+    const Motor& motor = is_left != ways.other_sides ? left : right;
+    PartDraft part{is_left ? "left" : "right", "motor", {{"pins", motor.pins()}}, motor.why(), {}};
+    if (backward) {
+      part.keys.emplace_back("reversed", "true");
+      part.doubts.push_back("reversed, because the sketch mostly drives it backwards");
+    } else if (!sides.named) {
+      part.doubts.push_back("the left motor is guessed from the order of the pins");
+    }
+    draft.parts.push_back(std::move(part));
+  }
+  for (const PinEvidence* clue : pins) evidence.take(clue->pin);
+  const bool toshiba = has_standby || std::any_of(pins.begin(), pins.end(), [](const PinEvidence* clue) {
+                         return says(clue->words, {"ain", "bin", "pwma", "pwmb"});
+                       });
+  draft.driver = left.is_transistor() ? "transistor"
+                 : left.is_phase()    ? "drv8835"
+                 : toshiba            ? "tb6612"
+                                      : "l298n";
+}
+
+}  // namespace robosim::wiring

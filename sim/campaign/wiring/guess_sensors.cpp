@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/campaign/wiring/guess.h"
+
+namespace robosim::wiring {
+namespace {
+
+using Pins = std::vector<const PinEvidence*>;
+
+// Returns whether a pin has a meaningful name. The array `int pins[] = {2, 3, 13}` has none.
+bool is_named(const PinEvidence& clue) {
+  const auto says_nothing = [](const std::string& word) {
+    return word == "pin" || word == "pins" || word == "in" || word == "io" || word == "input" ||
+           word == "inputs" || word == "port" || word == "ports" || word == "all";
+  };
+  return !clue.name.empty() &&
+         !(clue.in_array && std::all_of(clue.words.begin(), clue.words.end(), says_nothing));
+}
+
+bool is_sensor_like(const Evidence& evidence, const PinEvidence& clue) {
+  if (!clue.is_read() || clue.facts->toned) return false;
+  // Encoders, buttons and remote-control receivers use these functions. For line sensors, edges are useless.
+  if (evidence.is_given_to({"attachInterrupt", "digitalPinToInterrupt", "pulseIn"}, clue.pin)) return false;
+  if (clue.facts->driven && !clue.facts->discharged) return false;
+  if (says(clue.words, {"butt",  "btn",   "switch", "sw",   "start", "push", "bump", "echo",
+                        "trig",  "enc",   "batt",   "vbat", "volt",  "pot",  "dist", "sharp",
+                        "sonar", "ultra", "rx",     "tx",   "mode",  "key",  "temp", "curr"}))
+    return false;
+  if (clue.facts->measured || clue.facts->discharged) return true;
+  const bool named = says(clue.words, {"sens", "ir", "line", "track", "tcrt", "qtr", "left", "right", "mid",
+                                       "cent", "s", "l", "r", "c", "m"});
+  return named || (!clue.facts->pulled_up && !is_named(clue));
+}
+
+// Returns the position that the name describes, from left to right: far left, left, middle, right, far right.
+int place_of(const PinEvidence& clue) {
+  const int far = says(clue.words, {"far", "out", "most", "extreme", "ll", "rr"}) ? 2 : 1;
+  switch (side_of(clue.words)) {
+    case Side::left:
+      return -far;
+    case Side::right:
+      return far;
+    case Side::unknown:
+      return 0;
+  }
+  return 0;
+}
+
+const char* kind_of(const PinEvidence& sensor) {
+  return sensor.facts->measured ? "analog" : sensor.facts->discharged ? "rc" : "digital";
+}
+
+// Returns the sensors that one array can have: those of the most frequent kind. The other sensors become
+// parts of their own.
+Pins alike(const Pins& sensors) {
+  Pins most;
+  for (const std::string kind : {"analog", "rc", "digital"}) {
+    Pins same;
+    std::copy_if(sensors.begin(), sensors.end(), std::back_inserter(same),
+                 [&](const PinEvidence* clue) { return kind == kind_of(*clue); });
+    if (same.size() > most.size()) most = same;
+  }
+  return most;
+}
+
+// Distance between two elements, and from the axle forward to the elements, as in the stock robots.
+struct Layout {
+  const char* pitch;
+  const char* ahead;
+  const char* footprint;
+};
+Layout layout_of(std::size_t count, bool close) {
+  if (count == 2 && close) return {"12 mm", "60 mm", "4 mm"};
+  if (count >= 4) return {"9.525 mm", "70 mm", "6 mm"};
+  return count == 2 ? Layout{"36 mm", "60 mm", "5 mm"} : Layout{"22 mm", "65 mm", "5 mm"};
+}
+
+constexpr std::size_t kMostElements = 16;
+
+}  // namespace
+
+void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
+  Pins sensors;
+  for (const PinEvidence* clue : evidence.left())
+    if (is_sensor_like(evidence, *clue)) sensors.push_back(clue);
+  sensors = alike(sensors);
+  if (sensors.empty() || sensors.size() > kMostElements) return;
+  const bool placed =
+      std::any_of(sensors.begin(), sensors.end(), [](const PinEvidence* c) { return place_of(*c) != 0; });
+  std::stable_sort(sensors.begin(), sensors.end(),
+                   [](const PinEvidence* a, const PinEvidence* b) { return place_of(*a) < place_of(*b); });
+
+  const std::string kind = kind_of(*sensors.front());
+  const Layout layout = layout_of(sensors.size(), ways.close);
+  std::string pins, why;
+  for (const PinEvidence* clue : sensors) {
+    pins += (pins.empty() ? "" : ", ") + evidence.toml(clue->pin);
+    if (why.find(clue->name) == std::string::npos) why += (why.empty() ? "" : ", ") + clue->name;
+  }
+  PartDraft part{
+      part_name(draft, "S"), sensors.size() == 1 ? "reflectance" : "reflectance-array", {}, why, {}};
+  part.keys.emplace_back("read", fmt::format("\"{}\"", kind));
+  if (sensors.size() == 1) {
+    part.keys.emplace_back("pin", pins);
+  } else {
+    part.keys.emplace_back("pins", "[" + pins + "]");
+    part.keys.emplace_back("pitch", fmt::format("\"{}\"", layout.pitch));
+    part.doubts.push_back(
+        "measure pitch (the distance between neighbours) and at (the distance ahead of the axle)");
+  }
+  part.keys.emplace_back("at", fmt::format("[\"{}\", \"0 mm\"]", layout.ahead));
+  part.keys.emplace_back("footprint", fmt::format("\"{}\"", layout.footprint));
+  draft.open.order = !placed && sensors.size() > 1;
+  draft.open.distance = sensors.size() == 2;
+  draft.open.black = kind != "rc";
+  if (draft.open.order && ways.other_order) part.keys.emplace_back("first", "\"right\"");
+  if (draft.open.black && ways.black_low) part.keys.emplace_back("black", "\"low\"");
+
+  for (const PinEvidence* clue : evidence.left()) {
+    if (!clue->facts->driven || !says(clue->words, {"emit", "irled", "ledon"})) continue;
+    part.keys.emplace_back("emitter", evidence.toml(clue->pin));
+    evidence.take(clue->pin);
+    break;
+  }
+  for (const PinEvidence* clue : sensors) evidence.take(clue->pin);
+  draft.parts.push_back(std::move(part));
+  draft.base = kind == "digital" || sensors.size() < 4 ? "uno3" : "uno5";
+}
+
+}  // namespace robosim::wiring

@@ -1,0 +1,380 @@
+#include "sim/campaign/wiring/sketch_names.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "sim/base/file.h"
+#include "sim/campaign/wiring/tokens.h"
+
+namespace robosim::wiring {
+namespace {
+
+constexpr int kMostSteps = 8;  // longest chain of names that refer to names
+
+const std::set<std::string>& pin_functions() {
+  static const std::set<std::string> names = {
+      "pinMode",        "digitalWrite",    "digitalRead",           "analogRead",      "analogWrite",
+      "tone",           "pulseIn",         "digitalPinToInterrupt", "attach",          "noTone",
+      "shiftOut",       "attachInterrupt", "digitalWriteFast",      "digitalReadFast", "attachPCINT",
+      "enableInterrupt"};
+  return names;
+}
+
+// Returns whether a word is a numeric type, or a qualifier of one.
+bool is_number_type(const std::string& word) {
+  static const std::set<std::string> names = {"int",      "byte",    "char",   "short",    "long",
+                                              "unsigned", "uint8_t", "int8_t", "uint16_t", "int16_t",
+                                              "uint32_t", "int32_t", "word",   "size_t",   "pin_t"};
+  return names.count(word) != 0;
+}
+
+// Returns whether a word is the class of a device on the two-wire bus. Its objects get no pins.
+bool is_device(const std::string& word) {
+  static const std::set<std::string> names = {
+      "MPU6050",          "Adafruit_MPU6050", "Adafruit_TCS34725", "VL53L0X",
+      "Adafruit_VL53L0X", "Adafruit_SSD1306", "LiquidCrystal_I2C", "Adafruit_PWMServoDriver"};
+  return names.count(word) != 0;
+}
+
+struct Value {
+  std::vector<std::string> words;  // the replacement: one word, or those of an array
+  bool is_array = false;
+  Spot spot;
+};
+
+class Reader {
+ public:
+  explicit Reader(const BoardSpec& board) : board_(board) {}
+
+  void read(const std::string& text, const std::string& file) {
+    file_ = file;
+    tokens_ = tokens_of(text);
+    for (at_ = 0; at_ < tokens_.size(); ++at_) {
+      const Token& token = tokens_[at_];
+      if (token.kind == Token::Kind::define)
+        read_define();
+      else if (token.is("enum"))
+        read_enum();
+      else if (token.kind == Token::Kind::word)
+        read_word();
+    }
+  }
+
+  SketchNames names() const {
+    SketchNames names;
+    for (const std::string& name : order_) {
+      const Value& value = values_.at(name);
+      const bool used = used_.count(name) != 0;
+      if (!value.is_array && !used && handed_on_.count(name) == 0) continue;
+      Named named{name, {}, value.is_array, used || value.is_array, value.spot};
+      for (const std::string& word : value.words)
+        if (const auto pin = pin_of(word)) named.pins.push_back(*pin);
+      const bool all = named.pins.size() == value.words.size();
+      if (all && !named.pins.empty() && (!value.is_array || used || all_analog(named.pins)))
+        names.named.push_back(std::move(named));
+    }
+    for (Given given : given_) {
+      for (const std::string& argument : given.arguments) {
+        auto pins = pins_of(argument);
+        given.each.push_back(pins);
+        if (pins.empty()) pins.push_back(kNoPin);
+        given.pins.insert(given.pins.end(), pins.begin(), pins.end());
+      }
+      const bool any =
+          std::any_of(given.pins.begin(), given.pins.end(), [](Pin pin) { return pin != kNoPin; });
+      if (any || is_device(given.type)) names.given.push_back(std::move(given));
+    }
+    return names;
+  }
+
+ private:
+  const Token& ahead(std::size_t n) const {
+    static const Token nothing{Token::Kind::punctuation, "", 0};
+    return at_ + n < tokens_.size() ? tokens_[at_ + n] : nothing;
+  }
+  Spot spot() const { return {file_, tokens_[at_].line}; }
+
+  void set(const std::string& name, Value value) {
+    if (name.size() == 1 && name >= "a" && !value.is_array) return;  // a loop's variable
+    if (values_.emplace(name, std::move(value)).second) order_.push_back(name);
+  }
+
+  // Reads `#define NAME 5`, or `#define NAME (5)`.
+  void read_define() {
+    const std::string name = tokens_[at_].text;
+    std::vector<std::string> words;
+    Value value{{}, false, spot()};
+    for (std::size_t i = 1; !ahead(i).text.empty() && !ahead(i).is(kEndOfDefine); ++i)
+      if (!ahead(i).is("(") && !ahead(i).is(")")) words.push_back(ahead(i).text);
+    if (words.size() == 1) {
+      value.words = words;
+      set(name, std::move(value));
+    }
+  }
+
+  // Reads `enum { LEFT = 5, RIGHT = 6 };`.
+  void read_enum() {
+    while (!ahead(0).text.empty() && !ahead(0).is("{") && !ahead(0).is(";")) ++at_;
+    for (; !ahead(0).text.empty() && !ahead(0).is("}") && !ahead(0).is(";"); ++at_)
+      if (ahead(0).kind == Token::Kind::word && ahead(1).is("=") && (ahead(3).is(",") || ahead(3).is("}")))
+        set(ahead(0).text, {{ahead(2).text}, false, spot()});
+  }
+
+  void read_word() {
+    const Token& token = tokens_[at_];
+    if (ahead(1).is("(") && pin_functions().count(token.text) != 0) {
+      read_call(at_ > 1 && tokens_[at_ - 1].is(".") ? tokens_[at_ - 2].text : "");
+    } else if (is_number_type(token.text) && ahead(1).kind == Token::Kind::word) {
+      if (is_number_type(ahead(1).text)) return;  // unsigned int
+      ++at_;
+      read_variables();
+    } else if (ahead(1).kind == Token::Kind::word && ahead(2).is("=") && ahead(3).text == token.text &&
+               ahead(4).is("(")) {
+      read_made();
+    } else if (ahead(1).kind == Token::Kind::word && ahead(2).is(";") && is_device(token.text)) {
+      given_.push_back({token.text, ahead(1).text, {}, {}, spot()});
+    } else if (token.is("new") && ahead(2).is("(")) {
+      read_new();
+    } else if (ahead(1).kind == Token::Kind::word && (ahead(2).is("(") || ahead(2).is("{"))) {
+      read_object();
+    } else if (ahead(1).is("(") && at_ > 1 && tokens_[at_ - 1].is(".")) {
+      read_call(tokens_[at_ - 2].text);  // qtr.setSensorPins(…)
+    } else if (ahead(1).is("(")) {
+      const auto list = arguments(1);  // motor(LEFT_PWM, LEFT_A, LEFT_B, speed)
+      handed_on_.insert(list.begin(), list.end());
+    }
+  }
+
+  // Reads `NAME = 5, OTHER = 6;` or `NAME[] = {A0, A1};`, from the first name.
+  void read_variables() {
+    for (;;) {
+      const std::string name = ahead(0).text;
+      Value value{{}, false, spot()};
+      std::size_t i = 1;
+      if (ahead(i).is("[")) {
+        value.is_array = true;
+        while (!ahead(i).text.empty() && !ahead(i).is("]")) ++i;
+        ++i;
+      }
+      if (ahead(i).is("=")) ++i;
+      if (ahead(i).is("{")) {
+        for (++i; !ahead(i).text.empty() && !ahead(i).is("}"); ++i)
+          if (!ahead(i).is(",")) value.words.push_back(ahead(i).text);
+        ++i;
+      } else if (!value.is_array && (ahead(i + 1).is(";") || ahead(i + 1).is(","))) {
+        value.words.push_back(ahead(i).text);
+        ++i;
+      }
+      if (value.is_array) handed_on_.insert(value.words.begin(), value.words.end());
+      if (!value.words.empty()) set(name, std::move(value));
+      if (!ahead(i).is(",") || ahead(i + 1).kind != Token::Kind::word || is_number_type(ahead(i + 1).text))
+        return;
+      at_ += i + 1;
+    }
+  }
+
+  // Returns the arguments of the parentheses `from` tokens ahead. Tokens within an argument are separated by
+  // one space.
+  std::vector<std::string> arguments(std::size_t from) const {
+    std::vector<std::string> list(1);
+    int depth = 0;
+    for (std::size_t i = from; !ahead(i).text.empty() && !ahead(i).is(";"); ++i) {
+      const bool opens = ahead(i).is("(") || ahead(i).is("{"), closes = ahead(i).is(")") || ahead(i).is("}");
+      if (closes && --depth == 0) break;
+      if (ahead(i).is(",") && depth == 1)
+        list.emplace_back();
+      else if (depth > 0)
+        list.back() += (list.back().empty() ? "" : " ") + ahead(i).text;
+      if (opens) ++depth;
+    }
+    if (list.back().empty()) list.pop_back();
+    return list;
+  }
+
+  // Returns the distance to the token after the parentheses that are `from` tokens ahead.
+  std::size_t behind_brackets(std::size_t from) const {
+    int depth = 0;
+    for (std::size_t i = from; !ahead(i).text.empty() && !ahead(i).is(";"); ++i) {
+      if (ahead(i).is("(") || ahead(i).is("{")) ++depth;
+      if ((ahead(i).is(")") || ahead(i).is("}")) && --depth == 0) return i + 1;
+    }
+    return from;
+  }
+
+  void note_use(const std::vector<std::string>& arguments) {
+    for (const std::string& argument : arguments) used_.insert(argument.substr(0, argument.find(' ')));
+  }
+
+  void read_call(const std::string& object) {
+    const auto list = arguments(1);
+    const bool is_pin_function = pin_functions().count(tokens_[at_].text) != 0;
+    if (!list.empty() && (tokens_[at_].is("digitalRead") || tokens_[at_].is("analogRead")))
+      read_result(list[0]);
+    if (is_pin_function && !list.empty()) used_.insert(list[0].substr(0, list[0].find(' ')));
+    if (tokens_[at_].is("shiftOut")) note_use(list);
+    if (tokens_[at_].is("shiftOut") && list.size() > 1)
+      given_.push_back({"shiftOut", "", {}, {list[0], list[1]}, spot()});
+    if (tokens_[at_].is("analogWrite") && !list.empty())
+      given_.push_back({"analogWrite", "", {}, {list[0]}, spot()});
+    if (tokens_[at_].is("attachInterrupt")) {
+      if (const auto pin = pin_of_interrupt(list))
+        given_.push_back({"attachInterrupt", "", {}, {*pin}, spot()});
+      return;
+    }
+    const bool tells =
+        !object.empty() || tokens_[at_].is("digitalPinToInterrupt") || tokens_[at_].is("pulseIn");
+    if (!tells) return;
+    static const std::set<std::string> kTakesPins = {"attach", "setSensorPins", "setEmitterPin", "setPins",
+                                                     "setPin", "init",          "begin"};
+    const bool takes_pins = kTakesPins.count(tokens_[at_].text) != 0;
+    if (!object.empty() && takes_pins) note_use(list);
+    // Arguments of other methods are not pins: lcd.setCursor(0, 14).
+    if (!object.empty() && !takes_pins && !tokens_[at_].is("getMotor")) return;
+    if (tokens_[at_].is("begin") && is_size_of_display(list)) return;
+    given_.push_back({tokens_[at_].text, object, {}, list, spot()});
+  }
+
+  // Returns whether the arguments are a display's size: lcd.begin(16, 2).
+  static bool is_size_of_display(const std::vector<std::string>& list) {
+    return list.size() == 2 && (list[0] == "16" || list[0] == "20" || list[0] == "8") &&
+           (list[1] == "1" || list[1] == "2" || list[1] == "4");
+  }
+
+  // Reads `int leftSensor = analogRead(A1);`, which names the pin unless it already has a name.
+  void read_result(const std::string& argument) {
+    if (at_ < 2 || !tokens_[at_ - 1].is("=") || tokens_[at_ - 2].kind != Token::Kind::word) return;
+    if (argument.find(' ') != std::string::npos || values_.count(argument) != 0) return;
+    const std::string& name = tokens_[at_ - 2].text;
+    values_.erase(name);
+    order_.erase(std::remove(order_.begin(), order_.end(), name), order_.end());
+    set(name, {{argument}, false, spot()});
+    used_.insert(name);
+  }
+
+  // Reads `Type name(5, 6);`, but not the head of a function.
+  void read_object() {
+    static const std::set<std::string> no_types = {"return", "else",    "new",    "case",   "void",
+                                                   "bool",   "boolean", "float",  "double", "String",
+                                                   "const",  "static",  "struct", "class"};
+    if (no_types.count(tokens_[at_].text) != 0) return;
+    // `Wheel left(5, 7, 8), right(6, 9, 10);`
+    for (std::size_t i = 1;
+         ahead(i).kind == Token::Kind::word && (ahead(i + 1).is("(") || ahead(i + 1).is("{"));) {
+      const auto list = arguments(i + 1);
+      if (list.empty()) return;
+      note_use(list);
+      given_.push_back({tokens_[at_].text, ahead(i).text, {}, list, spot()});
+      for (const std::string& argument : list) read_inner_object(ahead(i).text, argument);
+      i = behind_brackets(i + 1);
+      if (!ahead(i).is(",")) return;
+      ++i;
+    }
+  }
+
+  // Reads `Type name = Type(5, 6);`.
+  void read_made() {
+    const auto list = arguments(4);
+    note_use(list);
+    given_.push_back({tokens_[at_].text, ahead(1).text, {}, list, spot()});
+  }
+
+  // Reads `name = new Type(5, 6);`.
+  void read_new() {
+    const bool has_name = at_ > 1 && tokens_[at_ - 1].is("=") && tokens_[at_ - 2].kind == Token::Kind::word;
+    const auto list = arguments(2);
+    note_use(list);
+    given_.push_back({ahead(1).text, has_name ? tokens_[at_ - 2].text : ahead(1).text, {}, list, spot()});
+  }
+
+  // Reads each argument of Motors motors(Motor(5, 7, 8), Motor(6, 9, 10)).
+  void read_inner_object(const std::string& outer, const std::string& argument) {
+    const std::vector<Token> inner = tokens_of(argument);
+    if (inner.size() < 4 || inner[0].kind != Token::Kind::word || !inner[1].is("(")) return;
+    std::vector<std::string> list;
+    for (const Token& token : inner)
+      if (&token != &inner[0] && token.kind != Token::Kind::punctuation) list.push_back(token.text);
+    note_use(list);
+    given_.push_back({inner[0].text, outer, {}, list, spot()});
+  }
+
+  // Returns the name of the pin whose interrupt number is the argument, as in attachInterrupt(0, …).
+  std::optional<std::string> pin_of_interrupt(const std::vector<std::string>& list) const {
+    if (list.empty() || list[0].size() != 1 || std::isdigit(static_cast<unsigned char>(list[0][0])) == 0)
+      return {};
+    for (Pin pin = 0; pin < board_.pin_count; ++pin)
+      if (board_.pins[pin].interrupt == list[0][0] - '0') return board_.pins[pin].name;
+    return {};
+  }
+
+  std::optional<Pin> pin_of(std::string word) const {
+    for (int step = 0; step < kMostSteps; ++step) {
+      if (word == "LED_BUILTIN") return board_.led_builtin;
+      const auto value = values_.find(word);
+      if (value == values_.end() || value->second.is_array) break;
+      word = value->second.words[0];
+    }
+    const bool plain =
+        !word.empty() && (std::isdigit(static_cast<unsigned char>(word[0])) != 0 || word[0] == 'A' ||
+                          word[0] == 'D' || (word[0] == 'P' && word.size() > 2));
+    const Pin pin = plain ? find_pin(board_, word.c_str()) : kNoPin;
+    return pin == kNoPin ? std::nullopt : std::optional<Pin>(first_number(board_, pin));
+  }
+
+  // Returns the pins of an argument: one pin, or those of an array. `( const uint8_t [ ] ) { A0 , A1 }` is
+  // also an array. For `pins [ 1 ]`, returns that pin; for `pins [ i ]`, all pins.
+  std::vector<Pin> pins_of(const std::string& argument) const {
+    if (const auto pin = pin_of(argument)) return {*pin};
+    if (const std::size_t bracket = argument.find(" [ ");
+        bracket != std::string::npos && argument[0] != '(') {
+      const std::vector<Pin> all = pins_of(argument.substr(0, bracket));
+      const std::string index = argument.substr(bracket + 3, argument.find(' ', bracket + 3) - bracket - 3);
+      const bool fixed = !index.empty() && index.find_first_not_of("0123456789") == std::string::npos;
+      const std::size_t at = fixed && index.size() < 4 ? std::stoul(index) : all.size();
+      return at < all.size() ? std::vector<Pin>{all[at]} : all;
+    }
+    std::vector<std::string> words;
+    if (const auto array = values_.find(argument); array != values_.end()) {
+      words = array->second.words;
+    } else if (const std::size_t brace = argument.find('{'); brace != std::string::npos) {
+      for (const Token& token : tokens_of(argument.substr(brace)))
+        if (token.kind == Token::Kind::word || token.kind == Token::Kind::number) words.push_back(token.text);
+    }
+    std::vector<Pin> pins;
+    for (const std::string& word : words)
+      if (const auto pin = pin_of(word)) pins.push_back(*pin);
+    return pins.size() == words.size() ? pins : std::vector<Pin>{};
+  }
+
+  bool all_analog(const std::vector<Pin>& pins) const {
+    return std::all_of(pins.begin(), pins.end(), [&](Pin pin) { return board_.pins[pin].name[0] == 'A'; });
+  }
+
+  const BoardSpec& board_;
+  std::string file_;
+  std::vector<Token> tokens_;
+  std::size_t at_ = 0;
+  std::map<std::string, Value> values_;
+  std::vector<std::string> order_;
+  std::set<std::string> handed_on_;  // names in an array, or passed to any function
+  std::set<std::string> used_;       // names passed to a pin function or to an object
+  std::vector<Given> given_;
+};
+
+}  // namespace
+
+SketchNames read_names(const build::Sketch& sketch, const BoardSpec& board) {
+  Reader reader(board);
+  for (const auto* files : {&sketch.headers, &sketch.inos, &sketch.sources})
+    for (const std::string& file : *files) reader.read(read_file(sketch.folder / file), file);
+  return reader.names();
+}
+
+SketchNames names_in_text(const std::string& text, const std::string& file, const BoardSpec& board) {
+  Reader reader(board);
+  reader.read(text, file);
+  return reader.names();
+}
+
+}  // namespace robosim::wiring

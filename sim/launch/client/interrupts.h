@@ -1,0 +1,36 @@
+// Handles Ctrl-C, SIGTERM and SIGHUP during a run.
+#pragma once
+
+#include <signal.h>
+
+#include <array>
+
+#include "sim/launch/client/pool.h"
+#include "sim/launch/client/runner.h"
+
+namespace robosim::client {
+
+/// Makes SIGINT, SIGTERM and SIGHUP end the runner's current run, which then answers with the verdict
+/// `interrupted`. A second signal kills the runner. A pool ends its batch at the first signal. The handlers
+/// are active from construction to destruction. Only one object may exist at a time.
+class Interrupts {
+ public:
+  explicit Interrupts(Runner& runner);
+  explicit Interrupts(Pool& pool);
+  ~Interrupts();
+  Interrupts(const Interrupts&) = delete;
+  Interrupts& operator=(const Interrupts&) = delete;
+
+  /// Returns the number of signals so far.
+  static int count();
+  /// Returns the first signal; 0 = none.
+  static int signal();
+
+ private:
+  void catch_signals();
+
+  static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> before_;
+};
+
+}  // namespace robosim::client

@@ -1,0 +1,29 @@
+// Represents a path of points with straights between them and rounded bends. This is an implementation detail
+// of the readers.
+#pragma once
+
+#include <vector>
+
+#include "sim/map/path.h"
+
+namespace robosim::course {
+
+struct Corner {
+  Vec2 at;
+  double rounding = 0.0;    ///< m, radius of the bend, smaller if the straights are too short; 0 = sharp
+  bool gap_behind = false;  ///< unpainted between this point and the next point
+};
+
+using Polyline = std::vector<Corner>;
+
+/// Reverses the direction of a line.
+void reverse(Polyline& line);
+
+/// Converts at least two different points to a path, in metres. Lengths and radii are rounded to micrometres.
+map::Path path_of(const Polyline& line);
+
+/// Returns the middles of the path's sections over square tiles, in m along the path. Skips sections shorter
+/// than 10 mm.
+std::vector<double> tile_middles(const map::Path& path, double tile);
+
+}  // namespace robosim::course

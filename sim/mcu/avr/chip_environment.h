@@ -1,0 +1,74 @@
+// Declares the interface through which a chip accesses its environment. A robot's board, a test or a web page
+// implements it.
+//
+// Pins are indices in ChipSpec::pins, and times are processor cycles. From one call to the next, the time may
+// decrease by at most the cycles of one instruction.
+#pragma once
+
+#include "hal/board/board.h"
+#include "sim/mcu/avr/cycle.h"
+
+namespace robosim::avr {
+
+class ChipEnvironment {
+ public:
+  // --- pins
+  /// Returns the level of a pin that the chip does not drive. `pull_up` is the level if nothing else drives
+  /// the pin.
+  virtual bool level(int pin, bool pull_up, Cycle at) = 0;
+  /// Returns the level for a read by a peripheral, or by an instruction that reads the whole port. The
+  /// program may not use the result.
+  virtual bool level_along(int pin, bool pull_up, Cycle at) = 0;
+  /// Returns the first cycle after `at` at which the result of level() may change. Until this cycle, the
+  /// caller can skip calls. Returns `at` if that cycle is unknown.
+  virtual Cycle level_until(int pin, Cycle at) = 0;
+  /// Returns the volts at a pin, for a sample of the ADC or comparator. `high` is set if the chip's output or
+  /// pull-up drives the pin high.
+  virtual double volts(int pin, bool high, Cycle at) = 0;
+  /// Returns the volts on the ADC's sampling capacitor (FirmwarePort::convert()). The capacitor held `before`
+  /// volts, and the pin has charged the capacitor since cycle `from`.
+  virtual double convert(int pin, bool high, double /*before*/, Cycle /*from*/, Cycle at) {
+    return volts(pin, high, at);
+  }
+  /// Returns the supply as a share of its nominal voltage (FirmwarePort::supply_share()).
+  virtual double supply_share() { return 1.0; }
+  /// Reports that the chip has changed how it drives a pin.
+  virtual void driven(int pin, const PinDrive& drive, Cycle at) = 0;
+  /// Starts or stops reports of level changes through Chip::edge(). Returns the level from which changes are
+  /// reported; the result is ignored if reports stop.
+  virtual bool wants_edges(int pin, bool wanted, Cycle at) = 0;
+
+  // --- serial lines: numbers are indices in ChipSpec::uarts; USB has the next number
+  /// Reports that the chip starts to send a frame.
+  virtual void sent(int line, std::uint16_t data, Cycle at) = 0;
+  /// Reports the frame duration, in cycles, that the receiver expects from `at` on; 0 = the receiver is off.
+  virtual void listens(int line, Cycle frame, Cycle at) = 0;
+
+  // --- two-wire bus: called at the end of a byte, or at the stop condition
+  /// Addresses a device (seven bits and the direction); returns whether a device answers.
+  virtual bool two_wire_address(std::uint8_t address, Cycle at) = 0;
+  /// Writes a byte; returns whether the device acknowledges it.
+  virtual bool two_wire_write(std::uint8_t byte, Cycle at) = 0;
+  virtual std::uint8_t two_wire_read(Cycle at) = 0;
+  virtual void two_wire_stop(Cycle at) = 0;
+
+  // --- non-volatile memory
+  virtual std::uint8_t* eeprom() = 0;
+  /// Writes or erases a byte of the EEPROM at once. Called when the chip starts the write.
+  virtual void write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) = 0;
+
+  // --- time
+  /// Called at the moment requested by Chip::call_at().
+  virtual void called(Cycle at) = 0;
+  /// Reports that the processor's clock is the oscillator's clock divided by `divisor` from `at` on (CLKPR).
+  /// A reset sets the divisor to 1.
+  virtual void clock_divided(int divisor, Cycle at) = 0;
+  /// Reports that the chip was reset: registers are as after power-on, memory is retained. `flags` is the
+  /// content of MCUSR.
+  virtual void was_reset(std::uint8_t flags, Cycle at) = 0;
+
+ protected:
+  ~ChipEnvironment() = default;
+};
+
+}  // namespace robosim::avr

@@ -1,0 +1,109 @@
+// Simulates many robots without firmware, each alone on one floor. Their motors get commands, their bodies
+// move, and their line sensors are read. Batches serve parameter studies, searches, and learning by trial.
+//
+//   map::Map map = map::read_map("oval.map");
+//   world::World world(map);
+//   batch::Robots robots(world);
+//   for (std::uint64_t seed = 1; seed <= 1000; ++seed) robots.add(robot, seed, Profile::typical_2, start);
+//   std::vector<double> volts(robots.size());
+//   while (robots.now() < kSecond) {
+//     robots.read(2, robots.now(), volts);          // the third sensor of each robot, now
+//     robots.tell(17, world::left, {0.6, 0.4});     // a command, as a motor driver derives it from its pins
+//     robots.step();
+//   }
+//
+// A robot of a batch behaves like a robot::Robot with the same description, seed and number. With equal
+// commands it has equal poses, and reads equal volts with equal noise, bit for bit (tests/unit/batch). A
+// batch takes less time, because its robots have no pins, no edges, and no unused parts. The arithmetic is
+// done for a block of robots at once (bodies.h). The pose is computed once for all sensors that read at one
+// time.
+//
+// Robots of a batch neither detect nor touch each other.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hal/board/sim_time.h"
+#include "sim/base/noise.h"
+#include "sim/base/profile.h"
+#include "sim/robot/description.h"
+#include "sim/world/batch/bodies.h"
+#include "sim/world/near_stripe.h"
+
+namespace robosim::batch {
+
+/// One sensor of each robot of a block. Values are as in robot::ElementFigures and robot::AnalogInputs.
+struct SensorBlock {
+  Lanes at_x, at_y, footprint;  // m
+  Lanes light, shift, noise, dark_noise, beside_dark_noise;
+  Lanes white, span, supply, adc_noise;  // V
+  Lanes lag;                             // ns
+  world::NearStripe near[kLanes];        // near each robot's footprint
+  NoiseStream stream[kLanes], adc[kLanes];
+  std::uint64_t pin[kLanes] = {};
+  std::uint64_t samples = 0;
+  bool is_converted_noisily = false;
+};
+
+/// The poses of a block's robots when a sensor reads.
+struct SensorPoses {
+  Lanes x, y, heading_x, heading_y;
+};
+
+class Robots {
+ public:
+  /// Uses the world's floor, walls and obstacles, which may be changed between ticks. `world` must outlive
+  /// this object. Throws std::invalid_argument unless its floor is a plane of one kind, without lamps.
+  explicit Robots(const world::World& world);
+
+  /// Adds a robot and returns its number in the batch, from 0. `individual` is the number that a robot::Robot
+  /// would have. The robot has the motors of its description, and reflectance sensors with `read = "analog"`
+  /// whose emitters are on. Other parts are skipped.
+  ///
+  /// Throws InputError for parts that would change how the robot drives or reads. They are a [battery],
+  /// steered wheels, a fan, other reflectance sensors, and an emitter on a pin. Also throws if the robot has
+  /// more or fewer sensors than the first robot.
+  std::size_t add(const robot::Description&, std::uint64_t seed, Profile, const Pose& start,
+                  std::uint32_t individual = 0);
+  std::size_t size() const { return bodies_.size(); }
+  std::size_t sensors() const { return sensors_; }
+
+  /// Sets a motor's command, from the tick that begins now until the next call. robot::bridge_command()
+  /// computes commands from a motor driver's pins. If a motor drives both wheels through a differential, call
+  /// this function for both sides.
+  void tell(std::size_t robot, world::Side, const world::WheelCommand&);
+  /// Reads the sensor with index `sensor`, in the order of the robot file, for each robot, in V. `t` is a
+  /// time within the tick that begins now. Each call uses one sample of noise.
+  void read(std::size_t sensor, SimTime t, std::span<double> volts);
+  /// Simulates one tick of all robots.
+  void step();
+  /// Returns the beginning of the tick.
+  SimTime now() const { return now_; }
+
+  const Bodies& bodies() const { return bodies_; }
+
+ private:
+  struct Told {
+    std::size_t robot;
+    world::Side side;
+    world::WheelCommand command;
+  };
+
+  void add_sensors(const robot::Description&, std::uint64_t seed, Profile, std::uint32_t individual);
+  void find_poses(std::size_t sensor, SimTime t);
+
+  const world::Floor& floor_;
+  Bodies bodies_;
+  std::size_t sensors_ = 0;
+  std::vector<std::vector<SensorBlock>> sensor_blocks_;  // for each sensor, block by block
+  std::vector<SensorPoses> poses_;
+  SimTime posed_at_ = -1;   // the time of poses_
+  std::vector<Told> told_;  // commands in this tick
+  std::vector<world::WheelCommand> commands_[2];
+  std::vector<bool> lags_;  // for each sensor: whether the sensor lags on any robot
+  SimTime now_ = 0;
+};
+
+}  // namespace robosim::batch

@@ -1,0 +1,109 @@
+// A scenario: stimuli to the robot, and their times. docs/reference/scripts.md describes the language.
+//
+//   at 2s press start 100ms
+//   after serial "Ready" send "3\n"
+//   after station 3 wait 500ms place 2,2,E
+//   at 5s fault S2 stuck 1023 for 500ms
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/board/sim_time.h"
+#include "sim/base/error.h"
+#include "sim/base/vec.h"
+#include "sim/run/scenario/spread.h"
+
+namespace robosim::scenario {
+
+/// The time or event at which a step is due. Each step runs once.
+struct Trigger {
+  enum class Kind {
+    at,       ///< simulated time `time`
+    serial,   ///< the firmware has sent `text`
+    station,  ///< the station called `text` has been visited
+    told,     ///< the part `part` has shown a text that contains `text`
+    boot,     ///< the chip has started for the `count`-th time; the first is at the beginning of the run
+    eeprom,   ///< the firmware has begun to write its EEPROM for the `count`-th time
+  };
+  Kind kind = Kind::at;
+  SimTime time = 0;  ///< for `at`: the time; otherwise: the delay after the event
+  std::string text;
+  std::string part;
+  std::uint64_t count = 0;
+};
+
+/// The value of an EEPROM byte after a power failure during its write. The chip erases the byte first (all
+/// bits set), then clears bits, so it may have any value.
+struct HalfWritten {
+  enum class Kind { done, before, value };
+  Kind kind = Kind::done;  ///< done: the new content, since the supply lasts; before: the old content
+  std::uint8_t value = 0xFF;
+};
+
+constexpr double kObstacleRadius = 0.033;  ///< m: a drinks can of 330 ml
+
+/// The action of a step.
+struct Action {
+  enum class Verb {
+    press,
+    release,
+    send,
+    place,
+    lift,
+    lower,
+    cover,
+    obstacle,
+    clear,
+    fault,
+    power,
+    sweep,
+    tilt,
+    paint,
+    erase,
+    door,
+    light
+  };
+  Verb verb = Verb::press;
+  std::string part;  ///< press, release, cover, fault, send to a part; "off" or "on" for power and light;
+                     ///< "shut" or "open" for a door
+  std::vector<std::string> arguments;  ///< fault: kind and its arguments
+  std::string text;  ///< send: the bytes, or the message to a part; place: "X,Y,DIR"; obstacle, clear:
+                     ///< "X,Y"; paint, erase, door: "X,Y X,Y"; light: its number, or "all"
+  std::string to;    ///< obstacle: the cell that it moves to; empty = none
+  SimTime held = 0;  ///< send: duration for a key of a remote control
+  double radius = kObstacleRadius;  ///< m, of an obstacle
+  double reach = 0.0;               ///< m, of sweep: distance to each side
+  SimTime period = 0;               ///< of sweep: to and fro; of tilt: one way; of obstacle: the way to `to`
+  double angle = 0.0;               ///< rad, of tilt: by this angle …
+  Vec2 side;                        ///< … in this direction, in the robot's frame
+  HalfWritten half_written;         ///< power off
+  std::optional<SimTime> duration;  ///< undone after this time: press, lift, cover, obstacle, fault, power
+};
+
+/// Returns the subject of an action; empty if it has no subject. A later action on the same subject cancels
+/// the end of this action.
+std::string subject_of(const Action& action);
+/// Returns the part that an action presses or covers with a finger; empty for other actions. The part stays
+/// pressed until the last finger leaves.
+std::string finger_of(const Action& action);
+
+struct Step {
+  Trigger trigger;
+  Action action;
+  Place place;           ///< in the script
+  std::string varies{};  ///< the line, if it has spreads (spread.h); the step contains their nominal values
+};
+
+/// Parses one line; returns nullopt if it is empty or a comment. Throws like parse_scenario.
+std::optional<Step> parse_step(std::string_view line, const Place& place);
+/// Returns a step whose values have these shares of their spreads.
+Step parse_varied(const Step& step, const Share& share);
+
+/// Parses a scenario. Throws InputError with file and line, and the valid triggers or verbs. Names of parts
+/// and stations are checked later, with a robot and a map.
+std::vector<Step> parse_scenario(std::string_view text, const std::string& file);
+
+}  // namespace robosim::scenario

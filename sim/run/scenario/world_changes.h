@@ -1,0 +1,70 @@
+// Changes of the world by a script: obstacles, paint on the floor, doors, lights.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/map/map.h"
+#include "sim/map/stripes.h"
+#include "sim/run/scenario/scenario.h"
+#include "sim/wire/events.h"
+#include "sim/world/world.h"
+
+namespace robosim::scenario {
+
+class WorldChanges {
+ public:
+  WorldChanges(const map::Map& map, const map::Stripes& stripes, world::World& world)
+      : map_(map), stripes_(stripes), world_(world) {}
+
+  /// Throws InputError for unknown objects; ignores actions that do not change the world.
+  void check(const Action& action) const;
+  wire::ScriptActed put_obstacle(const Action& action, SimTime t);
+  void clear_obstacle(const std::string& cell);
+  /// Runs paint, erase, door or light.
+  wire::ScriptActed perform(const Action& action);
+  /// Undoes paint, erase, door or light.
+  wire::ScriptActed undo(const Action& action);
+  /// Moves moving obstacles to their places at `t`.
+  void act(SimTime t) {
+    if (!state_.obstacles.empty()) move_obstacles(t);
+  }
+
+  /// Returns whether act() may move something.
+  bool go_on() const { return !state_.obstacles.empty(); }
+
+  struct Obstacle {
+    map::CellAt cell;               ///< its initial place
+    int number;                     ///< its number in the world
+    Vec2 from = {}, to = {};        ///< of a moving obstacle
+    SimTime began = 0, period = 0;  ///< period 0: the obstacle does not move
+  };
+  /// The state that changes during a run; keys are the script's words.
+  struct State {
+    std::vector<Obstacle> obstacles;
+    std::map<std::string, int> patches;             ///< numbers in the world
+    std::map<std::string, std::vector<int>> doors;  ///< the discs of a closed door
+  };
+  const State& save() const { return state_; }
+  void restore(const State& saved) { state_ = saved; }
+
+ private:
+  void move_obstacles(SimTime t);
+  void bring_about(const Action& action);
+  Vec2 place_of(map::CellAt cell) const;
+  double half_width(const Action& action) const;
+  wire::ScriptActed told(const char* verb, const Action& action) const;
+  std::vector<std::size_t> lights_of(const std::string& text) const;
+  void remove_patch(const std::string& text);
+  void add_patch(const Action& action);
+  void open_door(const std::string& text);
+  void shut_door(const std::string& text);
+
+  const map::Map& map_;
+  const map::Stripes& stripes_;
+  world::World& world_;
+  State state_;
+};
+
+}  // namespace robosim::scenario

@@ -1,0 +1,29 @@
+// Makes runs with the module (sim/view/tab/run.cpp). Writes the files that a run needs to the module's own file
+// system. This is a plain script, for the worker and for tests without a browser.
+
+class Bench {
+  /** `robots`: texts of the stock robots by name. `options`: the module's; `reached` is called with the simulated
+   *  seconds. */
+  static async make(robots, options) {
+    const bench = new Bench();
+    bench.module = await robosimModule(options);
+    const { FS } = bench.module;
+    FS.mkdirTree('/robosim/sim/robot/stock');  // where the module expects them
+    for (const [name, text] of Object.entries(robots)) FS.writeFile(`/robosim/sim/robot/stock/${name}.toml`, text);
+    FS.mkdir('/run');
+    FS.chdir('/run');
+    return bench;
+  }
+
+  /** Runs a `request` (docs/reference/runner-protocol.md). `files`: the contents of the files that it names. Returns
+   *  { result } or { error }, and `recording`: the compressed part of a .rec. */
+  run(files, request) {
+    const { FS, cwrap, _robosim_recording, _robosim_recording_size } = this.module;
+    for (const name of FS.readdir('/run')) if (FS.isFile(FS.stat(`/run/${name}`).mode)) FS.unlink(`/run/${name}`);
+    for (const [name, content] of Object.entries(files)) FS.writeFile(`/run/${name}`, content);
+    const line = cwrap('robosim_run', 'string', ['string'])(JSON.stringify({ id: 1, do: 'run', ...request }));
+    const { result, error } = JSON.parse(line);
+    const at = _robosim_recording(), size = _robosim_recording_size();
+    return { result, error, recording: result && this.module.HEAPU8.slice(at, at + size) };
+  }
+}

@@ -1,0 +1,35 @@
+// Shows one line of progress on a terminal's standard error. Shows nothing in a pipe.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace robosim::terminal {
+
+class Progress {
+ public:
+  /// Stays silent if standard error is not a terminal, or if `wanted` is false.
+  explicit Progress(bool wanted);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  bool active() const { return active_; }
+  /// Shows a line immediately.
+  void say(const std::string& text);
+  /// Shows a line that changes often: at most ten times a second, and not in the first half second.
+  void update(const std::string& text);
+  /// Shows simulated time in a line that changes often.
+  void advance(std::int64_t t_us, double for_s);
+  /// Clears the line.
+  void clear();
+
+ private:
+  bool due();
+
+  bool active_;
+  bool shown_ = false;
+  std::int64_t next_us_;
+};
+
+}  // namespace robosim::terminal
