@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/map/cells/large_pages.h"
 #include "sim/map/map.h"
 
 namespace robosim::cells {
@@ -127,7 +126,7 @@ class CellFloor {
   const map::Map& map_;
   std::uint32_t columns_;
   std::array<std::ptrdiff_t, 4> step_;
-  std::vector<std::uint8_t, LargePages<std::uint8_t>> cells_;
+  std::vector<std::uint8_t> cells_;
 };
 
 }  // namespace robosim::cells
