@@ -17,7 +17,7 @@ constexpr int kCompileSeconds = 30;                   ///< processor time per pr
 constexpr int kLookupSeconds = 5;                     ///< processor time for output_within()
 constexpr int kWaitSeconds = 30;                      ///< wall time after which an idle program is killed
 constexpr int kStepSeconds = 300;                     ///< processor time of all programs of one build step
-constexpr unsigned long kCompileBytes = 224ul << 20;  ///< variables and heap of all programs at one time
+constexpr unsigned long kCompileBytes = 216ul << 20;  ///< variables and heap of all programs at one time
 constexpr unsigned long kMadeBytes = 32ul << 20;      ///< size of each file that a program writes
 
 /// Uses Landlock, which needs neither root nor namespaces. Without Landlock in the kernel, uses a separate

@@ -162,11 +162,14 @@ Running start(const Command& command, std::size_t index, const std::vector<std::
           {}};
 }
 
-/// Returns false at the end of the output.
-bool read_some(int descriptor, std::string& output) {
+/// Adds the number of bytes read to `total`. Returns false at the end of the output.
+bool read_some(int descriptor, std::string& output, std::size_t& total) {
   char buffer[16384];
   const ssize_t n = ::read(descriptor, buffer, sizeof buffer);
-  if (n > 0) output.append(buffer, static_cast<std::size_t>(n));
+  if (n > 0) {
+    output.append(buffer, static_cast<std::size_t>(n));
+    total += static_cast<std::size_t>(n);
+  }
   return n > 0 || (n < 0 && errno == EINTR);
 }
 
@@ -178,7 +181,7 @@ std::vector<CommandResult> run(const std::vector<Command>& commands) {
   const double begin_s = processor_s_of_children();
   std::vector<CommandResult> results(commands.size());
   std::vector<Running> running;
-  std::size_t next = 0;
+  std::size_t next = 0, total_output = 0;
   while (next < commands.size() || !running.empty()) {
     while (next < commands.size() && running.size() < at_once) {
       running.push_back(start(commands[next], next, environment));
@@ -196,8 +199,8 @@ std::vector<CommandResult> run(const std::vector<Command>& commands) {
       if (is_idle) {
         end_with_descendants(running[i].child);
         result.output.insert(0, std::string(kWaits) + "\n");
-      } else if (result.output.size() < commands[running[i].index].most_output) {
-        if (read_some(running[i].output.get(), result.output)) continue;
+      } else if (total_output < commands[running[i].index].most_output) {
+        if (read_some(running[i].output.get(), result.output, total_output)) continue;
       } else {
         end_with_descendants(running[i].child);
         result.output.insert(0, std::string(kTooMuchOutput) + "\n");
@@ -208,7 +211,7 @@ std::vector<CommandResult> run(const std::vector<Command>& commands) {
         result.status = std::max(result.status, 1);
         result.output.insert(0, std::string(kTooMuchTime) + "\n");
       }
-      if (is_walled && exceeds_time(result))
+      if (is_walled && (exceeds_time(result) || has_failed_with(result, kTooMuchOutput)))
         for (; next < commands.size(); ++next) results[next].status = 1;
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
     }

@@ -11,12 +11,13 @@
 namespace robosim::build {
 
 struct Command {
-  std::vector<std::string> words;                   ///< program, as an absolute path, and its arguments
-  std::filesystem::path folder;                     ///< working folder
-  std::filesystem::path input;                      ///< standard input; empty = none
-  std::filesystem::path scratch;                    ///< folder for its output
-  const ProgramSandbox* walls = nullptr;            ///< accessible files; null = all that Robosim can access
-  std::size_t most_output = std::size_t{16} << 20;  ///< in bytes; a program with more output is killed
+  std::vector<std::string> words;         ///< program, as an absolute path, and its arguments
+  std::filesystem::path folder;           ///< working folder
+  std::filesystem::path input;            ///< standard input; empty = none
+  std::filesystem::path scratch;          ///< folder for its output
+  const ProgramSandbox* walls = nullptr;  ///< accessible files; null = all that Robosim can access
+  /// In bytes: the program is killed if all programs that run() starts have more output together.
+  std::size_t most_output = std::size_t{16} << 20;
   int most_wait_s = kWaitSeconds;  ///< wall time after which an idle sandboxed program is killed
   std::size_t most_memory = 0;     ///< in bytes, for a sandboxed program; 0 = kCompileBytes
 };
@@ -54,8 +55,8 @@ std::vector<CommandResult> run(const std::vector<Command>& commands);
 CommandResult run(const Command& command);
 /// Runs each command in its own sandbox. The command can read the files in `read`, and no other command can
 /// write to its scratch folder. Programs that run at the same time share kCompileBytes. A program that needs
-/// more than its share runs again, alone. After a program has exceeded its processor time, no other program
-/// is started.
+/// more than its share runs again, alone. After a program has exceeded its processor time or the size of the
+/// output, no other program is started.
 std::vector<CommandResult> run_within(const std::vector<std::filesystem::path>& read,
                                       std::vector<Command> commands);
 

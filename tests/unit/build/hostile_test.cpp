@@ -217,6 +217,14 @@ TEST_F(HostileTest, OutputWithoutEndIsNotReadWithoutEnd) {
   EXPECT_LT(result.output.size(), 200'000u);
 }
 
+TEST_F(HostileTest, OutputOfManyProgramsIsLimitedTogether) {
+  Command command{{"/bin/sh", "-c", "head -c 90000 /dev/zero | tr '\\0' y"}, "/", {}};
+  command.most_output = 100'000;
+  std::size_t total = 0;
+  for (const CommandResult& result : run(std::vector<Command>(20, command))) total += result.output.size();
+  EXPECT_LT(total, 200'000u);
+}
+
 TEST_F(HostileTest, ANumberInAMessageMayBeTooLargeForOne) {
   for (const char* line :
        {"#line 1 \"a\\nb.c:99999999999999999999:1: error: x\"\nint x = ;",

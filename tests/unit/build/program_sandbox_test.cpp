@@ -67,7 +67,7 @@ TEST_F(WallsTest, OfNamespacesLeaveNothingToRootToOpenThemWith) {
 }
 
 TEST_F(WallsTest, LimitTimeAndMemoryOfCompilers) {
-  EXPECT_EQ(in_a_shell("ulimit -t; ulimit -c; ulimit -d"), "30\n0\n229376\n");
+  EXPECT_EQ(in_a_shell("ulimit -t; ulimit -c; ulimit -d"), "30\n0\n221184\n");
 }
 
 TEST_F(WallsTest, MakeAnIncludeOfAFileFromOutsideOneSentence) {
