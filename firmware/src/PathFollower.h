@@ -5,16 +5,16 @@
 //      ------+------    With the left hand:
 //            |            - if a branch leads to the left, take it;
 //          [L M R]        - else if the line goes on, follow it;
-//            ^            - else turn right to the next line: the line after a bend, or the line of arrival.
+//            ^            - else turn right to the next line: the line after a bend, or the line it came on.
 //
 // On lines without closed loops this rule visits every station and returns to the start, however the lines
 // branch. It needs no memory at all. With the right hand everything is mirrored.
 //
-// Following the edge. The middle sensor is the hand: it detects the line's edge on the preferred side. If the
-// sensor is dark, the robot steers away from the line; if it is white, back to the line. So the robot runs
-// along the edge in a fine zigzag. The longer the reading stays the same, the further the robot turns. On the
-// edge, the sensor on the preferred side is as far from the line as possible. If that sensor gets dark, it
-// has found a branch and nothing else.
+// Following the edge. The middle sensor is the hand: it detects the line's edge on the preferred side. If
+// the sensor is dark, the robot steers away from the line; if it is white, back to the line. So the robot
+// runs along the edge in a fine zigzag. The longer the reading stays the same, the further the robot turns.
+// With the middle sensor on this edge, the sensor on the preferred side is farthest from the line. If that
+// sensor gets dark, it has found a branch and nothing else.
 //
 // Turning. The sensors are ahead of the axle. After detecting a branch, the robot must roll on until its axle
 // is over the branch. Without encoders it cannot measure the distance directly. It uses the branch that it
@@ -68,7 +68,7 @@ class PathFollower {
     uint8_t past_tenths = 4;     ///< from there until the axle is over the line's end
     uint8_t branch_tenths = 10;  ///< from a branch's far edge until the axle is over its middle: the sensors'
                                  ///< distance from the axle, less half a line's width, less braking distance
-    uint16_t width_ms = 70;      ///< time for one width until the first branch has been measured
+    uint16_t width_ms = 70;      ///< assumed time for one width, until the first branch has been measured
   };
 
   explicit PathFollower(Side prefer) : prefer_(prefer), width_ms_(settings_.width_ms) {}
@@ -111,7 +111,7 @@ class PathFollower {
   State state_ = State::following;
   bool started_ = false;
   bool to_branch_ = false;  ///< turns to a branch, not at a line's end
-  bool armed_ = false;      ///< the near sensor has been over the floor since this line began
+  bool armed_ = false;      ///< the near sensor has been off the line at least once since this line began
   bool off_line_ = false;   ///< in a turn to a branch: the middle sensor has left the line of arrival
   uint32_t now_ = 0;
   uint32_t entered_ = 0;     ///< when state_ began

@@ -2,8 +2,9 @@
 // target and the emulated chip share them. avr_adc_sample.h samples a board's pins.
 //
 // A conversion takes 13 ADC clocks, and samples after 1.5 clocks. The first one after switching on takes 12
-// clocks more, and samples 12 clocks later (table 24-1). The references are the supply (AVCC, and AREF, which
-// is not wired) and the bandgap. The temperature sensor and the differential channels of some chips read 0.
+// clocks more, and samples 12 clocks later (table 24-1). The references are the supply (selected by AVCC, and
+// by the unwired AREF) and the bandgap. The temperature sensor and the differential channels of some chips
+// read 0.
 #pragma once
 
 #include <stdint.h>
@@ -59,9 +60,9 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
 }
 
 /// Returns the code of the input that ADMUX and ADCSRB select. `pin_volts(channel)` returns the volts at an
-/// analog input, scaled as if the supply were nominal. So these volts match a reference that drops
-/// with the supply. For a constant reference they are multiplied by `supply_share()`. `held` receives the
-/// volts on the converter's capacitor, scaled like those of `pin_volts`.
+/// analog input, scaled as if the supply were nominal. If the reference is the supply, its nominal value is
+/// therefore used: a drop cancels. For a constant reference they are multiplied by `supply_share()`. `held`
+/// receives the volts on the converter's capacitor, scaled like those of `pin_volts`.
 template <typename SupplyShare, typename PinVolts>
 uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,
                     SupplyShare supply_share, PinVolts pin_volts, double& held) {

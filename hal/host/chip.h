@@ -1,7 +1,7 @@
 // The chip whose registers, timers and interrupts a sketch finds on the target host. No other header in
 // hal/host names the chip.
 //
-// A core is compiled for one board (sim/build/compile.cpp):
+// The host's Arduino core is compiled for one board. sim/build/compile.cpp defines:
 //   ROBOSIM_CLOCK_HZ       the chip's clock
 //   ROBOSIM_PINS           the number of Arduino pin numbers, analog inputs included
 //   ROBOSIM_ANALOG_INPUTS  the number of analog inputs among them, from A0 on

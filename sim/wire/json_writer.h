@@ -12,11 +12,12 @@
 #include <variant>
 #include <vector>
 
-#include "sim/wire/fields.h"
+#include "sim/result/fields.h"
 
 namespace robosim::wire {
+using namespace result;  // the values that messages carry
 
-/// JSON that keeps keys in the order of their descriptions.
+/// JSON that keeps keys in the order in which fields() describes them.
 using OrderedJson = nlohmann::ordered_json;
 
 namespace detail {

@@ -32,11 +32,11 @@ constexpr double typical_variation(Profile profile) { return profile < Profile::
 /// A floor of one of two kinds. Stripes: lines of width `line` along the centre lines of map::Stripes.
 /// Raster (the map has `floor = "raster"`): each painted line cell is dark as a whole.
 ///
-/// One byte per cell describes what a query inside the cell can find. Most queries therefore cost one load
-/// and one square root:
+/// One byte per cell describes what a query inside the cell can find. So most queries cost one load and one
+/// square root. The byte depends on the kind of floor:
 ///   square corners: which of its four arms (half stripes from its centre to its sides) the cell has,
 ///                   and whether they are painted; no stripe of another cell is nearer than cell / 2
-///   round corners:  whether any stripe is near; if so, a list of those few, made at set-up
+///   round corners:  no byte; map::StripeIndex lists the few stripes near the cell, if any
 ///   raster:         which cells of a 2x2 neighbourhood are dark
 class Floor {
  public:
@@ -234,8 +234,9 @@ class Floor {
   std::array<Kind, 98> kinds_;
   std::vector<std::uint8_t> cells_;  // square corners: numbers of kinds_, row by row from the bottom
   double stripes_reach_ = 0.0;
-  std::unique_ptr<map::Stripes> stripes_;         // round corners
-  std::unique_ptr<map::StripeIndex> with_marks_;  // stripes_, then marks_; null for any other content
+  std::unique_ptr<map::Stripes> stripes_;  // round corners
+  // stripes_, then marks_; null unless alike_, with marks and round corners, and not a raster
+  std::unique_ptr<map::StripeIndex> with_marks_;
   std::vector<double> widths_;       // m, per paint, at least the map's line; empty if none is wider
   std::vector<std::uint8_t> quads_;  // raster: bits SW SE NW NE; one more row and column than the map
 };

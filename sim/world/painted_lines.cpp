@@ -32,7 +32,8 @@ PaintedLines::PaintedLines(const map::Map& map, const PaintedMarks& marks)
 
 double PaintedLines::over_these(std::span<const std::uint32_t> near, double below, Band band, Vec2 p,
                                 double footprint, const PaintedMarks& marks) const {
-  std::array<double, map::Paint::kMost + 1> shares;  // first distances, then shares, of the paints in `met`
+  // by paint in `met`: its smallest distance, later replaced by its share
+  std::array<double, map::Paint::kMost + 1> shares;
   std::uint64_t met = 0;
   const std::span<const map::Stripe> lines = stripes_->all();
   auto at = near.begin();

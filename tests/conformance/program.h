@@ -35,7 +35,7 @@ std::vector<Program> programs_in(const std::filesystem::path& folder);
 /// the compiler's message.
 std::vector<std::uint8_t> compile(const Program& program, const std::string& chip);
 
-/// Formats bytes as "05 .. ff".
+/// Formats bytes in hexadecimal, such as "05 .. ff"; ".." is a byte that may have any value.
 std::string text_of(const std::vector<std::optional<std::uint8_t>>& bytes);
 std::string text_of(const std::vector<std::uint8_t>& bytes);
 /// Prints a program for gtest.

@@ -1,5 +1,5 @@
-// Reads arbitrary bytes as a line of the runner protocol, at either end. Either the line is rejected with a
-// message, or it is valid: it can be written and read again.
+// Reads arbitrary bytes as a line of the runner protocol, both as the runner and as the client. Either the
+// line is rejected with a message, or it is valid: it can be written and read again.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -5,7 +5,7 @@
 
 namespace robosim::random_worlds {
 
-/// Returns a number from 0 to below − 1.
+/// Returns a number from 0 to `below` − 1.
 using RandomSource = std::function<int(int below)>;
 
 }  // namespace robosim::random_worlds

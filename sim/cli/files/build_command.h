@@ -13,7 +13,7 @@
 
 namespace robosim::cli {
 
-/// Returns the report of `robosim build` on a finished image: sizes, limits that the firmware states,
+/// Returns the report of `robosim build` on a finished image: sizes, declared limits (build::Limit),
 /// libraries, and the paths of `files`. Sizes for a chip are in Arduino's format.
 std::string size_report(const build::Image& image, const std::string& target, const BoardSpec& board,
                         const std::vector<std::filesystem::path>& files);
@@ -28,7 +28,7 @@ struct Built {
   wire::RobotInfo robot;
 };
 
-/// Selects whether another board may replace the robot's own board if the target does not fit its chip.
+/// Selects whether another board may replace the robot's own board if that board's chip is not of the target.
 enum class Boards { own, fitting };
 
 /// Compiles for the board of the robot that `robosim run` would use. The compiler's warnings go to standard

@@ -22,7 +22,7 @@ double most_of(const std::vector<double>& values);
 /// Returns the text, as a link if the run has a replay.
 std::string linked(const ReportExtras& extras, std::size_t run, const std::string& markup);
 
-/// Draws the places where robots left the line. Lists the missing runs and their reasons.
+/// Draws the places where robots left the line. Then states how many runs are not shown, and why.
 std::string places_left(const ReportExtras& extras);
 
 }  // namespace robosim::cli

@@ -74,7 +74,7 @@ class Live {
     tell_state();
   }
 
-  wire::RunResult run() {
+  result::RunResult run() {
     while (!run_.over()) {
       flush();
       if (client::Interrupts::count() > 0) run_.end();
@@ -176,13 +176,15 @@ class Live {
   const wire::OnEvent& on_event_;
   record::Gatherer gatherer_;  // for the initial part of a recording
   std::size_t started_ = 0;    // number of started robots
-  std::string begun_;          // reports until all robots have started; the recording precedes them
+  // reports held back until all robots have started: the recording precedes these reports
+  std::string begun_;
   std::string told_;
   Requests requests_;
   terminal::Pacer pacer_ = paused();
-  double next_ns_ = 0.0;            // the time of the next pause
-  std::int64_t leg_ns_ = kTick_ns;  // at maximum speed: the duration of about a frame
-  client::DrivenRun run_;           // last, so that its listeners are constructed before it
+  double next_ns_ = 0.0;  // the time of the next pause
+  // at maximum speed: simulated time that takes about one frame of wall-clock time
+  std::int64_t leg_ns_ = kTick_ns;
+  client::DrivenRun run_;  // last, so that its listeners are constructed before it
 
   static record::Gatherer begun(const record::RecordedRun& run) {
     record::Gatherer gatherer;
@@ -198,8 +200,8 @@ class Live {
 
 }  // namespace
 
-wire::RunResult run_live(client::Runner& runner, const record::RecordedRun& run,
-                         const wire::OnEvent& on_event) {
+result::RunResult run_live(client::Runner& runner, const record::RecordedRun& run,
+                           const wire::OnEvent& on_event) {
   return Live(runner, run, on_event).run();
 }
 

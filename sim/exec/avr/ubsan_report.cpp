@@ -35,8 +35,7 @@ class Memory {
   const WatchedChip& chip_;
 };
 
-/// Converts "'int [6]'" to "'int'", because avr-gcc 5 reuses the description of a type's first array for
-/// values of the type.
+/// Converts "'int [6]'" to "'int'". For an `int`, avr-gcc 5 reuses the description of the first `int` array.
 std::string without_lengths(std::string name) {
   const std::size_t length = name.find(" [");
   return length == name.npos ? name : name.replace(length, name.rfind(']') + 1 - length, "");
@@ -68,13 +67,13 @@ class Type {
   unsigned bits_ = 0;
 };
 
-/// Converts a value of `bits` bits to a handle of the host's gcc.
+/// Returns what the host's gcc passes for a value: the value, or its address if wider than a pointer.
 std::uintptr_t handle(const std::uint64_t& value, unsigned bits) {
   return bits <= 8 * sizeof(std::uintptr_t) ? static_cast<std::uintptr_t>(value)
                                             : reinterpret_cast<std::uintptr_t>(&value);
 }
 
-/// Returns whether the data about a float that does not fit contains no location. The data of avr-gcc 5
+/// Returns whether the data of a float_cast_overflow check lacks a source location. The data of avr-gcc 5
 /// starts with the float's type instead.
 bool lacks_location(const Memory& memory, unsigned data) {
   return memory.word(memory.word(data)) == ubsan::Type::floating;

@@ -62,7 +62,7 @@ std::uint8_t Spi::read(Address address) {
   return core_.at(address);
 }
 
-// Predicts no reads of SPSR while a flag is set, because such a read prepares the clearing of the flag.
+// Gives no forecast for SPSR while a flag is set or seen: reading a set flag prepares its clearing.
 ReadForecast Spi::forecast(Address address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   if (address == status_ && ((core_.at(status_) | state_.seen) & (kSpif | kWcol))) return {};

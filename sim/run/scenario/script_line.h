@@ -24,7 +24,8 @@ struct Word {
 /// All functions throw InputError, with the place of the word.
 class ScriptLine {
  public:
-  /// Splits the line up to a comment; `place` is its beginning. `share` draws values with a spread.
+  /// Splits the part of the line before any comment into words. `place` is the beginning of the line. For
+  /// each number with a spread ("12+-2"), `share` gives its position in the spread, -1 to 1.
   ScriptLine(std::string_view line, Place place, const Share& share);
   /// Returns whether the line has values with a spread.
   bool varies() const { return varies_; }

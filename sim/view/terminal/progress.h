@@ -17,7 +17,8 @@ class Progress {
   bool active() const { return active_; }
   /// Shows a line immediately.
   void say(const std::string& text);
-  /// Shows a line that changes often: at most ten times a second, and not in the first half second.
+  /// Shows a line that may change often, but at most ten times a second, and not in the object's first half
+  /// second.
   void update(const std::string& text);
   /// Shows simulated time in a line that changes often.
   void advance(std::int64_t t_us, double for_s);

@@ -46,7 +46,7 @@ std::uint32_t Branches::meeting(std::uint32_t branch, std::uint32_t next, std::u
   const std::set<std::uint32_t> also(others.begin(), others.end());
   for (const std::uint32_t at : reached(next, branch, kNowhere))
     if (also.contains(at) && !leaves(other, branch, at) && !leaves(next, branch, at)) return at;
-  // The other path is a loop's body: it returns to the branch, which then leads to `next`.
+  // If the other path cannot leave, it is a loop's body: it returns to the branch, then `next` follows.
   return leaves(other, branch, kNowhere) ? SkippedWrites::kInCaller : next;
 }
 
@@ -80,7 +80,8 @@ void Branches::add_writes(const std::vector<std::uint32_t>& places, SkippedWrite
 
 /// Adds bytes written through pointers that the path has not changed, or has copied from unchanged registers.
 void Branches::add_bytes_by_pointer(const std::vector<std::uint32_t>& places, SkippedWrites& skipped_writes) {
-  std::map<std::uint8_t, std::optional<std::uint8_t>> copied;  // copied pair, by pointer; nothing = unknown
+  // by changed pointer pair: the pair that it was copied from; nothing = unknown
+  std::map<std::uint8_t, std::optional<std::uint8_t>> copied;
   for (const std::uint32_t at : places)
     for (const std::uint8_t pair : {kPointerX, kPointerY, kPointerZ}) {
       if ((writes_[at] & pair_of(pair)) == 0) continue;

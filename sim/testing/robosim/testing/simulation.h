@@ -44,8 +44,9 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  // The next functions advance the time. A run that is lost, stuck, hung, over budget or crashed fails the
-  // test at once. A test that waits for this verdict with ends() does not fail.
+  // The next functions advance the time. A run that is lost, stuck, toppled, hung, over budget or crashed
+  // fails the test when this object is destroyed. It does not fail a test that has waited with ends() or
+  // called verdict().
   Drive run_for(Duration time, const char* file = __builtin_FILE(), int line = __builtin_LINE());
   [[nodiscard]] Drive run_until(const Event& event, Within<Duration> within,
                                 const char* file = __builtin_FILE(), int line = __builtin_LINE());
@@ -53,8 +54,8 @@ class Simulation {
   Drive run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
   Duration now() const;
 
-  // The next functions act immediately. Parts have the names of the robot file. Unknown names throw
-  // InputError with the place of the call, `file` and `at`.
+  // The next functions act immediately. Parts are named as in the robot file. Unknown names throw InputError
+  // with the place of the call, `file` and `at`.
   void press(const std::string& button, Duration time = 100_ms, const char* file = __builtin_FILE(),
              int at = __builtin_LINE());
   void hold(const std::string& button, const char* file = __builtin_FILE(), int at = __builtin_LINE());
@@ -83,7 +84,8 @@ class Simulation {
   std::vector<std::string> stations_visited() const;  ///< in the order of the first visits
   std::string serial() const;                         ///< everything that the sketch has sent
   std::vector<std::uint8_t> eeprom() const;           ///< the board's whole EEPROM
-  /// Returns the network of lines that the robot can reach from its start, which an explorer must find.
+  /// Returns the network of lines reachable from the robot's start. A sketch that explores must find this
+  /// network.
   Graph true_graph() const;
   bool over() const;
   std::string verdict() const;  ///< "" until the run is over
@@ -121,8 +123,8 @@ bool is_required(const std::string& target);
 
 }  // namespace robosim::testing
 
-/// Ends the test, or SetUp, if a tool of the target is missing. Skips the test with the remedy, or fails if
-/// ROBOSIM_REQUIRE names the target.
+/// Ends the test, or SetUp, if a tool of the target is missing. The test fails if ROBOSIM_REQUIRE names the
+/// target, and otherwise is skipped. Both messages state the remedy.
 #define ROBOSIM_SKIP_WITHOUT(target)                                          \
   do {                                                                        \
     const std::string robosim_lacks = ::robosim::testing::what_lacks(target); \
