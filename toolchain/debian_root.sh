@@ -146,7 +146,7 @@ versions() {
   inside / bash -c '
     . /etc/os-release
     version() { "$@" --version 2>/dev/null | sed -nE "1s/.* ([0-9.]+[0-9])( .*)?$/\1/p"; }
-    echo "$PRETTY_NAME: gcc $(gcc -dumpfullversion), as $(version as), avr-gcc $(avr-gcc -dumpfullversion), cmake $(version cmake)"'
+    echo "$PRETTY_NAME: gcc $(gcc -dumpfullversion), as $(version as), avr-gcc $(avr-gcc -dumpversion), cmake $(version cmake)"'
 }
 printf '\n%s\n%s' "$(versions)" "$table"
 exit "$failed"
