@@ -131,7 +131,7 @@ constexpr Row kRows[] = {
     {"appetite", "realloc", "", "char* p = 0; for (long n = 4096;; n *= 2) { p = (char*)realloc(p, n); memset(p, 1, n); }"},
     {"appetite", "small_pieces", "", "for (;;) *(volatile char*)malloc(24) = 1;"},
     {"appetite", "string", "", "String s; for (;;) s += F(\"0123456789012345678901234567890123456789\");", Target::both},
-    {"appetite", "variables", "static char big[400 << 20];", "memset(big, 1, sizeof big);"},
+    {"appetite", "variables", "static char big[180 << 20];", "memset(big, 1, sizeof big);"},
     {"appetite", "more_variables_than_addresses", "static char big[1l << 45];", "big[1] = 1;"},
     {"appetite", "thread_variables", "static thread_local char big[200 << 20];", "memset(big, 1, sizeof big);"},
     {"appetite", "pages", "", "for (long p; (p = c_mmap(0, 1 << 20, 3, 0x22, -1, 0)) != -1;) memset((void*)p, 1, 1 << 20);"},

@@ -110,12 +110,32 @@ std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
   return {std::move(copy), bytes};
 }
 
+/// Returns the memory that a confined process needs for the segments of the image at kImageFd, in bytes.
+/// Returns 0 for other files.
+std::uint64_t loaded_bytes() {
+  ElfW(Ehdr) header{};
+  std::uint64_t bytes = 0;
+  if (pread(kImageFd, &header, sizeof header, 0) != sizeof header) return 0;
+  for (std::uint64_t i = 0; i < header.e_phnum; ++i) {
+    ElfW(Phdr) segment{};
+    const auto at = static_cast<off_t>(header.e_phoff + i * sizeof segment);
+    if (pread(kImageFd, &segment, sizeof segment, at) != sizeof segment) return 0;
+    if (segment.p_type == PT_LOAD) bytes += segment.p_memsz;
+  }
+  return bytes;
+}
+
 // Loads an image in a confined process. The loader cannot open a file. Instead, it gets kImageFd, and closes
 // it. serve_call() makes the loader believe that each image is a different file. A process can therefore load
 // one copy of an image several times, and share the memory of its code.
 void* load_confined(const ImageFile& file) {
   static int loaded = 0;
   if (!keyed_dup(file.content->sealed().get(), kImageFd)) throw std::logic_error("an image is not sealed");
+  if (const std::uint64_t bytes = loaded_bytes(); bytes > kConfinedMemory)
+    throw InputError(
+        {file.name.string()},
+        fmt::format("the sketch's variables take {} MB: expected at most {} MB, the limit of a run",
+                    bytes >> 20, kConfinedMemory >> 20));
   lseek(kImageFd, 0, SEEK_SET);
   return dlopen(fmt::format("{}-{}", kImageName, ++loaded).c_str(), RTLD_NOW | RTLD_LOCAL);
 }
