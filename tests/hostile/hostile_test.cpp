@@ -32,6 +32,8 @@ namespace fs = std::filesystem;
 
 constexpr double kGivenUp_s = 900.0;  ///< a command that takes longer is considered endless
 constexpr double kLate_s = 10.0;
+/// Processor time that docs/explanation/security.md grants the compilers of one build.
+constexpr double kMostCompilation_s = 300.0;
 constexpr std::size_t kMostMemory_kb = 300 * 1024;
 /// Phrases in messages about limits of docs/explanation/security.md. A run that reaches such a limit may take
 /// longer than kLate_s.
@@ -171,7 +173,9 @@ std::vector<std::string> judge(const Watched& watched, const Input& input, bool 
   const std::string texts = "\n" + watched.out + "\n" + watched.err;
   const bool named =
       std::any_of(std::begin(kLimits), std::end(kLimits), [&](const char* one) { return has(texts, one); });
-  if (!named && (watched.processor_s > kLate_s || watched.wall_s > late_s()))
+  const bool keeps_compilers_busy = has(input.mechanism, "bomb") || input.mechanism == "many_files";
+  const double more_s = keeps_compilers_busy ? kMostCompilation_s : 0.0;
+  if (!named && (watched.processor_s > kLate_s + more_s || watched.wall_s > late_s() + more_s))
     found(fmt::format("late: {:.1f} s, {:.1f} s of processor time", watched.wall_s, watched.processor_s));
   for (const std::string& one : watched.left) found("process left: " + one);
   if (has("\n" + watched.err, std::string("\n") + kForged) ||
@@ -289,8 +293,12 @@ void try_input(const char* suite, const Input& input) {
     if (is_sketch) words.emplace_back("--serial");
     modes.emplace_back(target + (untrusted ? " --untrusted" : ""), words);
   };
-  // Without --untrusted, a settings file may be a link.
-  if (input.target != Target::avr && input.mechanism != "link_as_settings") add("host", false);
+  // Without --untrusted, a settings file may be a link, and name folders of libraries or a robot's base
+  // anywhere.
+  const bool names_others = input.mechanism == "link_as_settings" ||
+                            (input.mechanism == "platformio" && input.variant == "libraries") ||
+                            (input.mechanism == "robot" && input.variant == "base");
+  if (input.target != Target::avr && !names_others) add("host", false);
   if (input.target != Target::avr) add("host", true);
   if (input.target != Target::host) add("avr", true);
   if (holds("checks.toml")) modes.push_back({"test --untrusted", {command(), "test", "--untrusted", "./S"}});
