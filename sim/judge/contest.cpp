@@ -68,7 +68,7 @@ std::string Contest::summary() const {
                     rules_);
 }
 
-void Contest::score(wire::Metrics& metrics) const {
+void Contest::score(result::Metrics& metrics) const {
   std::visit(Overloaded{[](std::monostate) {}, [&](const auto& rules) { rules.score(metrics); }}, rules_);
 }
 

@@ -34,7 +34,7 @@ class Contest {
   /// Returns one clause with the progress or the score.
   std::string summary() const;
   /// Sets the score, its parts and the run's time, if they exist.
-  void score(wire::Metrics& metrics) const;
+  void score(result::Metrics& metrics) const;
 
  private:
   std::variant<std::monostate, Race, DragRace, MazeTries, RescueRun> rules_;

@@ -51,11 +51,11 @@ void DragRace::look(const RulesInput& now, Events& events) {
   if (now.moved) {
     if (passed_ == kNever && now.body.covers(finish_)) {
       passed_ = now.t;
-      events.push_back(wire::Scored{"finish line", time_s(), "s"});
+      events.push_back(result::Scored{"finish line", time_s(), "s"});
     }
     if (!overran_ && passed_ != kNever && has_reached(now.body, limit_, direction_)) {
       overran_ = true;
-      events.push_back(wire::Scored{"braking distance overrun", kPenalty, "s"});
+      events.push_back(result::Scored{"braking distance overrun", kPenalty, "s"});
     }
   }
   if (passed_ == kNever || !now.at_rest) at_rest_since_ = kNever;
@@ -76,7 +76,7 @@ std::string DragRace::summary() const {
                      overran_ ? ", because the braking distance was overrun" : "", score_s());
 }
 
-void DragRace::score(wire::Metrics& metrics) const {
+void DragRace::score(result::Metrics& metrics) const {
   metrics.score_unit = "s";
   if (passed_ == kNever || jumped_) return;
   metrics.run_s = time_s();

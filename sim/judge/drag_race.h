@@ -26,7 +26,7 @@ class DragRace {
   void look(const RulesInput& now, Events& events);
   bool reached() const { return rested_; }
   std::string summary() const;
-  void score(wire::Metrics& metrics) const;
+  void score(result::Metrics& metrics) const;
 
  private:
   double time_s() const { return static_cast<double>(passed_ - began_) / 1e9; }

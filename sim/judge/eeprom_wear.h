@@ -48,7 +48,7 @@ class EepromWear {
   };
   struct Found {
     std::uint16_t address = 0;
-    wire::SourceLine where;
+    result::SourceLine where;
     SimTime first = 0;
     Cell cell;
   };

@@ -44,7 +44,7 @@ class ForgottenOutput {
     robot::WiredPin wired;
     bool was_output = false;
     std::optional<SimTime> pulled_up;  ///< when the pull-up was first switched on
-    wire::SourceLine where;            ///< source line that switched it on
+    result::SourceLine where;          ///< source line that switched it on
   };
 
   std::vector<Driven> pins_;

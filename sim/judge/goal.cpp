@@ -143,7 +143,7 @@ void Progress::visit_places(const world::Body& body, Events& events) {
     if (stations_[i].visited || !body.covers(stations_[i].centre)) continue;
     stations_[i].visited = true;
     visited_.push_back(static_cast<int>(i));
-    events.push_back(wire::StationVisited{stations_[i].name});
+    events.push_back(result::StationVisited{stations_[i].name});
   }
   for (Waypoint& junction : junctions_) {
     if (junction.visited || !body.covers(junction.centre)) continue;
@@ -164,7 +164,7 @@ bool Progress::advance(Lap& lap, bool backwards, const world::Body& body, SimTim
   lap.next = 1;
   ++lap.complete;
   laps_s_.push_back(static_cast<double>(t - lap.began) * 1e-9);
-  events.push_back(wire::LapDone{lap.complete, laps_s_.back()});
+  events.push_back(result::LapDone{lap.complete, laps_s_.back()});
   lap.began = t;
   return lap.complete >= goal_.laps;
 }
@@ -196,7 +196,7 @@ void Progress::compete(const RulesInput& now, Events& events) {
   const std::size_t before = events.size();
   contest_.look(now, events);
   for (std::size_t i = before; i < events.size(); ++i)
-    if (const auto* lap = std::get_if<wire::LapDone>(&events[i])) laps_s_.push_back(lap->lap_s);
+    if (const auto* lap = std::get_if<result::LapDone>(&events[i])) laps_s_.push_back(lap->lap_s);
   reached_ = contest_.reached();
 }
 

@@ -89,7 +89,7 @@ class Progress {
   Contest& contest() { return contest_; }
   const Contest& contest() const { return contest_; }
   /// Adds the present score of a competition.
-  void score(wire::Metrics& metrics) const { contest_.score(metrics); }
+  void score(result::Metrics& metrics) const { contest_.score(metrics); }
 
  private:
   // The progress of a lap in one direction.

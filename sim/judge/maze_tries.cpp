@@ -60,9 +60,9 @@ void MazeTries::finish_try(bool stopped, Events& events) {
   phase_ = Phase::over;
   ++done_;
   finished_.push_back({seconds_between(began_, touched_), stopped});
-  events.push_back(wire::Scored{fmt::format("try {}, {:.2f} s{}", done_, finished_.back().time_s,
-                                            stopped ? ", stopped on the disc" : ""),
-                                finished_.back().score(), "s"});
+  events.push_back(result::Scored{fmt::format("try {}, {:.2f} s{}", done_, finished_.back().time_s,
+                                              stopped ? ", stopped on the disc" : ""),
+                                  finished_.back().score(), "s"});
 }
 
 void MazeTries::look(const RulesInput& now, Events& events) {
@@ -110,7 +110,7 @@ std::string MazeTries::summary() const {
                      best->stopped ? ", 10 s off for stopping on it" : "", best->score());
 }
 
-void MazeTries::score(wire::Metrics& metrics) const {
+void MazeTries::score(result::Metrics& metrics) const {
   metrics.score_unit = "s";
   for (const Try& one : finished_) {
     metrics.score_parts.push_back({"time", 1, one.time_s});

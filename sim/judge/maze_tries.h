@@ -29,7 +29,7 @@ class MazeTries {
   void look(const RulesInput& now, Events& events);
   bool reached() const { return done_ == tries_ && best(); }
   std::string summary() const;
-  void score(wire::Metrics& metrics) const;
+  void score(result::Metrics& metrics) const;
 
  private:
   enum class Phase {

@@ -10,8 +10,8 @@
 #include "sim/base/vec.h"
 #include "sim/exec/core/executor.h"
 #include "sim/judge/goal.h"
-#include "sim/wire/events.h"
-#include "sim/wire/run_result.h"
+#include "sim/result/events.h"
+#include "sim/result/run_result.h"
 
 namespace robosim::judge {
 
@@ -31,7 +31,7 @@ enum class Verdict {
 const char* to_string(Verdict verdict);
 ExitStatus exit_status(Verdict verdict);
 
-using wire::Metrics;
+using result::Metrics;
 
 /// A hint on what to examine next.
 struct NextStep {
@@ -58,7 +58,7 @@ struct Outcome {
   std::string why;  ///< one sentence that a first-year student understands
   NextStep next;
   Decisive decisive;
-  std::vector<wire::Cause> because;  ///< chain of causes that leads back from the verdict, if requested
+  std::vector<result::Cause> because;  ///< chain of causes that leads back from the verdict, if requested
   Goal goal;
   SimTime time = 0;  ///< simulated time at the end
   Metrics metrics;
@@ -67,12 +67,12 @@ struct Outcome {
   std::vector<exec::Lack> lacks;
   std::vector<exec::Detected> detected;
   std::optional<exec::Resources> resources;  ///< of a chip target
-  wire::Usage usage;
-  std::vector<wire::RunEvent> events;  ///< the last few events
-  std::string serial;                  ///< the firmware's output, up to kSerialKept bytes
-  std::string shown;                   ///< reports of parts, one per line; complete up to kShownKept bytes
-  Pose end;                            ///< the robot's pose
-  std::uint64_t eeprom_writes = 0;     ///< bytes that the firmware wrote to its EEPROM
+  result::Usage usage;
+  std::vector<result::RunEvent> events;  ///< the last few events
+  std::string serial;                    ///< the firmware's output, up to kSerialKept bytes
+  std::string shown;                     ///< reports of parts, one per line; complete up to kShownKept bytes
+  Pose end;                              ///< the robot's pose
+  std::uint64_t eeprom_writes = 0;       ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;
 };
 

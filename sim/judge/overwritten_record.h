@@ -37,7 +37,7 @@ class OverwrittenRecord {
     std::uint16_t address = 0;
     SimTime began = 0, last = 0;
     std::int64_t writes = 0;
-    wire::SourceLine where = {};  ///< source line of the write that made a finding
+    result::SourceLine where = {};  ///< source line of the write that made a finding
     SimTime found = 0;
   };
 

@@ -48,7 +48,7 @@ void Race::advance(const RulesInput& now, Events& events) {
     if (next_++ == 0) began_ = now.t;
   if (next_ < course_.points.size()) return;
   ended_ = now.t;
-  events.push_back(wire::LapDone{1, time_s()});
+  events.push_back(result::LapDone{1, time_s()});
 }
 
 bool Race::rests(const RulesInput& now) {
@@ -75,7 +75,7 @@ std::string Race::summary() const {
                        : ", but the robot was not at rest for 2 s between the goal line and the start line");
 }
 
-void Race::score(wire::Metrics& metrics) const {
+void Race::score(result::Metrics& metrics) const {
   metrics.score_unit = "s";
   if (ended_ == kNever) return;
   metrics.run_s = time_s();

@@ -26,7 +26,7 @@ class Race {
   /// for 2 s. If rest is not required, the run ends 2 s after the goal line.
   bool reached() const { return rested_; }
   std::string summary() const;
-  void score(wire::Metrics& metrics) const;
+  void score(result::Metrics& metrics) const;
 
  private:
   /// Returns the score: the time from the start line to the goal line, s. A line is passed when the body's

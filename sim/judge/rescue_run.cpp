@@ -182,8 +182,8 @@ void RescueRun::count(const char* part, int points, int times, Events& events) {
   if (known == parts_.end()) known = parts_.insert(parts_.end(), {part, 0, 0.0});
   known->count += times;
   known->value += points * times;
-  events.push_back(wire::Scored{times == 1 ? part : fmt::format("{} × {}", times, part),
-                                static_cast<double>(points * times), "points"});
+  events.push_back(result::Scored{times == 1 ? part : fmt::format("{} × {}", times, part),
+                                  static_cast<double>(points * times), "points"});
 }
 
 // Handles the robot's arrival on a tile. Counts the elements of the tiles before this tile.
@@ -234,8 +234,8 @@ void RescueRun::give_up(Events& events) {
     for (along = 0.0; along < steps_[0].to && length(path_.at(along, false).position - start_) > kAlong;)
       along += kAlong;
   hand_ = path_.at(along, false);
-  events.push_back(wire::Scored{"lack of progress", 0.0, "points"});
-  events.push_back(wire::ScriptActed{"place", "", fmt::format("{:.0f}mm", 1e3 * along)});
+  events.push_back(result::Scored{"lack of progress", 0.0, "points"});
+  events.push_back(result::ScriptActed{"place", "", fmt::format("{:.0f}mm", 1e3 * along)});
 }
 
 std::optional<Pose> RescueRun::take_hand() {
@@ -277,7 +277,7 @@ void RescueRun::look(const RulesInput& now, Events& events) {
 
 std::string RescueRun::summary() const {
   double points = 0.0;
-  for (const wire::ScorePart& part : parts_) points += part.value;
+  for (const result::ScorePart& part : parts_) points += part.value;
   return fmt::format("{:.0f} points, {} of {} tiles, {} lack{} of progress{}", points, at_ + 1, steps_.size(),
                      lacks_, lacks_ == 1 ? "" : "s",
                      reached_                   ? ""
@@ -285,10 +285,10 @@ std::string RescueRun::summary() const {
                                                 : "");
 }
 
-void RescueRun::score(wire::Metrics& metrics) const {
+void RescueRun::score(result::Metrics& metrics) const {
   metrics.score_unit = "points";
   metrics.score = 0.0;
-  for (const wire::ScorePart& part : parts_) metrics.score += part.value;
+  for (const result::ScorePart& part : parts_) metrics.score += part.value;
   metrics.score_parts = parts_;
   if (lacks_ > 0) metrics.score_parts.push_back({"lack of progress", lacks_, 0.0});
   if (reached_) metrics.run_s = static_cast<double>(ended_ - began_) / 1e9;

@@ -57,7 +57,7 @@ class RescueRun {
   /// Returns the place where the captain will put the robot, if any, and clears it.
   std::optional<Pose> take_hand();
   std::string summary() const;
-  void score(wire::Metrics& metrics) const;
+  void score(result::Metrics& metrics) const;
 
  private:
   /// A visit of the path to a tile.
@@ -93,7 +93,7 @@ class RescueRun {
   std::size_t counted_to_ = 0;      ///< the tiles before this step have been counted, or never will be
   std::size_t checkpoint_ = 0;      ///< the last checkpoint; 0 = the start
   int lacks_here_ = 0, lacks_ = 0;  ///< lacks of progress since the last checkpoint, and in total
-  std::vector<wire::ScorePart> parts_;
+  std::vector<result::ScorePart> parts_;
   std::optional<Pose> hand_;
   SimTime began_ = kNever, ended_ = kNever, at_rest_since_ = kNever;
   bool in_hand_ = false, reached_ = false;

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "hal/board/sim_time.h"
-#include "sim/wire/events.h"
-#include "sim/wire/run_result.h"
+#include "sim/result/events.h"
+#include "sim/result/run_result.h"
 
 namespace robosim::world {
 class Body;
@@ -14,7 +14,7 @@ class Body;
 namespace robosim::judge {
 
 /// The events of a tick.
-using Events = std::vector<wire::RunEvent::What>;
+using Events = std::vector<result::RunEvent::What>;
 
 struct RulesInput {
   const world::Body& body;

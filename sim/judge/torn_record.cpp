@@ -17,7 +17,7 @@ void TornRecord::written(std::uint16_t address, std::uint8_t before, std::uint8_
                          exec::Executor& executor) {
   ++writes_;
   if (!burst_.empty() && t - burst_.back().at > kEepromWriteTime + kPause) end_of_burst();
-  const wire::SourceLine where = executor.sketch_source();
+  const result::SourceLine where = executor.sketch_source();
   const Line line{where.file, where.line};
   Record& record =
       records_.try_emplace(line, Record{where, address, address, false, where.file.empty(), {}, 0})

@@ -52,7 +52,7 @@ class TornRecord {
   };
   /// The writes of one source line.
   struct Record {
-    wire::SourceLine where;
+    result::SourceLine where;
     std::uint16_t first = 0, last = 0;  ///< addresses
     bool changed_singly = false;
     bool is_other = false;    ///< not a candidate: too large, or written along with other records

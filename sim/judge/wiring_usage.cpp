@@ -64,9 +64,9 @@ std::string steady_reading(const BoardSpec& board, const exec::PinUse& use) {
 
 }  // namespace
 
-wire::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring,
-                     const std::vector<bool>& was_output, const exec::BoardProbe& probe) {
-  wire::Usage usage;
+result::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring,
+                       const std::vector<bool>& was_output, const exec::BoardProbe& probe) {
+  result::Usage usage;
   for (Pin pin = 0; pin < board.pin_count; ++pin) {
     const bool wired =
         std::any_of(wiring.begin(), wiring.end(), [&](const auto& wire) { return wire.pin == pin; });

@@ -6,8 +6,8 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/exec/core/board_probe.h"
+#include "sim/result/run_result.h"
 #include "sim/robot/robot.h"
-#include "sim/wire/run_result.h"
 
 namespace robosim::judge {
 
@@ -17,7 +17,7 @@ namespace robosim::judge {
 /// counts as read only if it was read singly, was measured, or was read with its pull-up on. A part counts as
 /// used if any of its pins may have been read. Parts on a shift register, or on the pins of the UART, count
 /// as used.
-wire::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring,
-                     const std::vector<bool>& was_output, const exec::BoardProbe& probe);
+result::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring,
+                       const std::vector<bool>& was_output, const exec::BoardProbe& probe);
 
 }  // namespace robosim::judge

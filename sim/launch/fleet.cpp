@@ -156,10 +156,10 @@ Fleet parse_fleet(std::string_view text, const fs::path& file) {
   if (!tables || tables->kind != ConfigValue::Kind::array || tables->items.empty())
     throw InputError({file.string(), 0, 0},
                      "the fleet has no robots: expected a table [[agent]] for each robot");
-  if (tables->items.size() > wire::kMostAgents)
-    throw InputError(
-        tables->items[wire::kMostAgents].place,
-        fmt::format("too many robots: expected at most {}, got {}", wire::kMostAgents, tables->items.size()));
+  if (tables->items.size() > result::kMostAgents)
+    throw InputError(tables->items[result::kMostAgents].place,
+                     fmt::format("too many robots: expected at most {}, got {}", result::kMostAgents,
+                                 tables->items.size()));
   for (const ConfigValue& table : tables->items) {
     Member member = MemberReader(table, file.parent_path()).member();
     if (const Member* other = fleet.find(member.name))
@@ -230,22 +230,22 @@ PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen
   return all;
 }
 
-std::vector<wire::RunResult> results_of(wire::RunResult first) {
-  std::vector<wire::RunResult> all = {wire::RunResult{}};
-  for (wire::RunResult& other : first.others) all.push_back(std::move(other));
+std::vector<result::RunResult> results_of(result::RunResult first) {
+  std::vector<result::RunResult> all = {result::RunResult{}};
+  for (result::RunResult& other : first.others) all.push_back(std::move(other));
   first.others.clear();
   all.front() = std::move(first);
   return all;
 }
 
-wire::RunResult whole_of(const wire::RunResult& result, const wire::RunRequest& request) {
+result::RunResult whole_of(const result::RunResult& result, const wire::RunRequest& request) {
   if (result.others.empty()) return result;
-  std::vector<const wire::RunResult*> all = {&result};
-  for (const wire::RunResult& other : result.others) all.push_back(&other);
+  std::vector<const result::RunResult*> all = {&result};
+  for (const result::RunResult& other : result.others) all.push_back(&other);
   const auto failed =
-      std::find_if(all.begin(), all.end(), [](const wire::RunResult* one) { return one->status != 0; });
+      std::find_if(all.begin(), all.end(), [](const result::RunResult* one) { return one->status != 0; });
   const auto number = static_cast<std::size_t>(failed - all.begin());
-  wire::RunResult whole = failed == all.end() ? result : **failed;
+  result::RunResult whole = failed == all.end() ? result : **failed;
   whole.others.clear();
   whole.why = failed == all.end()
                   ? fmt::format("All {} robots reached their goals.", all.size())
@@ -255,10 +255,10 @@ wire::RunResult whole_of(const wire::RunResult& result, const wire::RunRequest& 
   whole.robot_sha256 = result.robot_sha256;
   whole.serial.clear();
   whole.shown.clear();
-  wire::Metrics& sum = whole.metrics;
+  result::Metrics& sum = whole.metrics;
   sum.distance_m = sum.energy_j = sum.energy_back_j = 0.0;
   sum.collisions = 0;
-  for (const wire::RunResult* one : all) {
+  for (const result::RunResult* one : all) {
     whole.time_s = std::max(whole.time_s, one->time_s);
     whole.serial += one->serial;
     whole.shown += one->shown;

@@ -62,7 +62,7 @@ PreparedFleet prepare(Launcher& launcher, const Fleet& fleet, ChosenFleet chosen
 
 /// Returns one result for each robot, in the order of their numbers: `first` without its `others`, then the
 /// others.
-std::vector<wire::RunResult> results_of(wire::RunResult first);
+std::vector<result::RunResult> results_of(result::RunResult first);
 
 /// Combines the results of all robots of a run. The combined verdict is `reached` if all robots have reached
 /// their goals. Otherwise it is the verdict of the first robot that has not reached its goal. `why` begins
@@ -71,7 +71,7 @@ std::vector<wire::RunResult> results_of(wire::RunResult first);
 ///
 /// All other values come from the robot in `why`, or from the first robot. The result of a single robot stays
 /// unchanged.
-wire::RunResult whole_of(const wire::RunResult& result, const wire::RunRequest& request);
+result::RunResult whole_of(const result::RunResult& result, const wire::RunRequest& request);
 
 /// Returns a runner's error about a robot, "robot B: …", with the place in the fleet file.
 InputError with_place(const Fleet& fleet, const InputError& error);

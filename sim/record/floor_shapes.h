@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/map/map.h"
-#include "sim/wire/fields.h"
+#include "sim/result/fields.h"
 #include "sim/wire/stream.h"
 
 namespace robosim::record {
@@ -60,57 +60,57 @@ struct FloorShapes {
 };
 
 template <class V>
-void fields(V& v, wire::Same<V, FloorShapes::Stripe>& s) {
+void fields(V& v, result::Same<V, FloorShapes::Stripe>& s) {
   v("line", s.line, "from x, y to x, y");
-  v("arc", s.arc, "centre and radius", {.presence = wire::when(s.arc[2] > 0.0)});
-  v("painted", s.painted, "false: followed, but not visible", {.presence = wire::when(!s.painted)});
-  v("width", s.width_mm, "where it is not as the others", {.presence = wire::when(s.width_mm > 0.0)});
+  v("arc", s.arc, "centre and radius", {.presence = result::when(s.arc[2] > 0.0)});
+  v("painted", s.painted, "false: followed, but not visible", {.presence = result::when(!s.painted)});
+  v("width", s.width_mm, "where it is not as the others", {.presence = result::when(s.width_mm > 0.0)});
   v("colour", s.colour, "of HTML, where it is not as the others",
-    {.presence = wire::when(!s.colour.empty())});
-  v("worn", s.worn, "the share of its paint that is gone", {.presence = wire::when(s.worn > 0.0)});
+    {.presence = result::when(!s.colour.empty())});
+  v("worn", s.worn, "the share of its paint that is gone", {.presence = result::when(s.worn > 0.0)});
 }
 
 template <class V>
-void fields(V& v, wire::Same<V, FloorShapes::Area>& a) {
+void fields(V& v, result::Same<V, FloorShapes::Area>& a) {
   v("colour", a.colour, "of HTML");
-  v("disc", a.disc, "centre and radius", {.presence = wire::when(a.disc[2] > 0.0)});
-  v("corners", a.corners, "of a rectangle", {.presence = wire::when(a.disc[2] == 0.0)});
-  v("over_lines", a.over_lines, "painted over the lines", {.presence = wire::when(a.over_lines)});
+  v("disc", a.disc, "centre and radius", {.presence = result::when(a.disc[2] > 0.0)});
+  v("corners", a.corners, "of a rectangle", {.presence = result::when(a.disc[2] == 0.0)});
+  v("over_lines", a.over_lines, "painted over the lines", {.presence = result::when(a.over_lines)});
 }
 
 template <class V>
-void fields(V& v, wire::Same<V, FloorShapes::Picture>& p) {
+void fields(V& v, result::Same<V, FloorShapes::Picture>& p) {
   v("png", p.png, "a PNG in base64");
   v("width", p.width_mm, "on the floor");
   v("height", p.height_mm, "on the floor");
 }
 
 template <class V>
-void fields(V& v, wire::Same<V, FloorShapes::Light>& l) {
-  v("at", l.at, "absent: it is everywhere alike", {.presence = wire::when(l.at.has_value())});
-  v("radius", l.radius_mm, "of a patch of sun", {.presence = wire::when(l.radius_mm > 0.0)});
+void fields(V& v, result::Same<V, FloorShapes::Light>& l) {
+  v("at", l.at, "absent: it is everywhere alike", {.presence = result::when(l.at.has_value())});
+  v("radius", l.radius_mm, "of a patch of sun", {.presence = result::when(l.radius_mm > 0.0)});
   v("moves", l.moves_mm_s, "mm/s",
-    {.presence = wire::when(l.moves_mm_s[0] != 0.0 || l.moves_mm_s[1] != 0.0)});
+    {.presence = result::when(l.moves_mm_s[0] != 0.0 || l.moves_mm_s[1] != 0.0)});
 }
 
 template <class V>
-void fields(V& v, wire::Same<V, FloorShapes>& f) {
+void fields(V& v, result::Same<V, FloorShapes>& f) {
   v("width", f.width_mm, "of the map");
   v("height", f.height_mm, "of the map");
   v("cell", f.cell_mm, "side of a cell");
   v("line", f.line_mm, "width of the stripes");
-  v("light_line", f.light_line, "white on black", {.presence = wire::when(f.light_line)});
+  v("light_line", f.light_line, "white on black", {.presence = result::when(f.light_line)});
   v("picture", f.picture, "what is painted, in place of the stripes",
-    {.presence = wire::when(f.picture.has_value())});
+    {.presence = result::when(f.picture.has_value())});
   v("stripes", f.stripes, "centre lines");
   v("marks", f.marks, "bars beside the line: from x, y to x, y, and width",
-    {.presence = wire::when(!f.marks.empty())});
+    {.presence = result::when(!f.marks.empty())});
   v("areas", f.areas, "painted rectangles and discs, and in tints hills and surfaces",
-    {.presence = wire::when(!f.areas.empty())});
+    {.presence = result::when(!f.areas.empty())});
   v("dark", f.dark, "painted rectangles");
   v("walls", f.walls, "rectangles");
   v("obstacles", f.obstacles, "centres");
-  v("lights", f.lights, "of the room", {.presence = wire::when(!f.lights.empty())});
+  v("lights", f.lights, "of the room", {.presence = result::when(!f.lights.empty())});
   v("junctions", f.junctions, "centres");
 }
 

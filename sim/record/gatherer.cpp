@@ -155,7 +155,7 @@ void Gatherer::add_serial(const wire::SerialText& serial) {
   own.serial_text.add(serial.text);
 }
 
-void Gatherer::finish(std::size_t robot, const wire::RunResult& result,
+void Gatherer::finish(std::size_t robot, const result::RunResult& result,
                       std::vector<const CompressedBytes*>& body) {
   RobotRecord& record = record_of(robot);
   Streams& own = streams_[robot];
@@ -172,14 +172,14 @@ void Gatherer::finish(std::size_t robot, const wire::RunResult& result,
   body.push_back(&own.serial_text);
 }
 
-std::string Gatherer::finish(const wire::RunResult& result, std::vector<const CompressedBytes*>& body) {
+std::string Gatherer::finish(const result::RunResult& result, std::vector<const CompressedBytes*>& body) {
   finish(0, result, body);
   for (std::size_t i = 1; i < streams_.size(); ++i)
-    finish(i, i <= result.others.size() ? result.others[i - 1] : wire::RunResult{}, body);
+    finish(i, i <= result.others.size() ? result.others[i - 1] : result::RunResult{}, body);
   return wire::text_of(wire::to_json(header_)) + "\n";
 }
 
-std::string Gatherer::content(const wire::RunResult& result) {
+std::string Gatherer::content(const result::RunResult& result) {
   std::vector<const CompressedBytes*> body;
   std::string content = finish(result, body);
   for (const CompressedBytes* bytes : body) content += bytes->all();

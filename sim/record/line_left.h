@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/wire/fields.h"
+#include "sim/result/fields.h"
 
 namespace robosim::record {
 
@@ -18,7 +18,7 @@ struct LineEvent {
 };
 
 template <class V>
-void fields(V& v, wire::Same<V, LineEvent>& e) {
+void fields(V& v, result::Same<V, LineEvent>& e) {
   v("t_us", e.t_us, "of the sample", {.unit = "µs"});
   v("sensor", e.sensor, "that saw it last, or first");
   v("left", e.left, "false: it is found again");

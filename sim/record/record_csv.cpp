@@ -21,7 +21,7 @@ std::size_t CsvRecorder::column_of(const std::string& reading) {
 
 void CsvRecorder::begin_robot(const wire::Started& started) {
   const auto agent = static_cast<std::size_t>(started.agent);
-  if (agent >= wire::kMostAgents || has_header_) return;
+  if (agent >= result::kMostAgents || has_header_) return;
   cells_.resize(std::max(cells_.size(), agent + 1));
   Cells& cells = cells_[agent];
   for (std::size_t i = 0; i < started.readings.size(); ++i) {
@@ -53,7 +53,7 @@ void CsvRecorder::write_header() {
 void CsvRecorder::add_row(const wire::Sample& s) {
   const auto agent = static_cast<std::size_t>(s.agent);
   // Ignores robots that are not in the request.
-  if (agent >= wire::kMostAgents || (!robots_.empty() && agent >= robots_.size())) return;
+  if (agent >= result::kMostAgents || (!robots_.empty() && agent >= robots_.size())) return;
   if (!has_header_) return early_.push_back(s);
   cells_.resize(std::max(cells_.size(), agent + 1));  // a robot that has not begun has no readings yet
   const Cells& cells = cells_[agent];
@@ -76,7 +76,7 @@ void CsvRecorder::add_row(const wire::Sample& s) {
   file_.added(to);
 }
 
-void CsvRecorder::finish(const wire::RunResult&) {
+void CsvRecorder::finish(const result::RunResult&) {
   if (!has_header_) write_header();
   file_.finish();
 }

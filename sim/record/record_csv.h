@@ -15,7 +15,7 @@ class CsvRecorder final : public Recorder {
   void begin(const RecordedRun& run) override;
   /// Uses `started` for the header and samples for the rows. Ignores everything else.
   void add(const wire::Event& event) override;
-  void finish(const wire::RunResult&) override;
+  void finish(const result::RunResult&) override;
 
  private:
   /// For each column of the table: index of the robot's reading, or kEmpty. Missing columns are empty, too.

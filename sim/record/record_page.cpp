@@ -40,13 +40,13 @@ void RecRecorder::ask(wire::RunRequest& request) const {
   request.serial = request.notes = true;
 }
 
-void RecRecorder::finish(const wire::RunResult& result) {
+void RecRecorder::finish(const result::RunResult& result) {
   NewFile file(path_);
   write(gatherer_, result, file);
   file.finish();
 }
 
-void RecRecorder::write(Gatherer& gatherer, const wire::RunResult& result, NewFile& file) const {
+void RecRecorder::write(Gatherer& gatherer, const result::RunResult& result, NewFile& file) const {
   gatherer.encode(result, [&file](std::string_view piece) { file.add(piece); });
 }
 
@@ -57,7 +57,7 @@ std::string page_of(const std::string& recording, const Over* over) {
   return text;
 }
 
-void PageRecorder::write(Gatherer& gatherer, const wire::RunResult& result, NewFile& file) const {
+void PageRecorder::write(Gatherer& gatherer, const result::RunResult& result, NewFile& file) const {
   const Put put = [&file](std::string_view piece) { file.add(piece); };
   put_page(nullptr, put, [&] {
     Base64 digits;

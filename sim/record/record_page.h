@@ -18,10 +18,10 @@ class RecRecorder : public Recorder {
   void ask(wire::RunRequest& request) const override;
   void begin(const RecordedRun& run) override { gatherer_.begin(run); }
   void add(const wire::Event& event) override { gatherer_.add(event); }
-  void finish(const wire::RunResult& result) override;
+  void finish(const result::RunResult& result) override;
 
  protected:
-  virtual void write(Gatherer& gatherer, const wire::RunResult& result, NewFile& file) const;
+  virtual void write(Gatherer& gatherer, const result::RunResult& result, NewFile& file) const;
 
  private:
   std::filesystem::path path_;
@@ -42,7 +42,7 @@ class PageRecorder final : public RecRecorder {
   using RecRecorder::RecRecorder;
 
  protected:
-  void write(Gatherer& gatherer, const wire::RunResult& result, NewFile& file) const override;
+  void write(Gatherer& gatherer, const result::RunResult& result, NewFile& file) const override;
 };
 
 /// Returns the content of a .rec: the argument itself, or the recording inside a page. Throws InputError,

@@ -156,7 +156,7 @@ class Drawing {
         point(x + half, y - half), colour, 0.25 * em_);
   }
 
-  void robot(const wire::RobotInfo& info, const wire::Pose& pose) {
+  void robot(const wire::RobotInfo& info, const result::Pose& pose) {
     const double x = pose.x_mm, y = pose.y_mm, yaw = pose.yaw_rad;
     const double c = std::cos(yaw), s = std::sin(yaw);
     const auto world = [&](double forward, double left) {
@@ -181,7 +181,7 @@ class Drawing {
   }
 
   /// Writes a name next to a robot.
-  void name(const std::string& text, const wire::Pose& pose) {
+  void name(const std::string& text, const result::Pose& pose) {
     put(R"(<text x="{:.1f}" y="{:.1f}" font-weight="600" fill="#0072b2" stroke="#fff" stroke-width="{:.1f}" paint-order="stroke">{}</text>)",
         pose.x_mm + 1.6 * em_, flip(pose.y_mm) - 1.2 * em_, 0.2 * em_, markup_text(text));
   }
@@ -273,13 +273,13 @@ void SvgRecorder::add(const wire::Event& event) {
   } else if (const auto* note = std::get_if<wire::Note>(&event)) {
     Drive& drive = drives_.at(static_cast<std::size_t>(note->agent));
     drive.hand.add(*note);
-    if (note->is<wire::CollisionBegan>() && !drive.trail.empty()) collisions_.push_back(drive.trail.back());
+    if (note->is<result::CollisionBegan>() && !drive.trail.empty()) collisions_.push_back(drive.trail.back());
   } else if (const auto* started = std::get_if<wire::Started>(&event)) {
     if (started->agent == 0) started_ = *started;
   }
 }
 
-void SvgRecorder::finish(const wire::RunResult& result) {
+void SvgRecorder::finish(const result::RunResult& result) {
   const FloorShapes floor = shapes_of(run_.request, started_);
   double fastest = 1.0;
   for (const Drive& drive : drives_)
@@ -293,7 +293,7 @@ void SvgRecorder::finish(const wire::RunResult& result) {
   for (const Point& p : collisions_) drawing.cross(p.x_mm, p.y_mm, 20.0, "#d55e00");
   if (run_.robots.empty()) drawing.robot(run_.robot_info, result.end);
   for (std::size_t i = 0; i < run_.robots.size(); ++i) {
-    const wire::Pose& end = i == 0 ? result.end : result.others.at(i - 1).end;
+    const result::Pose& end = i == 0 ? result.end : result.others.at(i - 1).end;
     drawing.robot(run_.robots[i].info, end);
     drawing.name(run_.robots[i].name, end);
   }
@@ -301,7 +301,7 @@ void SvgRecorder::finish(const wire::RunResult& result) {
   write_file(path_, content(drawing.close()));
 }
 
-SvgRecorder::Words SvgRecorder::words_of_one(const wire::RunResult& result) const {
+SvgRecorder::Words SvgRecorder::words_of_one(const result::RunResult& result) const {
   const std::string what = fmt::format("{} · {} on {} · goal {} · seed {} · {} · {}", run_.sketch, run_.robot,
                                        run_.map, result.goal, result.seed, result.profile, run_.target);
   return {what + " · " + result.verdict,
@@ -314,10 +314,10 @@ SvgRecorder::Words SvgRecorder::words_of_one(const wire::RunResult& result) cons
                       run_.robot, result.seed)};
 }
 
-SvgRecorder::Words SvgRecorder::words_of_several(const wire::RunResult& result) const {
+SvgRecorder::Words SvgRecorder::words_of_several(const result::RunResult& result) const {
   int reached = result.status == 0, collisions = result.metrics.collisions;
   double last_s = result.time_s;
-  for (const wire::RunResult& other : result.others) {
+  for (const result::RunResult& other : result.others) {
     reached += other.status == 0;
     collisions += other.metrics.collisions;
     last_s = std::max(last_s, other.time_s);

@@ -20,7 +20,7 @@ class SvgRecorder : public Recorder {
   void ask(wire::RunRequest& request) const override;
   void begin(const RecordedRun& run) override;
   void add(const wire::Event& event) override;
-  void finish(const wire::RunResult& result) override;
+  void finish(const result::RunResult& result) override;
 
   /// The part of a sample that is drawn.
   struct Point {
@@ -36,8 +36,8 @@ class SvgRecorder : public Recorder {
   struct Words {
     std::string title, first, second;
   };
-  Words words_of_one(const wire::RunResult& result) const;
-  Words words_of_several(const wire::RunResult& result) const;
+  Words words_of_one(const result::RunResult& result) const;
+  Words words_of_several(const result::RunResult& result) const;
 
   std::filesystem::path path_;
   RecordedRun run_;

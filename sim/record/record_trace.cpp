@@ -59,7 +59,7 @@ std::int64_t difference(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
 }
 
-std::int64_t end_ns(const wire::RunResult& result) { return std::llround(result.time_s * 1e9); }
+std::int64_t end_ns(const result::RunResult& result) { return std::llround(result.time_s * 1e9); }
 
 }  // namespace
 
@@ -182,12 +182,12 @@ void TraceFile::add(const wire::Event& event) {
            serial->text.substr(0, serial->text.find_last_not_of("\r\n") + 1));
 }
 
-void TraceFile::finish(std::size_t robot, const wire::RunResult& result) {
+void TraceFile::finish(std::size_t robot, const result::RunResult& result) {
   for (auto& [stream, pin] : robots_[robot].pins) end_bar(pin, std::max(end_ns(result), pin.from_ns));
   moment(robot, kHappened, end_ns(result), result.verdict + ": " + result.why);
 }
 
-void TraceFile::finish(const wire::RunResult& result) {
+void TraceFile::finish(const result::RunResult& result) {
   finish(0, result);
   for (std::size_t i = 1; i < robots_.size() && i <= result.others.size(); ++i)
     finish(i, result.others[i - 1]);
@@ -232,12 +232,12 @@ void TraceRecorder::add(const wire::Event& event) {
   }
 }
 
-void TraceRecorder::finish(const wire::RunResult& result) { trace_->finish(result); }
+void TraceRecorder::finish(const result::RunResult& result) { trace_->finish(result); }
 
 void write_trace(const Recording& recording, const std::filesystem::path& file) {
   const RecordingHeader& header = recording.header();
   std::vector<TraceFile::Robot> robots;
-  wire::RunResult result = header.result;
+  result::RunResult result = header.result;
   for (std::size_t i = 0; i < header.robot_count(); ++i) {
     const RobotRecord& robot = header.of(i);
     robots.push_back({robot.name, robot.sketch, robot.robot, robot.robot_info.board.name});

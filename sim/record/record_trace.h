@@ -29,7 +29,7 @@ class TraceFile {
            const std::vector<std::vector<std::int64_t>>& columns);
   /// Adds notes and serial text. Ignores everything else.
   void add(const wire::Event& event);
-  void finish(const wire::RunResult& result);
+  void finish(const result::RunResult& result);
 
  private:
   /// A value that is drawn as a curve.
@@ -62,7 +62,7 @@ class TraceFile {
                const std::vector<std::vector<std::int64_t>>& columns);
   void end_bar(Pin& pin, std::int64_t t_ns);
   void moment(std::size_t robot, int row, std::int64_t t_ns, const std::string& text);
-  void finish(std::size_t robot, const wire::RunResult& result);
+  void finish(std::size_t robot, const result::RunResult& result);
 
   NewFile file_;
   std::vector<Streams> robots_;
@@ -74,7 +74,7 @@ class TraceRecorder final : public Recorder {
   void ask(wire::RunRequest& request) const override;
   void begin(const RecordedRun& run) override;
   void add(const wire::Event& event) override;
-  void finish(const wire::RunResult& result) override;
+  void finish(const result::RunResult& result) override;
 
  private:
   struct Stream {

@@ -188,16 +188,16 @@ void VcdRecorder::write_changes(std::int64_t until_ns) {
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(written));
 }
 
-void VcdRecorder::finish(const wire::RunResult& result) {
+void VcdRecorder::finish(const result::RunResult& result) {
   ended(result);
-  for (const wire::RunResult& other : result.others) ended(other);
+  for (const result::RunResult& other : result.others) ended(other);
   write_changes(std::numeric_limits<std::int64_t>::max());
   if (last_ns_ > now_ns_) file_.added(go_to(file_.room(kLongestTime), last_ns_));
   file_.finish();
 }
 
 // Extends the file to the run's last whole hundredth of a second.
-void VcdRecorder::ended(const wire::RunResult& result) {
+void VcdRecorder::ended(const result::RunResult& result) {
   const std::int64_t end_ns = std::llround(result.time_s * 1e9);
   last_ns_ = std::max(last_ns_, end_ns - end_ns % kRecordEvery_ns);
 }

@@ -24,7 +24,7 @@ class VcdRecorder final : public Recorder {
   void begin(const RecordedRun& run) override;
   /// Adds pin changes, the firmware's readings of pins, and bytes. Ignores everything else.
   void add(const wire::Event& event) override;
-  void finish(const wire::RunResult& result) override;
+  void finish(const result::RunResult& result) override;
 
  private:
   struct Change {
@@ -57,7 +57,7 @@ class VcdRecorder final : public Recorder {
   void begin_board(const std::string& scope, const BoardSpec& spec);
   std::uint32_t declare(std::string name, Signal::Kind kind);
   void change(std::int64_t t_ns, std::uint32_t signal, double value);
-  void ended(const wire::RunResult& result);
+  void ended(const result::RunResult& result);
   void add_byte(Board& board, const wire::SerialByte& byte);
   const PinSignals* signals_of(int agent, const std::string& pin);
   static char* write(char* to, const Signal& signal, double value);

@@ -85,7 +85,7 @@ void Recorders::add(const wire::Event& event) {
   for (const auto& recorder : recorders_) recorder->add(event);
 }
 
-void Recorders::finish(const wire::RunResult& result) {
+void Recorders::finish(const result::RunResult& result) {
   for (const auto& recorder : recorders_) recorder->finish(result);
 }
 

@@ -52,7 +52,7 @@ class Recorder {
   virtual void begin(const RecordedRun&) {}
   virtual void add(const wire::Event& event) = 0;
   /// Writes the whole file, or nothing. Throws InputError.
-  virtual void finish(const wire::RunResult& result) = 0;
+  virtual void finish(const result::RunResult& result) = 0;
 };
 
 /// Returns the supported file name extensions: ".csv", ".html" …
@@ -75,7 +75,7 @@ class Recorders {
   void ask(wire::RunRequest& request) const;
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
-  void finish(const wire::RunResult& result);
+  void finish(const result::RunResult& result);
 
  private:
   std::vector<std::string> files_;

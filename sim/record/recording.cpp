@@ -35,13 +35,13 @@ RecordingHeader header_of(std::string_view line) {
   if (json.is_discarded()) throw InputError("its header is damaged");
   RecordingHeader header;
   wire::JsonReader::read(json, header, wire::JsonReader::Unknown::allowed);
-  if (header.robot_count() > wire::kMostAgents) throw InputError("it has too many robots");
+  if (header.robot_count() > result::kMostAgents) throw InputError("it has too many robots");
   return header;
 }
 
 }  // namespace
 
-void Gatherer::encode(const wire::RunResult& result, const Put& put) {
+void Gatherer::encode(const result::RunResult& result, const Put& put) {
   std::vector<const CompressedBytes*> body;
   put(kRecordingMagic);
   Compressed compressed(put);
@@ -50,7 +50,7 @@ void Gatherer::encode(const wire::RunResult& result, const Put& put) {
   compressed.finish();
 }
 
-std::string Gatherer::encoded(const wire::RunResult& result) {
+std::string Gatherer::encoded(const result::RunResult& result) {
   std::string all;
   encode(result, [&all](std::string_view piece) { all += piece; });
   return all;

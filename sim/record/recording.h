@@ -37,9 +37,9 @@ class Gatherer {
   void add(const wire::Event& event);
   /// Returns the header so far. Result and streams are missing until content() or encode().
   const RecordingHeader& header() const { return header_; }
-  std::string content(const wire::RunResult& result);
-  void encode(const wire::RunResult& result, const Put& put);
-  std::string encoded(const wire::RunResult& result);
+  std::string content(const result::RunResult& result);
+  void encode(const result::RunResult& result, const Put& put);
+  std::string encoded(const result::RunResult& result);
 
  private:
   /// The columns of samples for detecting when the line is left: first the time, then the sensors.
@@ -64,9 +64,9 @@ class Gatherer {
   LineColumns line_columns(std::size_t robot, const std::vector<wire::ColumnSpec>& columns);
   void watch_line(std::size_t robot, const std::vector<wire::ColumnSpec>& columns, const wire::Rows& rows);
   void add_serial(const wire::SerialText& serial);
-  void finish(std::size_t robot, const wire::RunResult& result, std::vector<const CompressedBytes*>& body);
+  void finish(std::size_t robot, const result::RunResult& result, std::vector<const CompressedBytes*>& body);
   /// Returns the header's line, and adds the remaining content to `body`.
-  std::string finish(const wire::RunResult& result, std::vector<const CompressedBytes*>& body);
+  std::string finish(const result::RunResult& result, std::vector<const CompressedBytes*>& body);
 
   std::unique_ptr<Packer> packer_;
   std::size_t most_changes_bytes_;

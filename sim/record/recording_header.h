@@ -42,9 +42,9 @@ struct RobotRecord {
   wire::RobotInfo robot_info;
   std::vector<std::string> pins;  ///< names of the board's pins, by number
   wire::Started started;
-  wire::RunResult result;
-  std::vector<LineEvent> line;            ///< when the robot left the line, and found it again
-  std::vector<wire::SourceLine> sources;  ///< lines of the sketch that drove pins, counted from 1
+  result::RunResult result;
+  std::vector<LineEvent> line;              ///< when the robot left the line, and found it again
+  std::vector<result::SourceLine> sources;  ///< lines of the sketch that drove pins, counted from 1
   /// Only the last change of a pin or voltage in each span of this length is stored; 0 = every change.
   std::int64_t thinned_ns = 0;
   std::vector<StreamInfo> streams;
@@ -64,7 +64,7 @@ struct RecordingHeader : RobotRecord {
 };
 
 template <class V>
-void fields(V& v, wire::Same<V, ColumnInfo>& c) {
+void fields(V& v, result::Same<V, ColumnInfo>& c) {
   v("name", c.name, "with its unit");
   v("scale", c.scale, "divide by this");
   v("order", c.order, "of the differences that are kept", {.least = 0, .most = 2});
@@ -72,15 +72,15 @@ void fields(V& v, wire::Same<V, ColumnInfo>& c) {
 }
 
 template <class V>
-void fields(V& v, wire::Same<V, StreamInfo>& s) {
+void fields(V& v, result::Same<V, StreamInfo>& s) {
   v("name", s.name, "of the stream");
   v("count", s.count, "of rows", {.least = 0});
   v("columns", s.columns, "in the order of their bytes");
 }
 
 template <class V>
-void fields(V& v, wire::Same<V, RobotRecord>& r) {
-  v("name", r.name, "of one of several robots", {.presence = wire::when(!r.name.empty())});
+void fields(V& v, result::Same<V, RobotRecord>& r) {
+  v("name", r.name, "of one of several robots", {.presence = result::when(!r.name.empty())});
   v("sketch", r.sketch, "as the user named it");
   v("robot", r.robot, "the same");
   v("target", r.target, "the same");
@@ -89,21 +89,21 @@ void fields(V& v, wire::Same<V, RobotRecord>& r) {
   v("pins", r.pins, "names of the board's pins, by number");
   v("started", r.started, "the event");
   v("result", r.result, "of the run");
-  v("line", r.line, "when it was left, and found again", {.presence = wire::when(!r.line.empty())});
-  v("sources", r.sources, "lines that drove pins", {.presence = wire::when(!r.sources.empty())});
-  v("thinned_ns", r.thinned_ns, "0 = not", {.presence = wire::kOptional});
+  v("line", r.line, "when it was left, and found again", {.presence = result::when(!r.line.empty())});
+  v("sources", r.sources, "lines that drove pins", {.presence = result::when(!r.sources.empty())});
+  v("thinned_ns", r.thinned_ns, "0 = not", {.presence = result::kOptional});
   v("streams", r.streams, "what follows");
 }
 
 template <class V>
-void fields(V& v, wire::Same<V, RecordingHeader>& h) {
+void fields(V& v, result::Same<V, RecordingHeader>& h) {
   v("robosim", h.robosim, "version");
   v("map", h.map, "as the user named it");
   v("map_text", h.map_text, "the map's file");
   v("floor", h.floor, "its geometry");
   v("notes", h.notes, "the events");
-  fields(v, static_cast<wire::Same<V, RobotRecord>&>(h));
-  v("others", h.others, "further robots", {.presence = wire::when(!h.others.empty())});
+  fields(v, static_cast<result::Same<V, RobotRecord>&>(h));
+  v("others", h.others, "further robots", {.presence = result::when(!h.others.empty())});
 }
 
 }  // namespace robosim::record

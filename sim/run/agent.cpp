@@ -149,16 +149,16 @@ void Agent::hear_parts(SimTime t) {
   robot_.poll_text(t, told);
   for (robot::PartText& one : told) {
     player_.hear(one);
-    state_.happened.push_back(wire::PartTold{std::move(one.part), std::move(one.text)});
+    state_.happened.push_back(result::PartTold{std::move(one.part), std::move(one.text)});
   }
 }
 
 void Agent::tell_events(SimTime t, SimTime tick, int step) {
-  for (wire::RunEvent::What& what : state_.happened) {
-    const bool shows = std::holds_alternative<wire::PartTold>(what);
+  for (result::RunEvent::What& what : state_.happened) {
+    const bool shows = std::holds_alternative<result::PartTold>(what);
     state_.events.push_back({t, number_, std::move(what)});
     if (shows && state_.told.size() < judge::kShownKept)
-      state_.told += wire::text_of(state_.events.back()) + '\n';
+      state_.told += result::text_of(state_.events.back()) + '\n';
     if (untold_)
       untold_->push_back({tick, step, number_, state_.listener, state_.events.back()});
     else
@@ -293,7 +293,7 @@ bool Agent::evaluate_in_full(SimTime end) {
   count_tick(end);
   if (body_.collisions() > state_.collisions_told) {
     state_.collisions_told = body_.collisions();
-    state_.happened.push_back(wire::CollisionBegan{body_.collided_with_body()});
+    state_.happened.push_back(result::CollisionBegan{body_.collided_with_body()});
   }
   if (steering_) watch_steering(end);
   if (robot_.has_text_outputs()) hear_parts(end);

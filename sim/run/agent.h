@@ -72,7 +72,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     int step;      ///< step of the tick, as above
     int agent;
     Listener* listener;
-    std::variant<wire::RunEvent, Sample> what;
+    std::variant<result::RunEvent, Sample> what;
   };
   /// Returns whether the agent may ever run several ticks in one turn.
   bool may_take_turns() const;
@@ -145,7 +145,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     SimTime reports_at = 0;  ///< no periodic work before this time: see is_undisturbed()
     bool stirred = false;    ///< a pin has changed since the tick began
     judge::Events happened;  ///< events in this tick
-    std::deque<wire::RunEvent> events;
+    std::deque<result::RunEvent> events;
     SimTime sent_at = -1;  ///< time of the last byte sent
     std::string told;      ///< reports of parts, one per line
     run::State shown;

@@ -86,7 +86,7 @@ void Simulation::Impl::tell_in_order() {
     return std::tuple(one.tick, one.step, one.agent) < std::tuple(other.tick, other.step, other.agent);
   });
   for (const Agent::Untold& one : untold) {
-    if (const auto* event = std::get_if<wire::RunEvent>(&one.what))
+    if (const auto* event = std::get_if<result::RunEvent>(&one.what))
       one.listener->happened(*event);
     else
       one.listener->sampled(std::get<Sample>(one.what));

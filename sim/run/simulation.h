@@ -73,7 +73,7 @@ class Listener {
   virtual void level_seen(Pin, bool, SimTime) {}
   virtual void volts_seen(Pin, double, SimTime) {}
   virtual void byte_received(std::uint8_t, SimTime) {}
-  virtual void happened(const wire::RunEvent&) {}
+  virtual void happened(const result::RunEvent&) {}
   /// Returns whether the order of reports of independent robots matters. If not, up to 100 ms of one robot's
   /// pins and bytes may be reported before another robot's. Samples and events are always sorted by time.
   /// Called once.

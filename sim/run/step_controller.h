@@ -11,14 +11,14 @@
 #include "sim/base/vec.h"
 #include "sim/exec/core/executor.h"
 #include "sim/judge/outcome.h"
+#include "sim/result/stop.h"
 #include "sim/run/scenario/scenario.h"
-#include "sim/wire/driven.h"
 
 namespace robosim::run {
 
 struct Sample;
 
-using wire::Stop;
+using result::Stop;
 
 /// The controller's next request: to continue until the first of these events, or to end the run at once
 /// (`interrupted`).

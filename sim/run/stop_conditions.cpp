@@ -63,7 +63,7 @@ StopConditions::Watch StopConditions::watch_for(const Stop& stop) const {
       watch.line = LinePattern(stop.text);
       break;
     case Stop::Kind::event: {
-      const std::vector<std::string>& kinds = wire::event_kinds();
+      const std::vector<std::string>& kinds = result::event_kinds();
       if (std::find(kinds.begin(), kinds.end(), stop.text) == kinds.end())
         throw InputError(fmt::format("unknown event: {}", expected_one_of(stop.text, kinds)));
       break;
@@ -101,11 +101,11 @@ void StopConditions::pin_changed(Pin pin, const PinDrive& drive) {
     if (watch.pin == pin && matches(drive, watch.stop.level)) watch.met = true;
 }
 
-void StopConditions::happened(const wire::RunEvent& event) {
+void StopConditions::happened(const result::RunEvent& event) {
   for (Watch& watch : state_.watches) {
-    if (watch.stop.kind == Stop::Kind::event && watch.stop.text == wire::kind_of(event)) watch.met = true;
+    if (watch.stop.kind == Stop::Kind::event && watch.stop.text == result::kind_of(event)) watch.met = true;
     if (watch.stop.kind == Stop::Kind::note &&
-        wire::text_of(event).find(watch.stop.text) != std::string::npos)
+        result::text_of(event).find(watch.stop.text) != std::string::npos)
       watch.met = true;
   }
 }

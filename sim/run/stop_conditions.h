@@ -33,7 +33,7 @@ class StopConditions {
   /// Begins a leg at `t`. check() must have accepted it.
   void begin(const Leg& leg, SimTime t);
   void pin_changed(Pin pin, const PinDrive& drive);
-  void happened(const wire::RunEvent& event);
+  void happened(const result::RunEvent& event);
   /// Returns whether the leg ends at `t`. Call it at the end of each tick.
   bool look(SimTime t);
   /// Returns the number of the first stop that ended the leg, or -1.

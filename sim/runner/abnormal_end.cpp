@@ -50,11 +50,11 @@ std::size_t guilty_robot(const wire::RunRequest& request, const std::vector<std:
       agents_of(request)[static_cast<std::size_t>(acting)].name));
 }
 
-wire::RunResult result_of_crash(const wire::RunRequest& request, const std::string& cause,
-                                const std::string& check, std::size_t guilty, SimTime time) {
+result::RunResult result_of_crash(const wire::RunRequest& request, const std::string& cause,
+                                  const std::string& check, std::size_t guilty, SimTime time) {
   const std::vector<wire::AgentRequest> agents = agents_of(request);
   const std::string map_sha256 = map::sha256_of_map(request.map);
-  std::vector<wire::RunResult> results;
+  std::vector<result::RunResult> results;
   for (std::size_t i = 0; i < agents.size(); ++i) {
     judge::Outcome outcome;
     if (i == guilty) {
@@ -70,7 +70,7 @@ wire::RunResult result_of_crash(const wire::RunRequest& request, const std::stri
     const robot::Description robot = robot::load_description(agents[i].robot);
     results.push_back(result_of(outcome, request, inputs_of(map_sha256, agents[i].image, robot)));
   }
-  wire::RunResult result = std::move(results.front());
+  result::RunResult result = std::move(results.front());
   result.others.assign(std::make_move_iterator(results.begin() + 1), std::make_move_iterator(results.end()));
   return result;
 }

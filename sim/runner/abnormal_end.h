@@ -7,9 +7,9 @@
 
 #include "hal/board/sim_time.h"
 #include "sim/base/child.h"
+#include "sim/result/run_result.h"
 #include "sim/wire/messages.h"
 #include "sim/wire/run_request.h"
-#include "sim/wire/run_result.h"
 
 namespace robosim::runner {
 
@@ -27,8 +27,8 @@ std::size_t guilty_robot(const wire::RunRequest& request, const std::vector<std:
                          int acting);
 
 /// Returns the result for a crash of robot `guilty` at `time`. `cause` is a clause; `check` as in Crash.
-wire::RunResult result_of_crash(const wire::RunRequest& request, const std::string& cause,
-                                const std::string& check, std::size_t guilty, SimTime time);
+result::RunResult result_of_crash(const wire::RunRequest& request, const std::string& cause,
+                                  const std::string& check, std::size_t guilty, SimTime time);
 /// Returns the answer for a process that ran out of memory. If the machine limits the runner's memory, this
 /// is an error, not a crash.
 wire::Answer answer_without_memory(const wire::RunRequest& request, std::size_t guilty, SimTime time);

@@ -83,8 +83,8 @@ std::string name_of(judge::NextStep::By by) {
   return "";
 }
 
-wire::RunResult to_wire(const judge::Outcome& outcome) {
-  wire::RunResult result;
+result::RunResult to_wire(const judge::Outcome& outcome) {
+  result::RunResult result;
   result.verdict = judge::to_string(outcome.verdict);
   result.why = outcome.why;
   result.next = outcome.next.text;
@@ -99,8 +99,8 @@ wire::RunResult to_wire(const judge::Outcome& outcome) {
   result.resources = outcome.resources;
   result.usage = outcome.usage;
   result.because = outcome.because;
-  for (const wire::RunEvent& event : outcome.events)
-    result.events.push_back({seconds(event.t_ns), wire::text_of(event)});
+  for (const result::RunEvent& event : outcome.events)
+    result.events.push_back({seconds(event.t_ns), result::text_of(event)});
   result.serial = outcome.serial;
   result.shown = outcome.shown;
   result.end = {millimetres(outcome.end.position.x), millimetres(outcome.end.position.y), outcome.end.yaw()};

@@ -19,7 +19,7 @@ void to_wire(const run::Sample& sample, wire::Sample& to);
 std::array<double, 10> numbers_of(const run::Sample& sample);
 wire::Paused to_wire(const run::State& state, const run::Sample& sample);
 /// Converts an outcome. Does not set the fields about the request and its files.
-wire::RunResult to_wire(const judge::Outcome& outcome);
+result::RunResult to_wire(const judge::Outcome& outcome);
 wire::RobotInfo to_wire(const robot::Summary& robot);
 
 }  // namespace robosim::runner

@@ -42,7 +42,7 @@ class DedupListener final : public run::Listener {
     if (is_new()) listener_.byte_received(byte, t);
   }
   bool minds_turns() const override { return listener_.minds_turns(); }
-  void happened(const wire::RunEvent& event) override {
+  void happened(const result::RunEvent& event) override {
     if (is_new()) listener_.happened(event);
   }
 

@@ -48,7 +48,7 @@ class EventBatcher {
   bool follows(int agent, SimTime t, Pin pin) const { return waiting_.follows(agent, t, pin); }
   /// Announces that the robot's pin events will have source lines.
   void sources(int agent) { waiting_.add_sources(agent); }
-  void source(int agent, const wire::SourceLine& line) { waiting_.add_source(agent, line); }
+  void source(int agent, const result::SourceLine& line) { waiting_.add_source(agent, line); }
   /// Passes on all waiting events.
   void flush();
 

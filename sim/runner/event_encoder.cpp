@@ -63,7 +63,7 @@ bool EventEncoder::minds_turns() const {
   return request_.serial || request_.io || wants_pins_ || wants_inputs_ || wants_columns_;
 }
 
-void EventEncoder::happened(const wire::RunEvent& event) {
+void EventEncoder::happened(const result::RunEvent& event) {
   if (request_.notes) tell(wire::note_of(event));
 }
 
@@ -141,7 +141,7 @@ void EventEncoder::byte_sent(std::uint8_t byte, SimTime t) {
 
 int EventEncoder::number_of_source(Pin pin, const PinDrive& drive) {
   const int number = sources_->of(executor_.driving(pin, drive));
-  for (const wire::SourceLine& line : sources_->take_new()) batcher_->source(agent_, line);
+  for (const result::SourceLine& line : sources_->take_new()) batcher_->source(agent_, line);
   return number;
 }
 

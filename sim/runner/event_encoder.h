@@ -24,7 +24,7 @@ class EventEncoder final : public run::Listener {
 
   void began(const run::Beginning& beginning) override;
   void sampled(const run::Sample& sample) override;
-  void happened(const wire::RunEvent& event) override;
+  void happened(const result::RunEvent& event) override;
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
   bool wants_inputs() const override { return wants_inputs_ || columns_; }
   bool minds_turns() const override;

@@ -85,7 +85,7 @@ std::string read_all(const Descriptor& from) {
   }
 }
 
-wire::RunResult in_copy_of_process(const std::function<wire::Answer()>& work) {
+result::RunResult in_copy_of_process(const std::function<wire::Answer()>& work) {
   Pipe pipe;
   const pid_t parent = ::getpid();
   Child child([&] {
@@ -101,13 +101,13 @@ wire::RunResult in_copy_of_process(const std::function<wire::Answer()>& work) {
   if (!ending.ok() || line.empty()) throw std::runtime_error("the process of a branch " + ending.text());
   const wire::Line answer = wire::parse_line(line);
   if (const auto* error = std::get_if<wire::ErrorAnswer>(&answer.content)) throw InputError(error->message);
-  return std::get<wire::RunResult>(answer.content);
+  return std::get<result::RunResult>(answer.content);
 }
 
 }  // namespace
 
-wire::RunResult run_all_branches(RequestedRun& run, const wire::RunRequest& request,
-                                 const std::function<void()>& in_copy) {
+result::RunResult run_all_branches(RequestedRun& run, const wire::RunRequest& request,
+                                   const std::function<void()>& in_copy) {
   check(request, in_copy != nullptr);
   const wire::Ways& ways = *request.ways;
   run::Setup& setup = run.setup();
@@ -123,13 +123,13 @@ wire::RunResult run_all_branches(RequestedRun& run, const wire::RunRequest& requ
     if (!simulation.is_over())
       simulation.add(steps_of(ways.scripts[way], ways, request.script_file, simulation.now()));
     simulation.run_until(setup.limit);
-    wire::RunResult result = run.result_of(simulation.end());
+    result::RunResult result = run.result_of(simulation.end());
     if (!request.counters.empty())
       write_file(request.counters + (way == 0 ? "" : fmt::format(".{}", way + 1)),
                  pack(run.executor().counters()));
     return result;
   };
-  std::vector<wire::RunResult> others;
+  std::vector<result::RunResult> others;
   for (std::size_t way = 1; way < ways.scripts.size(); ++way)
     others.push_back(in_copy_of_process([&]() -> wire::Answer {
       in_copy();
@@ -139,7 +139,7 @@ wire::RunResult run_all_branches(RequestedRun& run, const wire::RunRequest& requ
         return wire::ErrorAnswer{"input", error.what()};
       }
     }));
-  wire::RunResult result = go(0);
+  result::RunResult result = go(0);
   result.ways = std::move(others);
   return result;
 }

@@ -17,7 +17,7 @@ namespace robosim::runner {
 /// called first in each copy; if it is empty, this process cannot be copied, because host firmware is
 /// confined. Each way writes its line counters if the request asks for them. Throws InputError if the run
 /// cannot branch, or a way's script is invalid.
-wire::RunResult run_all_branches(RequestedRun& run, const wire::RunRequest& request,
-                                 const std::function<void()>& in_copy);
+result::RunResult run_all_branches(RequestedRun& run, const wire::RunRequest& request,
+                                   const std::function<void()>& in_copy);
 
 }  // namespace robosim::runner

@@ -20,8 +20,8 @@ namespace {
 
 void check_several(const wire::RunRequest& request) {
   if (request.agents.empty()) return;
-  if (request.agents.size() >= wire::kMostAgents)
-    throw InputError(fmt::format("too many robots: expected at most {}, got {}", wire::kMostAgents,
+  if (request.agents.size() >= result::kMostAgents)
+    throw InputError(fmt::format("too many robots: expected at most {}, got {}", result::kMostAgents,
                                  request.agents.size() + 1));
   if (request.name.empty())
     throw InputError("the first robot requires a name, because there are several robots");
@@ -79,9 +79,9 @@ Inputs inputs_of(const std::string& map_sha256, const std::string& image, const 
   return {map_sha256, robot.sha256, known_sha256(image)};
 }
 
-wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
-                          const Inputs& inputs) {
-  wire::RunResult result = to_wire(outcome);
+result::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
+                            const Inputs& inputs) {
+  result::RunResult result = to_wire(outcome);
   result.for_s = static_cast<double>(request.for_ns) * 1e-9;
   result.seed = request.seed;
   result.profile = to_string(profile_of(request.profile));
@@ -191,13 +191,13 @@ std::vector<judge::Outcome> RequestedRun::simulate() const {
   }
 }
 
-wire::RunResult RequestedRun::go() { return result_of(simulate()); }
+result::RunResult RequestedRun::go() { return result_of(simulate()); }
 
-wire::RunResult RequestedRun::result_of(const std::vector<judge::Outcome>& outcomes) {
+result::RunResult RequestedRun::result_of(const std::vector<judge::Outcome>& outcomes) {
   SimTime last = 0;
   for (const judge::Outcome& outcome : outcomes) last = std::max(last, outcome.time);
   flush(last);
-  wire::RunResult result = runner::result_of(outcomes.front(), request_, members_.front().inputs);
+  result::RunResult result = runner::result_of(outcomes.front(), request_, members_.front().inputs);
   for (std::size_t i = 1; i < outcomes.size(); ++i)
     result.others.push_back(runner::result_of(outcomes[i], request_, members_[i].inputs));
   return result;

@@ -36,8 +36,8 @@ struct Inputs {
 Inputs inputs_of(const std::string& map_sha256, const std::string& image, const robot::Description& robot);
 
 /// Returns the result for an outcome, including the files on which it depends.
-wire::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
-                          const Inputs& inputs);
+result::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
+                            const Inputs& inputs);
 
 map::Draw draw_of(const wire::RunRequest& request);
 
@@ -74,9 +74,9 @@ class RequestedRun {
   void flush(SimTime t);
 
   /// Runs to the end. Call it only once. Reads no more files.
-  wire::RunResult go();
+  result::RunResult go();
   /// Returns the result for its robots' outcomes. Use it if another driver has completed the run.
-  wire::RunResult result_of(const std::vector<judge::Outcome>& outcomes);
+  result::RunResult result_of(const std::vector<judge::Outcome>& outcomes);
 
  private:
   /// A robot of the run.

@@ -135,8 +135,8 @@ void keep_counters(const wire::RunRequest& request, const std::string& counters,
     throw InputError(fault);
 }
 
-wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
-                            const wire::Id& id, SandboxProxy* proxy, const ReadAhead& ahead) {
+result::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
+                              const wire::Id& id, SandboxProxy* proxy, const ReadAhead& ahead) {
   // Never destroyed, since the end of the process frees everything.
   RequestedRun& run = *new RequestedRun(
       [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {
@@ -175,7 +175,7 @@ wire::RunResult run_request(const ExecutorFactory& factory, const wire::RunReque
     if (exec::why_not_confined().empty()) proxy->confine(has_grown);
   }
   if (request.ways) return run_all_branches(run, request, proxy ? std::function<void()>() : start_watchdog);
-  wire::RunResult result = run.go();
+  result::RunResult result = run.go();
   if (!request.counters.empty()) keep_counters(request, pack(run.executor().counters()), proxy);
   if (debugger) debugger->ended(result.status);
   return result;

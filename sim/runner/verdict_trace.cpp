@@ -46,8 +46,8 @@ std::vector<Pin> motor_pins(const std::vector<robot::WiredPin>& wiring) {
   return direct.empty() ? between : direct;
 }
 
-void add_line(std::vector<wire::SourceLine>& lines, const wire::SourceLine& line, std::size_t most) {
-  const bool there = std::any_of(lines.begin(), lines.end(), [&](const wire::SourceLine& one) {
+void add_line(std::vector<result::SourceLine>& lines, const result::SourceLine& line, std::size_t most) {
+  const bool there = std::any_of(lines.begin(), lines.end(), [&](const result::SourceLine& one) {
     return one.file == line.file && one.line == line.line;
   });
   if (!there && lines.size() < most) lines.push_back(line);
@@ -59,7 +59,7 @@ bool is_before(const CauseStep& step, SimTime t) {
          step.where.function.starts_with("_");
 }
 
-bool is_of_library(const wire::SourceLine& line) { return line.file.starts_with("libraries/"); }
+bool is_of_library(const result::SourceLine& line) { return line.file.starts_with("libraries/"); }
 
 exec::CauseFinder& finder_of(const run::Setup& setup) {
   exec::CauseFinder* const finder = setup.agents.front().executor->find_causes();
@@ -212,16 +212,16 @@ std::pair<SimTime, SimTime> Inquiry::blind_around(SimTime t) const {
   return {last, std::min(next, last + kLongestGap)};
 }
 
-std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
+std::vector<result::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
   const SimTime end = simulation_.now(), t = std::min(decisive.t, end);
-  std::vector<wire::Cause> chain;
+  std::vector<result::Cause> chain;
   if (decisive.motors) {
     const auto gap = blind_around(t);
     const SimTime last = gap.first, next = gap.second;
     const bool blind = next - last >= kBlind && looks_.size() > 1;
     const SimTime asked = decisive.off_since == t ? std::min(t + kStillOff, end - kTick) : t;
     const SimTime until = std::min(end, whole_ticks(blind ? std::max(asked, next) : asked) + kTick);
-    wire::SourceLine pause;
+    result::SourceLine pause;
     exec::CauseFinder::Share handlers;
     const Steps steps = trace(t, until, [&] {
       causes_.ask(motor_pins(wiring_), asked + kTick);
@@ -257,7 +257,7 @@ std::vector<wire::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
 }
 
 /// Adds the reasons why the robot stopped: why the motors were switched off, and why they stayed off.
-void Inquiry::tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>& chain) {
+void Inquiry::tell_of_stopping(SimTime t, SimTime end, std::vector<result::Cause>& chain) {
   const SimTime asked = std::min(t + kStillOff, end - kTick);
   const Steps steps =
       trace(t, whole_ticks(asked) + kTick, [&] { causes_.ask(motor_pins(wiring_), asked + kTick); });
@@ -266,21 +266,21 @@ void Inquiry::tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>&
 }
 
 void Inquiry::add_links(const Steps& steps, SimTime t, std::size_t most, std::size_t lines,
-                        std::vector<wire::Cause>& chain) const {
+                        std::vector<result::Cause>& chain) const {
   Steps news;
   std::copy_if(steps.begin(), steps.end(), std::back_inserter(news), [&](const CauseStep& step) {
-    return std::none_of(chain.begin(), chain.end(), [&](const wire::Cause& cause) {
-      return std::any_of(cause.lines.begin(), cause.lines.end(), [&](const wire::SourceLine& line) {
+    return std::none_of(chain.begin(), chain.end(), [&](const result::Cause& cause) {
+      return std::any_of(cause.lines.begin(), cause.lines.end(), [&](const result::SourceLine& line) {
         return line.file == step.where.file && line.line == step.where.line;
       });
     });
   });
-  for (wire::Cause& link : links_of(news, t, most - std::min(most, chain.size()), lines))
+  for (result::Cause& link : links_of(news, t, most - std::min(most, chain.size()), lines))
     chain.push_back(std::move(link));
 }
 
 /// Adds the line that disabled interrupts, if they have been off for long.
-void Inquiry::tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain) {
+void Inquiry::tell_of_interrupts(SimTime t, std::vector<result::Cause>& chain) {
   const auto on_at = [&](std::size_t moment) {
     simulation_.restore(moments_[moment].snapshot);
     return causes_.interrupts_on();
@@ -298,7 +298,7 @@ void Inquiry::tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain) {
     chain.push_back({seconds(step->t), "interrupts were off from here on", {step->where}});
 }
 
-wire::Cause Inquiry::motors_at(SimTime t, const std::string& text) const {
+result::Cause Inquiry::motors_at(SimTime t, const std::string& text) const {
   const auto behind = std::upper_bound(commands_.begin(), commands_.end(), t + kSampleEvery,
                                        [](SimTime at, const Command& command) { return at < command.t; });
   if (behind == commands_.begin()) return {seconds(t), text, {}};
@@ -332,14 +332,14 @@ std::string Inquiry::read_at(const CauseStep& step) const {
   return value ? name + " " + *value : name;
 }
 
-std::vector<wire::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::size_t most,
-                                           std::size_t lines) const {
-  std::vector<wire::Cause> links;
-  wire::Cause read{0.0, "read", {}}, before{0.0, "set before, and kept", {}};
+std::vector<result::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::size_t most,
+                                             std::size_t lines) const {
+  std::vector<result::Cause> links;
+  result::Cause read{0.0, "read", {}}, before{0.0, "set before, and kept", {}};
   SimTime read_at_t = 0, set_at = 0;
   std::vector<std::string> names;                // file of each link; a header counts as its source file
   std::vector<std::set<std::string>> functions;  // functions of each link
-  std::vector<wire::SourceLine> of_libraries;
+  std::vector<result::SourceLine> of_libraries;
   for (const CauseStep& step : steps) {
     if (step.where.function.starts_with("_GLOBAL__")) continue;  // its line is the end of the file
     if (step.kind == Kind::reads) {
@@ -366,7 +366,7 @@ std::vector<wire::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::s
       add_line(links[number].lines, step.where, lines);
     }
   }
-  for (const wire::SourceLine& line : of_libraries) add_line(before.lines, line, kMostLines);
+  for (const result::SourceLine& line : of_libraries) add_line(before.lines, line, kMostLines);
   read.t_s = seconds(read_at_t);
   before.t_s = seconds(set_at);
   const std::size_t others = !read.lines.empty() + !before.lines.empty();

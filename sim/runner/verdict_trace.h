@@ -50,15 +50,16 @@ class Inquiry final : run::Listener {
   bool go_back(std::size_t& from, bool for_registers);
   std::pair<SimTime, SimTime> blind_around(SimTime t) const;
 
-  std::vector<wire::Cause> chain_of(const judge::Decisive& decisive);
-  void tell_of_stopping(SimTime t, SimTime end, std::vector<wire::Cause>& chain);
+  std::vector<result::Cause> chain_of(const judge::Decisive& decisive);
+  void tell_of_stopping(SimTime t, SimTime end, std::vector<result::Cause>& chain);
   /// Adds steps that are not in the chain yet, until it has `most` links. `lines`: limit for the lines of a
   /// link.
   void add_links(const Steps& steps, SimTime t, std::size_t most, std::size_t lines,
-                 std::vector<wire::Cause>& chain) const;
-  void tell_of_interrupts(SimTime t, std::vector<wire::Cause>& chain);
-  std::vector<wire::Cause> links_of(const Steps& steps, SimTime t, std::size_t most, std::size_t lines) const;
-  wire::Cause motors_at(SimTime t, const std::string& text) const;
+                 std::vector<result::Cause>& chain) const;
+  void tell_of_interrupts(SimTime t, std::vector<result::Cause>& chain);
+  std::vector<result::Cause> links_of(const Steps& steps, SimTime t, std::size_t most,
+                                      std::size_t lines) const;
+  result::Cause motors_at(SimTime t, const std::string& text) const;
   std::string name_of(Pin pin) const;
   std::string read_at(const exec::CauseStep& step) const;
 

@@ -132,7 +132,7 @@ void keep_inputs(const std::string& name, const launch::Fleet& fleet,
 }
 
 std::string record_again(const launch::Fleet& fleet, const std::vector<ResolvedTrial>& resolved_trials,
-                         const std::vector<std::string>& scripts, const wire::RunResult* expected,
+                         const std::vector<std::string>& scripts, const result::RunResult* expected,
                          std::int64_t until_ns, const std::string& name, client::Runner& runner) {
   const fs::path folder = name;
   const ResolvedTrial& first = resolved_trials.front();
@@ -150,7 +150,8 @@ std::string record_again(const launch::Fleet& fleet, const std::vector<ResolvedT
                                resolved_trials[i].robot.name, resolved_trials[i].target,
                                resolved_trials[i].robot});
   recorders.begin(recorded);
-  const wire::RunResult again = runner.run(request, [&](const wire::Event& event) { recorders.add(event); });
+  const result::RunResult again =
+      runner.run(request, [&](const wire::Event& event) { recorders.add(event); });
   recorders.finish(again);
   if (!expected || again.trace_hash == expected->trace_hash) return "";
   return of_another_run(name);
@@ -173,7 +174,7 @@ std::string keep(const RunLog& log, const ResolvedTrial& resolved_trial, const s
     recorders.ask(request);
     recorders.begin({runner.hello().version, log.sketch_name, log.map_name, log.robot_name, log.trial.target,
                      resolved_trial.robot, request});
-    const wire::RunResult again =
+    const result::RunResult again =
         runner.run(request, [&](const wire::Event& event) { recorders.add(event); });
     recorders.finish(again);
     if (!log.result || again.trace_hash == log.result->trace_hash) return "";

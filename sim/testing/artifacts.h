@@ -31,7 +31,7 @@ void keep_inputs(const std::string& folder, const launch::Fleet& fleet,
 void keep_texts(const RunLog& log, const std::string& folder, const std::string& prefix);
 /// Runs several robots again, and records them. Returns an error message, or "".
 std::string record_again(const launch::Fleet& fleet, const std::vector<ResolvedTrial>& resolved_trials,
-                         const std::vector<std::string>& scripts, const wire::RunResult* expected,
+                         const std::vector<std::string>& scripts, const result::RunResult* expected,
                          std::int64_t until_ns, const std::string& folder, client::Runner& runner);
 
 /// Runs one robot again without stops, and writes the folder. Returns an error message, or "".

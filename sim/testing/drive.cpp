@@ -99,9 +99,9 @@ std::string Drive::verdict() const {
 
 std::optional<Score> Drive::score() const {
   if (verdict().empty() || std::isnan(log_->result->metrics.score)) return std::nullopt;
-  const wire::Metrics& metrics = log_->result->metrics;
+  const result::Metrics& metrics = log_->result->metrics;
   Score score{metrics.score, metrics.score_unit, {}};
-  for (const wire::ScorePart& part : metrics.score_parts)
+  for (const result::ScorePart& part : metrics.score_parts)
     score.parts.push_back({part.part, part.count, part.value});
   return score;
 }
@@ -110,7 +110,7 @@ std::string Drive::why() const { return verdict().empty() ? "" : log_->result->w
 
 std::optional<Usage> Drive::usage() const {
   if (!log_->resources) return std::nullopt;
-  const wire::Resources& used = *log_->resources;
+  const result::Resources& used = *log_->resources;
   return Usage{used.flash_bytes, used.ram_bytes, used.stack_bytes_max,
                Duration(static_cast<std::int64_t>(used.loop_us_max * 1e3))};
 }

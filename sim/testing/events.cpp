@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/result/events.h"
 #include "sim/testing/run_log.h"
-#include "sim/wire/events.h"
 
 namespace robosim::testing {
 
@@ -45,7 +45,9 @@ Event motors_stop() { return Event({Kind::motors, "", false, {}, "no motor is dr
 Event stands_still(Duration time) {
   return Event({Kind::rest, "", true, time, "no wheel turns for " + seconds(time)});
 }
-Event collides() { return Event({Kind::event, wire::CollisionBegan::kKind, true, {}, "the robot collides"}); }
+Event collides() {
+  return Event({Kind::event, result::CollisionBegan::kKind, true, {}, "the robot collides"});
+}
 Event ends(const std::string& verdict) {
   return Event({Kind::end, verdict, true, {}, "the run ends as " + in_quotes(verdict)});
 }

@@ -120,7 +120,7 @@ Fleet::~Fleet() {
   try {
     impl_->run->run->end();
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      const wire::RunResult& result = impl_->run->result(i);
+      const result::RunResult& result = impl_->run->result(i);
       robots_[i]->impl_->complain_unasked(result);
       robots_[i]->impl_->complain_detected(result);
       record_trace(result.trace_hash);

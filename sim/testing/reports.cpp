@@ -117,7 +117,7 @@ void report_to_github() {
       new GithubListener(summary ? summary : "", now ? name_of(*now) : "a test"));
 }
 
-void record_figures(const RunLog& log, const wire::RunResult& result) {
+void record_figures(const RunLog& log, const result::RunResult& result) {
   if (!::testing::UnitTest::GetInstance()->current_test_info()) return;
   const auto record = [](const char* key, const std::string& value) {
     ::testing::Test::RecordProperty(std::string("robosim_") + key, value);

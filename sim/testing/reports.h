@@ -8,7 +8,7 @@
 namespace robosim::testing {
 
 /// Records the run's values as properties of the current test. Google Test writes them to its XML (JUnit).
-void record_figures(const RunLog& log, const wire::RunResult& result);
+void record_figures(const RunLog& log, const result::RunResult& result);
 
 /// Adds a hash to the sum of the trace hashes of the current test. The sum covers all finished runs,
 /// including those of a search, and changes with any difference in a run.

@@ -22,7 +22,7 @@ struct RunLog {
     double worst_mm = 0.0;
     std::int64_t worst_ns = 0;
     double worst_x_mm = 0.0, worst_y_mm = 0.0;
-    wire::Metrics at_end;
+    result::Metrics at_end;
   };
   struct Said {
     std::int64_t t_ns = 0;
@@ -39,8 +39,8 @@ struct RunLog {
   std::vector<Said> said;
   std::vector<Entry> events;  ///< actions, notes and what the sketch printed
   std::vector<bool> is_line_sensor;
-  std::optional<wire::Resources> resources;
-  std::optional<wire::RunResult> result;
+  std::optional<result::Resources> resources;
+  std::optional<result::RunResult> result;
   std::string replay;                  ///< the command without its duration
   std::string artifacts;               ///< the folder that is kept if the test fails; "" = none
   mutable bool verdict_asked = false;  ///< the test expects that the run may end

@@ -55,7 +55,7 @@ Drive Simulation::run_for(Duration time, const char* file, int line) {
 Drive Simulation::run_until(const Event& event, Within<Duration> within, const char* file, int line) {
   SharedRun& run = *impl_->shared;
   const std::int64_t begin = run.now_ns, end = begin + in_ticks(within.most);
-  std::vector<wire::Stop> stops;
+  std::vector<result::Stop> stops;
   std::vector<const Event::One*> stopping;
   const Event::One* ending = nullptr;
   for (const Event::One& one : event.any()) {
@@ -188,7 +188,7 @@ Simulation::~Simulation() {
   SharedRun& run = *impl_->shared;
   if (run.of_fleet) return;
   try {
-    const wire::RunResult& result = run.run->end();
+    const result::RunResult& result = run.run->end();
     RunLog& log = *impl_->log;
     impl_->complain_unasked(result);
     impl_->complain_detected(result);

@@ -29,7 +29,7 @@ void SharedRun::begin(const wire::RunRequest& request) {
   for (Simulation::Impl* robot : robots) robot->begin();
 }
 
-void SharedRun::go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops, Spot spot) {
+void SharedRun::go_on(std::int64_t to_ns, const std::vector<result::Stop>& stops, Spot spot) {
   const std::int64_t begin_ns = now_ns;
   try {
     run->go_on(to_ns, stops);
@@ -43,7 +43,7 @@ void SharedRun::go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops, 
   for (Simulation::Impl* robot : robots) robot->note_leg(begin_ns, spot);
 }
 
-const wire::RunResult& SharedRun::result(std::size_t number) const {
+const result::RunResult& SharedRun::result(std::size_t number) const {
   return number == 0 ? run->result() : run->result().others.at(number - 1);
 }
 
@@ -83,7 +83,7 @@ void Simulation::Impl::take(const wire::Event& event) {
     if (log->samples.empty() || log->samples.back().t_us < sample->t_us) log->samples.push_back(*sample);
   }
   if (const auto* note = std::get_if<wire::Note>(&event))
-    log->add({note->t_ns, on_one_line(note->text), note->is<wire::CollisionBegan>() != nullptr});
+    log->add({note->t_ns, on_one_line(note->text), note->is<result::CollisionBegan>() != nullptr});
   if (const auto* serial = std::get_if<wire::SerialText>(&event)) {
     log->serial += serial->text;
     log->said.push_back({serial->t_ns, log->serial.size()});
@@ -132,32 +132,32 @@ void Simulation::Impl::note_leg(std::int64_t begin_ns, Spot spot) {
   log->legs.push_back(std::move(leg));
 }
 
-wire::Stop Simulation::Impl::stop_for(const Event::One& event) const {
-  wire::Stop stop = [&] {
+result::Stop Simulation::Impl::stop_for(const Event::One& event) const {
+  result::Stop stop = [&] {
     switch (event.kind) {
       case Event::Kind::serial:
-        return wire::Stop::serial(event.text, read);
+        return result::Stop::serial(event.text, read);
       case Event::Kind::line:
-        return wire::Stop::line(event.text, read);
+        return result::Stop::line(event.text, read);
       case Event::Kind::note:
-        return wire::Stop::note(event.text);
+        return result::Stop::note(event.text);
       case Event::Kind::event:
-        return wire::Stop::event(event.text);
+        return result::Stop::event(event.text);
       case Event::Kind::visited:
-        return wire::Stop::visited(event.text);
+        return result::Stop::visited(event.text);
       case Event::Kind::at:
-        return wire::Stop::at(event.text);
+        return result::Stop::at(event.text);
       case Event::Kind::reading:
-        return wire::Stop::reading(event.text, event.level);
+        return result::Stop::reading(event.text, event.level);
       case Event::Kind::pin:
-        return wire::Stop::pin(event.text, event.level);
+        return result::Stop::pin(event.text, event.level);
       case Event::Kind::motors:
-        return wire::Stop::motors(event.level);
+        return result::Stop::motors(event.level);
       case Event::Kind::rest:
       case Event::Kind::end:
-        return wire::Stop::rest(event.time.count());
+        return result::Stop::rest(event.time.count());
     }
-    return wire::Stop{};
+    return result::Stop{};
   }();
   stop.agent = static_cast<int>(number);
   return stop;
@@ -176,7 +176,7 @@ void Simulation::Impl::read_on(const Event::One& event) {
   }
 }
 
-void Simulation::Impl::complain_unasked(const wire::RunResult& result) const {
+void Simulation::Impl::complain_unasked(const result::RunResult& result) const {
   if (::testing::Test::HasFailure() || !is_failure(result.verdict) || log->verdict_asked) return;
   const Drive all = drive(0);
   ADD_FAILURE_AT(ended.file ? ended.file : __FILE__, ended.line)
@@ -184,11 +184,11 @@ void Simulation::Impl::complain_unasked(const wire::RunResult& result) const {
       << all.epilogue(all.end());
 }
 
-void Simulation::Impl::complain_detected(const wire::RunResult& result) const {
+void Simulation::Impl::complain_detected(const result::RunResult& result) const {
   if (result.detected.empty()) return;
   std::string seen;
-  for (const wire::Detected& one : result.detected)
-    seen += fmt::format("\n  detected: {} [{}]", wire::text_of(one), one.detector);
+  for (const result::Detected& one : result.detected)
+    seen += fmt::format("\n  detected: {} [{}]", result::text_of(one), one.detector);
   const Drive all = drive(0);
   ADD_FAILURE_AT(last.file ? last.file : __FILE__, last.line)
       << "the sketch works here, but would fail on a real robot (.detect = false turns this check off)"

@@ -25,9 +25,9 @@ struct SharedRun {
   /// Begins the run, and notifies `robots`.
   void begin(const wire::RunRequest& request);
   /// Runs a leg until `to_ns`, the first of the stops, or a robot's verdict. Does nothing if the run is over.
-  void go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops, Spot spot);
+  void go_on(std::int64_t to_ns, const std::vector<result::Stop>& stops, Spot spot);
   /// Returns the result of robot `number` after the run is over.
-  const wire::RunResult& result(std::size_t number) const;
+  const result::RunResult& result(std::size_t number) const;
   bool over() const { return run->over(); }
 
   Borrowed runner;
@@ -47,7 +47,7 @@ struct Simulation::Impl {
   /// Records a leg that has just ended, and that began at `begin_ns`.
   void note_leg(std::int64_t begin_ns, Spot spot);
   void read_on(const Event::One& event);
-  wire::Stop stop_for(const Event::One& event) const;
+  result::Stop stop_for(const Event::One& event) const;
   Drive drive(std::int64_t begin_ns) const {
     return Drive(log, Duration(begin_ns), Duration(shared->now_ns));
   }
@@ -55,9 +55,9 @@ struct Simulation::Impl {
   std::string verdict() const;
   const wire::Paused& state() const;
   /// Fails the test if the run failed and no expectation checked its verdict.
-  void complain_unasked(const wire::RunResult& result) const;
+  void complain_unasked(const result::RunResult& result) const;
   /// Fails the test if a detector has findings.
-  void complain_detected(const wire::RunResult& result) const;
+  void complain_detected(const result::RunResult& result) const;
 
   std::shared_ptr<RunLog> log = std::make_shared<RunLog>();
   FailureContext failure_context{log};

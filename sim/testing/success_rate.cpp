@@ -81,7 +81,7 @@ void check(const analysis::Demand& demand, std::int64_t seeds) {
       problem = failure->message;
       return;
     }
-    const auto& result = std::get<wire::RunResult>(answer);
+    const auto& result = std::get<result::RunResult>(answer);
     tally.add(result.verdict == "reached");
     if (result.verdict == "reached" || ++failed > kFailuresTold) return;
     failures +=

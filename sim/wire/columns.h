@@ -19,10 +19,11 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/wire/fields.h"
-#include "sim/wire/run_result.h"
+#include "sim/result/fields.h"
+#include "sim/result/run_result.h"
 
 namespace robosim::wire {
+using namespace result;  // the values that messages carry
 
 /// The encoding of a column's numbers.
 struct ColumnSpec {

@@ -1,13 +1,14 @@
 // Includes all messages of the runner protocol (docs/reference/runner-protocol.md) as C++ values.
 #pragma once
 
+#include "sim/result/run_result.h"
 #include "sim/wire/driven.h"
 #include "sim/wire/robot_info.h"
 #include "sim/wire/run_request.h"
-#include "sim/wire/run_result.h"
 #include "sim/wire/stream.h"
 
 namespace robosim::wire {
+using namespace result;  // the values that messages carry
 
 /// The version of the protocol. Both ends must have the same version.
 inline constexpr int kProtocol = 1;

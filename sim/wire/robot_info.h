@@ -8,9 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "sim/wire/fields.h"
+#include "sim/result/fields.h"
 
 namespace robosim::wire {
+using namespace result;  // the values that messages carry
 
 struct RobotInfo {
   static constexpr const char* kKey = "robot";

@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "sim/base/profile.h"
-#include "sim/wire/fields.h"
-#include "sim/wire/lateness.h"
+#include "sim/result/fields.h"
+#include "sim/result/lateness.h"
 
 namespace robosim::wire {
+using namespace result;  // the values that messages carry
 
 /// Requests the description of a robot.
 struct DescribeRobot {

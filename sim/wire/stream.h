@@ -11,11 +11,12 @@
 #include <variant>
 #include <vector>
 
+#include "sim/result/events.h"
+#include "sim/result/run_result.h"
 #include "sim/wire/columns.h"
-#include "sim/wire/events.h"
-#include "sim/wire/run_result.h"
 
 namespace robosim::wire {
+using namespace result;  // the values that messages carry
 
 /// The latest possible time of an event: more than a hundred years.
 inline constexpr std::int64_t kLatest_ns = 4'000'000'000'000'000'000;

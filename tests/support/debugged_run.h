@@ -72,8 +72,8 @@ struct Told final : run::Listener {
   void level_seen(Pin pin, bool level, SimTime t) override {
     lines.push_back(fmt::format("{} sees {} {}", t, pin, level));
   }
-  void happened(const wire::RunEvent& event) override {
-    lines.push_back(fmt::format("{} {}", event.t_ns, wire::text_of(event)));
+  void happened(const result::RunEvent& event) override {
+    lines.push_back(fmt::format("{} {}", event.t_ns, result::text_of(event)));
   }
   bool hears_inputs = false;
   std::vector<std::string> lines;

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/wire/events.h"
+#include "sim/result/events.h"
 
 namespace robosim::test {
 
@@ -19,7 +19,7 @@ class ValueWriter {
   static constexpr bool kDescribes = false;
 
   template <class T>
-  void operator()(const char* key, const T& value, const char*, const wire::Rules& = {}) {
+  void operator()(const char* key, const T& value, const char*, const result::Rules& = {}) {
     const std::string shown = shown_as(value);
     if (!shown.empty() && shown != "0") text += std::string(" ") + key + "=" + shown;
   }
@@ -56,10 +56,10 @@ class ValueWriter {
 };
 
 /// Returns "101 fault_began part=S1 arguments=stuck,1023": the millisecond, the kind and the values.
-inline std::string values_of(const wire::RunEvent& event) {
+inline std::string values_of(const result::RunEvent& event) {
   ValueWriter values;
   std::visit([&](const auto& what) { fields(values, what); }, event.what);
-  return std::to_string(event.t_ns / kMillisecond) + ' ' + wire::kind_of(event) + values.text;
+  return std::to_string(event.t_ns / kMillisecond) + ' ' + result::kind_of(event) + values.text;
 }
 
 }  // namespace robosim::test

@@ -86,8 +86,8 @@ struct Told final : Listener {
   void byte_sent(std::uint8_t byte, SimTime t) override {
     lines.push_back(fmt::format("{} byte {}", t, byte));
   }
-  void happened(const wire::RunEvent& event) override {
-    lines.push_back(fmt::format("{} {}", event.t_ns, wire::text_of(event)));
+  void happened(const result::RunEvent& event) override {
+    lines.push_back(fmt::format("{} {}", event.t_ns, result::text_of(event)));
   }
   std::vector<std::string> lines;
 };
@@ -113,8 +113,8 @@ std::string text_of(const judge::Outcome& o) {
   std::string text = fmt::format("{} {} {} ({}, {}, {}) {}\n{}\n{}\n", o.trace_hash, o.why, o.time,
                                  o.end.position.x, o.end.position.y, o.end.heading.y, o.eeprom_writes,
                                  wire::to_json(o.metrics).dump(), wire::to_json(*o.resources).dump());
-  for (const wire::RunEvent& event : o.events)
-    text += fmt::format("{} {}\n", event.t_ns, wire::text_of(event));
+  for (const result::RunEvent& event : o.events)
+    text += fmt::format("{} {}\n", event.t_ns, result::text_of(event));
   return text + o.serial;
 }
 

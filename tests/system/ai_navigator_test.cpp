@@ -47,7 +47,7 @@ Seen watch(const Run& of, const std::string& until, const std::string& start = "
   request.samples_every_ns = 10'000'000;
   Seen seen;
   wire::Sample last;
-  const wire::RunResult result = runner.run(request, [&](const wire::Event& event) {
+  const result::RunResult result = runner.run(request, [&](const wire::Event& event) {
     if (const auto* sample = std::get_if<wire::Sample>(&event)) last = *sample;
     const auto* serial = std::get_if<wire::SerialText>(&event);
     if (!serial) return;

@@ -10,10 +10,10 @@ namespace robosim::test {
 namespace driven_run_test {
 
 using client::DrivenRun;
+using result::Stop;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using wire::Stop;
 
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kS = 1000 * kMs;
@@ -44,7 +44,7 @@ TEST_P(OnEachTarget, GivesTheTraceOfTheSameLinesAsAScript) {
   ASSERT_TRUE(run.go_on(run.state().t_ns + 700 * kMs));
   run.act("place 6,10 E");
   ASSERT_TRUE(run.go_on(run.state().t_ns + 300 * kMs));
-  const wire::RunResult& driven = run.end();
+  const result::RunResult& driven = run.end();
   EXPECT_EQ(driven.verdict, "interrupted");
 
   request.script = run.script();

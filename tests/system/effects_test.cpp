@@ -27,8 +27,8 @@ void PrintTo(const Effect& effect, std::ostream* out) { *out << effect.name; }
 
 class Effects : public testing::Test {
  protected:
-  wire::RunResult run(const std::string& robot, const std::string& floor, const std::string& profile,
-                      char way, std::uint64_t seed, double seconds, const std::string& script = "") {
+  result::RunResult run(const std::string& robot, const std::string& floor, const std::string& profile,
+                        char way, std::uint64_t seed, double seconds, const std::string& script = "") {
     const std::filesystem::path map = folder_.path() / "floor.map", file = folder_.path() / "eyes.toml";
     std::string text = read_file(map::find_map("oval"));
     text.insert(text.find("+++", 3), floor);
@@ -176,7 +176,7 @@ TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
       "\"300 mm\"]\nsegments = [{ length = \"900 mm\" }, { radius = \"300 mm\", angle = \"180 deg\" }, { "
       "length "
       "= \"900 mm\" }, { radius = \"300 mm\", angle = \"180 deg\" }]\n+++\n";
-  const wire::RunResult result = run("", loop, "typical", 'k', 1, 12.0);
+  const result::RunResult result = run("", loop, "typical", 'k', 1, 12.0);
   EXPECT_EQ(result.verdict, "reached") << result.why;
   EXPECT_GT(result.metrics.distance_m, 2.0);
 }
@@ -210,8 +210,8 @@ TEST_F(Effects, OfADoorThatIsShut) {
   const std::string stops = ROBOSIM_SAMPLES "/StopsForBox", shut = "at 0s door 20,12 20,16 shut";
   EXPECT_EQ(run("LeftPath", "").metrics.collisions, 0);
   EXPECT_EQ(run("LeftPath", shut).metrics.collisions, 1);
-  const wire::RunResult open = run(stops, ""), waits = run(stops, shut),
-                        goes_on = run(stops, shut + " for 4s");
+  const result::RunResult open = run(stops, ""), waits = run(stops, shut),
+                          goes_on = run(stops, shut + " for 4s");
   EXPECT_EQ(open.metrics.collisions + waits.metrics.collisions + goes_on.metrics.collisions, 0);
   EXPECT_GT(goes_on.metrics.distance_m, waits.metrics.distance_m + 0.1);
   EXPECT_GT(open.metrics.distance_m, goes_on.metrics.distance_m + 0.1);

@@ -40,7 +40,7 @@ class Faults : public testing::TestWithParam<const char*> {
     return nullptr;
   }
 
-  wire::RunResult result_;
+  result::RunResult result_;
   std::vector<wire::Note> notes_;
 };
 
@@ -51,7 +51,7 @@ TEST_P(Faults, LeaveAByteOfTheEepromHalfWritten) {
   EXPECT_EQ(diary("after eeprom 2 power off for 20ms byte 0x42\n"), "was 255 255\nwas 0 66\n");
   EXPECT_EQ(diary("after eeprom 2 power off for 20ms byte old\n"), "was 255 255\nwas 0 255\n");
   EXPECT_EQ(diary("after eeprom 1 power off for 20ms byte erased\n"), "was 255 255\nwas 255 255\n");
-  const auto* lost = first<wire::PowerLost>();
+  const auto* lost = first<result::PowerLost>();
   ASSERT_TRUE(lost && lost->byte);
   EXPECT_EQ(lost->byte->address, 0);
   EXPECT_EQ(lost->byte->value, 0xff);
@@ -67,11 +67,11 @@ TEST_P(Faults, FlipABitOfTheEeprom) {
 
 TEST_P(Faults, ResetTheChipWhenTheBatterySagsBelowItsBrownOut) {
   EXPECT_EQ(diary("at 100ms fault power sag 5V for 50ms\n"), "was 255 255\n");
-  ASSERT_TRUE(first<wire::FaultBegan>());
-  EXPECT_FALSE(first<wire::FaultBegan>()->resets_chip);
+  ASSERT_TRUE(first<result::FaultBegan>());
+  EXPECT_FALSE(first<result::FaultBegan>()->resets_chip);
   EXPECT_EQ(diary("at 100ms fault power sag 4.2V for 50ms\n"), "was 255 255\nwas 0 0\n");
-  const auto* fault = first<wire::FaultBegan>();
-  ASSERT_TRUE(fault && first<wire::FaultEnded>());
+  const auto* fault = first<result::FaultBegan>();
+  ASSERT_TRUE(fault && first<result::FaultEnded>());
   EXPECT_EQ(fault->part, "power");
   EXPECT_THAT(fault->arguments, testing::ElementsAre("sag", "4.2V"));
   EXPECT_TRUE(fault->resets_chip);

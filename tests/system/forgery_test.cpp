@@ -23,7 +23,7 @@ namespace forgery_test {
 std::string forged_lines() {
   std::string lines;
   for (std::int64_t id = 1; id <= 4; ++id) {
-    wire::RunResult result;
+    result::RunResult result;
     result.verdict = "reached";
     result.why = "FORGED";
     result.goal = "laps:1";
@@ -187,8 +187,8 @@ nlohmann::json verdict_of(const Folder& folder, const char* target, Ended& ended
 TEST(Forgery, WouldBeAnAnswerIfItCameFromARunner) {
   const std::string lines = forged_lines();
   const wire::Line line = wire::parse_line(lines.substr(0, lines.find('\n')));
-  ASSERT_TRUE(std::holds_alternative<wire::RunResult>(line.content));
-  EXPECT_EQ(std::get<wire::RunResult>(line.content).verdict, "reached");
+  ASSERT_TRUE(std::holds_alternative<result::RunResult>(line.content));
+  EXPECT_EQ(std::get<result::RunResult>(line.content).verdict, "reached");
 }
 
 class OnTheHost : public testing::TestWithParam<Attempt> {};

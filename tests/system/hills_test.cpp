@@ -14,9 +14,9 @@ class Hills : public testing::Test {
  protected:
   /// Runs a sketch on a straight line of 2.4 m. The line has a gap of 100 mm, where `hills` may put a crest.
   /// The robot starts 300 mm along the line.
-  wire::RunResult run(const std::string& sketch, const std::string& hills, const std::string& letter,
-                      double seconds, std::uint64_t seed = 1, const std::string& profile = "ideal",
-                      const std::string& robot = "uno5") {
+  result::RunResult run(const std::string& sketch, const std::string& hills, const std::string& letter,
+                        double seconds, std::uint64_t seed = 1, const std::string& profile = "ideal",
+                        const std::string& robot = "uno5") {
     const std::filesystem::path map = folder_.path() / "strip.map";
     std::ofstream(map)
         << "+++\nsize = [\"3 m\", \"600 mm\"]\ngoal = \"none\"\n[start]\nalong = \"300 mm\"\n[[path]]\n"
@@ -53,14 +53,14 @@ TEST_F(Hills, StopASketchWithoutAnIntegralTerm) {
   const std::string heavy = robot("mass = \"500 g\"\n");
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     for (const char* way : {"p", "i"}) {
-      const wire::RunResult flat = run("ClimbsSlowly", "", way, 40.0, seed, "typical", heavy);
+      const result::RunResult flat = run("ClimbsSlowly", "", way, 40.0, seed, "typical", heavy);
       EXPECT_EQ(flat.verdict, "reached") << flat.why;
       EXPECT_GT(flat.metrics.distance_m, 1.15) << way;
     }
-    const wire::RunResult stalls = run("ClimbsSlowly", kRamp, "p", 40.0, seed, "typical", heavy);
+    const result::RunResult stalls = run("ClimbsSlowly", kRamp, "p", 40.0, seed, "typical", heavy);
     EXPECT_EQ(stalls.verdict, "stuck") << stalls.why;
     EXPECT_LT(stalls.metrics.distance_m, 0.8);
-    const wire::RunResult climbs = run("ClimbsSlowly", kRamp, "i", 40.0, seed, "typical", heavy);
+    const result::RunResult climbs = run("ClimbsSlowly", kRamp, "i", 40.0, seed, "typical", heavy);
     EXPECT_EQ(climbs.verdict, "reached") << climbs.why;
     EXPECT_GT(climbs.metrics.distance_m, 1.15);
   }
@@ -100,7 +100,7 @@ TEST_F(Hills, WhereBoardsMeetStopASketchThatTakesThemForABar) {
     joints += std::string("[[joint]]\nalong = \"") + along + "\"\nsize = [\"4 mm\", \"400 mm\"]\n";
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const auto way = [&](const char* letter, const std::string& floor) {
-      const wire::RunResult result = run("StopsAtBar", floor, letter, 15.0, seed, "typical");
+      const result::RunResult result = run("StopsAtBar", floor, letter, 15.0, seed, "typical");
       EXPECT_THAT(result.serial, testing::HasSubstr("bar"));
       return result.metrics.distance_m;
     };
@@ -113,9 +113,9 @@ TEST_F(Hills, WhereBoardsMeetStopASketchThatTakesThemForABar) {
 
 TEST_F(Hills, ThrowOverARobotWhoseMassIsHighAndBehind) {
   const std::string high = robot("caster = \"60 mm\"\nheight = \"60 mm\"\n");
-  const wire::RunResult flat = run("ClimbsSlowly", "", "i", 20.0, 1, "ideal", high);
+  const result::RunResult flat = run("ClimbsSlowly", "", "i", 20.0, 1, "ideal", high);
   EXPECT_EQ(flat.verdict, "reached") << flat.why;
-  const wire::RunResult tips = run("ClimbsSlowly", kRamp, "i", 20.0, 1, "ideal", high);
+  const result::RunResult tips = run("ClimbsSlowly", kRamp, "i", 20.0, 1, "ideal", high);
   EXPECT_EQ(tips.verdict, "toppled") << tips.why;
   EXPECT_THAT(tips.why, testing::HasSubstr("The robot tipped over near column "));
 }
@@ -127,15 +127,15 @@ TEST_F(Hills, AreNotNeededToThrowOverARobotThatStartsAtOnce) {
   EXPECT_EQ(run("TurnsBack", "", "h", 1.2, 1, "ideal", low).verdict, "reached");
   const double without = run("TurnsBack", "", "r", 1.2, 1, "ideal", low).metrics.distance_m;
   const std::string high = robot("caster = \"50 mm\"\nheight = \"25 mm\"\n");
-  const wire::RunResult at_once = run("TurnsBack", "", "h", 1.2, 1, "ideal", high);
+  const result::RunResult at_once = run("TurnsBack", "", "h", 1.2, 1, "ideal", high);
   EXPECT_EQ(at_once.verdict, "toppled") << at_once.why;
-  const wire::RunResult rises = run("TurnsBack", "", "r", 1.2, 1, "ideal", high);
+  const result::RunResult rises = run("TurnsBack", "", "r", 1.2, 1, "ideal", high);
   EXPECT_EQ(rises.verdict, "reached") << rises.why;
   EXPECT_GT(rises.metrics.distance_m, without * 1.03);  // the driven wheels carry more load, and grip better
 }
 
 TEST_F(Hills, ThatEndHighAreFallenOff) {
-  const wire::RunResult falls =
+  const result::RunResult falls =
       run("ClimbsSlowly",
           "[[hill]]\nalong = \"700 mm\"\nsize = [\"600 mm\", \"400 mm\"]\nslope = \"10 deg\"\n", "i", 20.0);
   EXPECT_EQ(falls.verdict, "toppled");
@@ -147,7 +147,7 @@ TEST_F(Hills, ThatEndHighAreFallenOff) {
 // is 0.91 m/s when dry, 0.71 m/s when wet, and 1.27 m/s when wet with the fan.
 class Wet : public testing::Test {
  protected:
-  wire::RunResult run(int speed, bool wet, const std::string& fan, std::uint64_t seed) {
+  result::RunResult run(int speed, bool wet, const std::string& fan, std::uint64_t seed) {
     const std::filesystem::path sample = ROBOSIM_SAMPLES "/Robotracer", map = folder_.path() / "course.map",
                                 robot = folder_.path() / "robot.toml",
                                 sketch = folder_.path() / ("Races" + std::to_string(speed));
@@ -178,12 +178,12 @@ TEST_F(Wet, BendsLoseWhoIsFastUnlessAFanPressesItDown) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     for (const int speed : {slow, fast}) {
       EXPECT_EQ(run(speed, false, "", seed).verdict, "reached") << speed;
-      const wire::RunResult fan = run(speed, true, "downforce = \"500 g\"\n", seed);
+      const result::RunResult fan = run(speed, true, "downforce = \"500 g\"\n", seed);
       EXPECT_EQ(fan.verdict, "reached") << speed;
       EXPECT_LT(fan.metrics.cross_track_max_mm, 20.0);
     }
     EXPECT_EQ(run(slow, true, "", seed).verdict, "reached");
-    const wire::RunResult slides = run(fast, true, "", seed);
+    const result::RunResult slides = run(fast, true, "", seed);
     EXPECT_EQ(slides.verdict, "timeout") << slides.why;
     EXPECT_GT(slides.metrics.cross_track_max_mm, 40.0);
     EXPECT_LT(slides.metrics.distance_m, 4.0);

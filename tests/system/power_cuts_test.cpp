@@ -59,7 +59,7 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
   const auto check = [&](const client::PowerCut& cut, const client::Answer& answer) {
     ++runs;
     SCOPED_TRACE(cut.text());
-    const auto* const result = std::get_if<wire::RunResult>(&answer);
+    const auto* const result = std::get_if<result::RunResult>(&answer);
     ASSERT_TRUE(result) << std::get<client::Failure>(answer).message;
     const std::string all = without_cr(result->serial);
     const std::string text = all.substr(all.rfind("ready\n"));
@@ -86,13 +86,13 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
   client::Pool pool(2);
   client::Task task{"host", request_of(plan)};
   way = [&] {
-    const wire::RunResult whole = run(plan);
+    const result::RunResult whole = run(plan);
     return line_of(without_cr(whole.serial), "way:");
   }();
   EXPECT_THAT(way, HasSubstr("station 2"));
   const client::Answer whole = run_with_power_cuts(pool, task, check);
-  ASSERT_TRUE(std::holds_alternative<wire::RunResult>(whole));
-  EXPECT_EQ(runs, 3 * std::get<wire::RunResult>(whole).eeprom_writes);
+  ASSERT_TRUE(std::holds_alternative<result::RunResult>(whole));
+  EXPECT_EQ(runs, 3 * std::get<result::RunResult>(whole).eeprom_writes);
   EXPECT_GT(runs, 30u);
   EXPECT_GT(kept, 0);
   EXPECT_GT(lost, kept);

@@ -11,8 +11,8 @@ namespace power_test {
 class Power : public testing::Test {
  protected:
   /// Runs TurnsBack on a line of 1.2 m, on an uno5 with this [battery].
-  wire::RunResult run(const std::string& letter, const std::string& battery, double seconds,
-                      const std::string& target = "host") {
+  result::RunResult run(const std::string& letter, const std::string& battery, double seconds,
+                        const std::string& target = "host") {
     const std::filesystem::path map = folder_.path() / "strip.map", robot = folder_.path() / "fed.toml";
     std::ofstream(map) << "+++\nsize = [\"2 m\", \"600 mm\"]\n[start]\nalong = \"300 mm\"\n[[path]]\n"
                           "from = [\"200 mm\", \"300 mm\"]\nsegments = [{ length = \"1200 mm\" }]\n+++\n";
@@ -45,7 +45,7 @@ std::string alkaline(const char* charge) {
 TEST_F(Power, OfAnEmptierBatteryMakesATurnByTimeTooShort) {
   EXPECT_EQ(run("t", lithium("0.544"), 15.0).verdict, "reached");
   EXPECT_EQ(run("s", lithium("0.544"), 15.0).verdict, "reached");
-  const wire::RunResult low = run("t", lithium("0.043"), 15.0);
+  const result::RunResult low = run("t", lithium("0.043"), 15.0);
   EXPECT_EQ(low.verdict, "stuck");
   EXPECT_THAT(low.why, testing::HasSubstr("left the line"));
   EXPECT_EQ(run("s", lithium("0.043"), 15.0).verdict, "reached");
@@ -53,10 +53,10 @@ TEST_F(Power, OfAnEmptierBatteryMakesATurnByTimeTooShort) {
 
 TEST_F(Power, ThatTwoMotorsTakeAtOnceResetsTheChip) {
   EXPECT_EQ(run("h", alkaline("1"), 3.0).serial, "boot\r\n");
-  const wire::RunResult resets = run("h", alkaline("0.6"), 3.0);
+  const result::RunResult resets = run("h", alkaline("0.6"), 3.0);
   EXPECT_EQ(resets.serial, "boot\r\nboot\r\n");
   EXPECT_LT(resets.metrics.distance_m, 0.01);
-  const wire::RunResult rises = run("r", alkaline("0.6"), 3.0);
+  const result::RunResult rises = run("r", alkaline("0.6"), 3.0);
   EXPECT_EQ(rises.serial, "boot\r\n");
   EXPECT_GT(rises.metrics.distance_m, 0.3);
 }
@@ -66,7 +66,7 @@ TEST_F(Power, ThatIsGoneIsWhatARobotStandsFor) {
   for (const std::string target : {"host", "avr", "stm32"}) {
     SCOPED_TRACE(target);
     ROBOSIM_NEEDS_TARGET(target);
-    const wire::RunResult r =
+    const result::RunResult r =
         run("r", "kind = \"li-ion\"\ncells = 2\ncapacity_mAh = 1\ncharge = 0.02\n", 3.0, target);
     EXPECT_GT(r.metrics.distance_m, 0.01);
     EXPECT_THAT(r.why,
@@ -76,8 +76,8 @@ TEST_F(Power, ThatIsGoneIsWhatARobotStandsFor) {
 }
 
 // Runs Pulses on an empty floor, with PWM on this driver's enable pins, and with motors of this inductance.
-wire::RunResult pulses(const std::string& letter, const std::string& chip, const std::string& inductance,
-                       const std::string& target = "host") {
+result::RunResult pulses(const std::string& letter, const std::string& chip, const std::string& inductance,
+                         const std::string& target = "host") {
   TemporaryFolder folder;
   const std::filesystem::path map = folder.path() / "floor.map", robot = folder.path() / "wound.toml";
   std::ofstream(map) << "+++\nsize = [\"6 m\", \"1 m\"]\n[start]\nalong = \"300 mm\"\n[[path]]\n"
@@ -112,8 +112,8 @@ TEST(Windings, OnAnL298nLetShortPulsesDoNothing) {
 }
 
 TEST(Windings, OnATb6612TakeLessTheShorterThePulsesAre) {
-  const wire::RunResult none = pulses("s", "tb6612", "0 mH"), slow = pulses("s", "tb6612", "1 mH"),
-                        fast = pulses("f", "tb6612", "1 mH");
+  const result::RunResult none = pulses("s", "tb6612", "0 mH"), slow = pulses("s", "tb6612", "1 mH"),
+                          fast = pulses("f", "tb6612", "1 mH");
   EXPECT_NEAR(slow.metrics.distance_m, none.metrics.distance_m, 0.001);
   EXPECT_NEAR(fast.metrics.distance_m, none.metrics.distance_m, 0.001);
   EXPECT_LT(slow.metrics.energy_j, 0.7 * none.metrics.energy_j);

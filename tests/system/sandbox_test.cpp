@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/syscall.h>
 
+#include "sim/base/error.h"
 #include "sim/exec/host/confinement.h"
 #include "tests/system/command.h"
 #include "tests/system/system_test.h"
@@ -34,7 +35,7 @@ class Sandbox : public testing::Test {
     request.for_ns = 3'000'000'000;
     return request;
   }
-  wire::RunResult run_text(const std::string& text) { return runner_of("host").run(request_of_text(text)); }
+  result::RunResult run_text(const std::string& text) { return runner_of("host").run(request_of_text(text)); }
 
   Folder folder_;
 };
@@ -232,6 +233,15 @@ TEST_F(Sandbox, LimitsThePagesThatASketchWritesAndThenProtects) {
       "    memset(p, 1, 4 << 20);\n    mprotect(p, 4 << 20, 1);\n  }\n"
       "  Serial.print(mapped);\n}\nvoid loop() { delay(10); }\n");
   EXPECT_LE(std::stoi(r.serial), 256 / 4) << r.why;
+}
+
+TEST_F(Sandbox, RefusesVariablesThatAreLargerThanARunsMemory) {
+  EXPECT_THAT(
+      [&] {
+        run_text("char big[400 << 20];\nvoid setup() { memset(big, 1, sizeof big); }\nvoid loop() {}\n");
+      },
+      testing::ThrowsMessage<InputError>(
+          HasSubstr("the sketch's variables take 400 MB: expected at most 192 MB")));
 }
 
 TEST_F(Sandbox, BlamesASketchForTheMemoryThatItsRunLacks) {

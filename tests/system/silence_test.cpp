@@ -11,8 +11,8 @@ using testing::HasSubstr;
 class Silence : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override { needs_target(GetParam()); }
-  wire::RunResult run_for(const std::string& sketch, double seconds, const std::string& script = "",
-                          const std::string& robot = "uno5") {
+  result::RunResult run_for(const std::string& sketch, double seconds, const std::string& script = "",
+                            const std::string& robot = "uno5") {
     return run({.sketch = sketch,
                 .robot = robot,
                 .goal = "none",
@@ -28,50 +28,50 @@ INSTANTIATE_TEST_SUITE_P(On, Silence, testing::Values("host", "avr", "stm32"),
                          [](const auto& target) { return target.param; });
 
 TEST_P(Silence, ABusyWaitForAFlagGoesOnWhenTheInterruptSetsIt) {
-  const wire::RunResult pressed = run_for("WaitsForFlag", 6.0, "at 5s press go", robot_of("WaitsForFlag"));
+  const result::RunResult pressed = run_for("WaitsForFlag", 6.0, "at 5s press go", robot_of("WaitsForFlag"));
   EXPECT_EQ(pressed.verdict, "reached") << pressed.why;
   EXPECT_EQ(pressed.serial, "went on\r\n");
 }
 
 TEST_P(Silence, AWaitThatNobodyEndsRunsOutOfTimeAndTellsWhereItIs) {
-  const wire::RunResult r = run({.sketch = "WaitsForFlag",
-                                 .robot = robot_of("WaitsForFlag"),
-                                 .goal = "laps:1",
-                                 .for_s = 6.0,
-                                 .target = GetParam()});
+  const result::RunResult r = run({.sketch = "WaitsForFlag",
+                                   .robot = robot_of("WaitsForFlag"),
+                                   .goal = "laps:1",
+                                   .for_s = 6.0,
+                                   .target = GetParam()});
   EXPECT_EQ(r.verdict, "timeout");
   EXPECT_THAT(r.why, AllOf(HasSubstr("has called no Arduino function since 0.0"),
                            HasSubstr("in setup, WaitsForFlag.ino:10")));
 }
 
 TEST_P(Silence, AWaitForEncoderTicksWhileDrivingIsNoHang) {
-  const wire::RunResult r = run_for("CountsWhileDriving", 20.0);
+  const result::RunResult r = run_for("CountsWhileDriving", 20.0);
   EXPECT_EQ(r.verdict, "reached") << r.why;
   EXPECT_EQ(r.serial, "counted\r\n");
 }
 
 TEST_P(Silence, ALoopThatReadsACountWithInterruptsOffIsNoHang) {
-  const wire::RunResult r = run_for("CountsAtomically", 20.0);
+  const result::RunResult r = run_for("CountsAtomically", 20.0);
   EXPECT_EQ(r.verdict, "reached") << r.why;
   EXPECT_EQ(r.serial, "counted\r\n");
 }
 
 TEST_P(Silence, AHandlerThatLooksAtAPinIsLifeEvenWhileItRuns) {
   if (GetParam() == std::string("stm32")) GTEST_SKIP() << "the sketch writes registers of an AVR";
-  const wire::RunResult r = run_for("LooksInHandler", 14.0, "at 12s press start 100ms");
+  const result::RunResult r = run_for("LooksInHandler", 14.0, "at 12s press start 100ms");
   EXPECT_EQ(r.verdict, "reached") << r.why;
   EXPECT_THAT(r.serial, HasSubstr("seen"));
 }
 
 TEST_P(Silence, AWaitForAByteIsNoEnd) {
-  const wire::RunResult r = run_for("WaitsForByte", 6.0, "at 5s send \"g\"");
+  const result::RunResult r = run_for("WaitsForByte", 6.0, "at 5s send \"g\"");
   EXPECT_EQ(r.verdict, "reached") << r.why;
   EXPECT_EQ(r.serial, "heard\r\n");
 }
 
 TEST_P(Silence, ATimerThatDoesEverythingUnderAnEmptyLoopIsLife) {
   if (GetParam() == std::string("stm32")) GTEST_SKIP() << "the sketch writes registers of an AVR";
-  const wire::RunResult r = run_for("TimerDrives", 6.0);
+  const result::RunResult r = run_for("TimerDrives", 6.0);
   EXPECT_EQ(r.verdict, "reached") << r.why;
   EXPECT_EQ(r.serial, "drove\r\n");
   EXPECT_GT(r.metrics.distance_m, 0.2);
@@ -81,7 +81,7 @@ TEST_P(Silence, AHangIsToldThoughTheClockAndSerialInterrupt) {
   EXPECT_EQ(run_for("HangsDriving", 60.0).verdict, "hung");
   EXPECT_EQ(run_for("EndsParked", 60.0).verdict, "ended");
   EXPECT_EQ(run_for("NobodySets", 60.0).verdict, "ended");
-  const wire::RunResult rests = run_for("SaysAndRests", 60.0);
+  const result::RunResult rests = run_for("SaysAndRests", 60.0);
   EXPECT_EQ(rests.verdict, "ended");
   EXPECT_LT(rests.time_s, 2.1);
 }

@@ -13,7 +13,7 @@ using testing::SizeIs;
 constexpr std::uint64_t kFollowerSeeds = rounds(100);
 constexpr std::uint64_t kTourSeeds = rounds(20);
 
-wire::RunResult follow(const std::string& map, std::uint64_t seed) {
+result::RunResult follow(const std::string& map, std::uint64_t seed) {
   return run(
       {.sketch = "PidFollower", .map = map, .robot = "uno5", .goal = "laps:3", .seed = seed, .for_s = 120.0});
 }
@@ -41,7 +41,7 @@ constexpr char kCrossings[] =
 
 TEST(PidFollowerSketch, FinishesThreeLapsOfTheOvalFastAndCloseToTheLineForEverySeed) {
   for (std::uint64_t seed = 1; seed <= kFollowerSeeds; ++seed) {
-    const wire::RunResult r = follow("oval", seed);
+    const result::RunResult r = follow("oval", seed);
     ASSERT_EQ(r.verdict, "reached") << "seed " << seed << ": " << r.why;
     EXPECT_GE(r.metrics.distance_m / r.time_s, 0.4) << "seed " << seed;
     EXPECT_LE(r.metrics.cross_track_rms_mm, 8.0) << "seed " << seed;
@@ -52,7 +52,7 @@ TEST(PidFollowerSketch, FinishesThreeLapsOfTheOvalFastAndCloseToTheLineForEveryS
 TEST(PidFollowerSketch, FollowsCrossingsTightBendsAndDashedLines) {
   for (const char* map : {"figure8", "tight", "dashed"}) {
     for (std::uint64_t seed = 1; seed <= kTourSeeds; ++seed) {
-      const wire::RunResult r = follow(map, seed);
+      const result::RunResult r = follow(map, seed);
       EXPECT_EQ(r.verdict, "reached") << map << ", seed " << seed << ": " << r.why;
       EXPECT_LE(r.metrics.cross_track_rms_mm, 8.0) << map << ", seed " << seed;
     }
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Of, TouringSketch, testing::Values("LeftPath", "RightPa
 
 TEST_P(TouringSketch, VisitsAllStationsOfMapDAndComesHomeForEverySeed) {
   for (std::uint64_t seed = 1; seed <= kTourSeeds; ++seed) {
-    const wire::RunResult r =
+    const result::RunResult r =
         run({.sketch = GetParam(), .map = "d", .robot = "uno3", .goal = "tour", .seed = seed});
     EXPECT_EQ(r.verdict, "reached") << "seed " << seed << ": " << r.why;
     // The right-hand walk numbers the stations, so a left-hand walk reaches them in reverse order.
@@ -83,7 +83,7 @@ TEST_P(TouringSketch, TakesCrossingsOfFourLines) {
   const std::filesystem::path map = std::filesystem::path(testing::TempDir()) / "crossings.map";
   write_file(map, kCrossings);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const wire::RunResult r =
+    const result::RunResult r =
         run({.sketch = GetParam(), .map = map.string(), .robot = "uno3", .goal = "tour", .seed = seed});
     EXPECT_EQ(r.verdict, "reached") << "seed " << seed << ": " << r.why;
     EXPECT_THAT(r.metrics.stations, SizeIs(9)) << "seed " << seed;

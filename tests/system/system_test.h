@@ -64,7 +64,7 @@ inline wire::RunRequest request_of(const Run& run) {
   return request;
 }
 
-inline wire::RunResult run(const Run& run) { return runner_of(run.target).run(request_of(run)); }
+inline result::RunResult run(const Run& run) { return runner_of(run.target).run(request_of(run)); }
 
 /// Returns a message about the tools that this target lacks, or "" if it can run.
 inline std::string what_is_missing(const std::string& target) {

@@ -27,12 +27,12 @@ INSTANTIATE_TEST_SUITE_P(Of, OnEveryTarget, testing::Values("host", "avr", "stm3
 TEST_P(OnEveryTarget, PidFollowerFollowsTheOval) {
   const std::uint64_t usual = std::string(GetParam()) == "stm32" ? 1 : 3;
   for (std::uint64_t seed = 1; seed <= std::max(seeds_asked_for(), usual); ++seed) {
-    const wire::RunResult r = run({.sketch = "PidFollower",
-                                   .robot = "uno5",
-                                   .goal = "laps:1",
-                                   .seed = seed,
-                                   .for_s = 60.0,
-                                   .target = GetParam()});
+    const result::RunResult r = run({.sketch = "PidFollower",
+                                     .robot = "uno5",
+                                     .goal = "laps:1",
+                                     .seed = seed,
+                                     .for_s = 60.0,
+                                     .target = GetParam()});
     ASSERT_EQ(r.verdict, "reached") << "seed " << seed << ": " << r.why;
     EXPECT_LE(r.metrics.cross_track_rms_mm, 8.0) << "seed " << seed;
   }
@@ -46,7 +46,7 @@ TEST_P(OnEveryTarget, LeftPathAndRightPathVisitAllStationsEachByItsOwnHand) {
   std::vector<std::string> left(right.rbegin(), right.rend());
   std::rotate(left.begin(), left.end() - 1, left.end());
   tour.sketch = "RightPath";
-  wire::RunResult r = run(tour);
+  result::RunResult r = run(tour);
   EXPECT_EQ(r.verdict, "reached") << r.why;
   EXPECT_EQ(r.metrics.stations, right);
   tour.sketch = "LeftPath";
@@ -79,7 +79,7 @@ TEST_P(Paths, LeftAndRightComeHomeFromEveryStation) {
   const auto [target, map] = GetParam();
   for (const char* sketch : {"LeftPath", "RightPath"}) {
     for (std::uint64_t seed = 1; seed <= seeds_of(GetParam()); ++seed) {
-      const wire::RunResult r = run(
+      const result::RunResult r = run(
           {.sketch = sketch, .map = map, .robot = "uno3", .goal = "tour", .seed = seed, .target = target});
       EXPECT_EQ(r.verdict, "reached") << sketch << " on " << map << ", seed " << seed << ": " << r.why;
     }
@@ -100,29 +100,29 @@ TEST_P(OnEveryTarget, TwoRunsOfEverySketchAreTheSameBitForBit) {
     once.seed = 7;
     once.for_s = 5.0;
     once.target = GetParam();
-    const wire::RunResult first = run(once);
+    const result::RunResult first = run(once);
     EXPECT_GT(first.metrics.distance_m, 0.05) << once.sketch;
     EXPECT_EQ(first.trace_hash, run(once).trace_hash) << once.sketch;
   }
 }
 
 TEST_P(OnEveryTarget, PressedButtonsAndSentBytesReachTheSketch) {
-  const wire::RunResult r = run({.sketch = "WaitsForFlag",
-                                 .robot = (sketch_folder("WaitsForFlag") / "robot.toml").string(),
-                                 .goal = "none",
-                                 .script = "at 500ms press go",
-                                 .for_s = 1.0,
-                                 .target = GetParam()});
+  const result::RunResult r = run({.sketch = "WaitsForFlag",
+                                   .robot = (sketch_folder("WaitsForFlag") / "robot.toml").string(),
+                                   .goal = "none",
+                                   .script = "at 500ms press go",
+                                   .for_s = 1.0,
+                                   .target = GetParam()});
   EXPECT_EQ(r.verdict, "reached") << r.why;
   EXPECT_EQ(r.serial, "went on\r\n");
 }
 
 TEST_P(OnEveryTarget, AnInterruptAttachedOverBlackMeetsNoEdge) {
-  const wire::RunResult r = run({.sketch = "EdgesOverBlack",
-                                 .robot = (sketch_folder("EdgesOverBlack") / "robot.toml").string(),
-                                 .goal = "none",
-                                 .for_s = 0.5,
-                                 .target = GetParam()});
+  const result::RunResult r = run({.sketch = "EdgesOverBlack",
+                                   .robot = (sketch_folder("EdgesOverBlack") / "robot.toml").string(),
+                                   .goal = "none",
+                                   .for_s = 0.5,
+                                   .target = GetParam()});
   EXPECT_EQ(r.serial, "0\r\n");
 }
 
@@ -138,11 +138,11 @@ TEST_P(OnEveryTarget, CarsAndTricyclesDriveOnTheRadiusThatTheirServosPulsesSay) 
     std::ofstream(robot) << "base = \"" << car.string()
                          << "\"\n[chassis]\nsteering = { servo = \"front\", base = "
                          << "\"95 mm\", limit = \"45 deg\", wheels = " << wheels << " }\n";
-    const wire::RunResult r = run({.sketch = "SteersLeft",
-                                   .robot = robot.string(),
-                                   .goal = "none",
-                                   .for_s = 2.5,
-                                   .target = GetParam()});
+    const result::RunResult r = run({.sketch = "SteersLeft",
+                                     .robot = robot.string(),
+                                     .goal = "none",
+                                     .for_s = 2.5,
+                                     .target = GetParam()});
     const double x = r.end.x_mm - 1050.0, y = r.end.y_mm - 250.0;  // from the start
     const double radius = (x * x + y * y) / (2.0 * y);
     EXPECT_GT(r.metrics.distance_m, 0.3) << r.why;
@@ -158,7 +158,7 @@ class OnTheChip : public testing::Test {
 
 TEST_F(OnTheChip, TheTextbooksWeightedSumLosesTheLineThatItFollowsOnTheHost) {
   EXPECT_EQ(run({.sketch = "ChipSum", .for_s = 60.0}).verdict, "reached");
-  const wire::RunResult chip = run({.sketch = "ChipSum", .for_s = 60.0, .target = "avr"});
+  const result::RunResult chip = run({.sketch = "ChipSum", .for_s = 60.0, .target = "avr"});
   EXPECT_EQ(chip.verdict, "lost");
   EXPECT_EQ(chip.next_by, "host");
   EXPECT_THAT(chip.next, HasSubstr("int has 16 bits"));
@@ -181,7 +181,7 @@ TEST_F(OnTheChip, AFollowersRunIsPinned) {
                            : compiler == "gcc 14.2.0 avr" ? "1:215c323c1f694d28"
                                                           : nullptr;
   if (!hash) GTEST_SKIP() << "pinned for the compilers of Debian 12 and 13, this is " << compiler;
-  const wire::RunResult r = run({.sketch = "PidFollower", .goal = "none", .for_s = 5.0, .target = "avr"});
+  const result::RunResult r = run({.sketch = "PidFollower", .goal = "none", .for_s = 5.0, .target = "avr"});
   EXPECT_EQ(r.trace_hash, hash) << r.why;
 }
 
@@ -194,13 +194,13 @@ TEST_F(OnTheChip, MillisWrapsInATest) {
 }
 
 TEST_F(OnTheChip, AHangIsFoundThoughTimer0GoesOnInterrupting) {
-  const wire::RunResult r = run({.sketch = "ChipHang", .target = "avr"});
+  const result::RunResult r = run({.sketch = "ChipHang", .target = "avr"});
   EXPECT_EQ(r.verdict, "hung");
   EXPECT_THAT(r.why, AllOf(HasSubstr("wait"), HasSubstr("ChipHang.ino:5")));
 }
 
 TEST_F(OnTheChip, ACrashHasItsCallsAndRegisters) {
-  const wire::RunResult r = run({.sketch = "ChipWildCall", .target = "avr"});
+  const result::RunResult r = run({.sketch = "ChipWildCall", .target = "avr"});
   EXPECT_EQ(r.verdict, "crashed");
   ASSERT_TRUE(r.crash);
   EXPECT_EQ(r.crash->where.function, "call");
@@ -212,13 +212,13 @@ TEST_F(OnTheChip, ResourcesAreMeasuredAndABudgetEndsTheRun) {
   const std::filesystem::path robot = std::filesystem::path(testing::TempDir()) / "tight.toml";
   write_file(robot, "base = \"uno5\"\n[budget]\nloop = \"5500 us\"\n");
   test::Run follower{.sketch = "PidFollower", .goal = "none", .for_s = 2.0, .target = "avr"};
-  const wire::RunResult free = run(follower);
+  const result::RunResult free = run(follower);
   ASSERT_TRUE(free.resources);
   EXPECT_GT(free.resources->stack_bytes_max, 20);
   EXPECT_GT(free.resources->loop_us_max, 5500.0) << "delay(5) and some arithmetic";
   EXPECT_GT(free.resources->interrupt_share, 0.001);
   follower.robot = robot.string();
-  const wire::RunResult r = run(follower);
+  const result::RunResult r = run(follower);
   EXPECT_EQ(r.verdict, "over_budget");
   EXPECT_EQ(r.status, 1);
   EXPECT_THAT(r.why, HasSubstr("the robot file allows 5.500 ms"));

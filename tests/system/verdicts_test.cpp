@@ -10,7 +10,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 TEST(Verdicts, ASketchThatSpinsOnAPinRunsOutOfTimeAndNamesThePin) {
-  const wire::RunResult r = run({.sketch = "SpinsOnPin", .robot = "uno3", .for_s = 60.0});
+  const result::RunResult r = run({.sketch = "SpinsOnPin", .robot = "uno3", .for_s = 60.0});
   EXPECT_EQ(r.verdict, "timeout");
   EXPECT_EQ(r.status, 4);
   EXPECT_THAT(r.why, AllOf(HasSubstr("pin 2"), HasSubstr("digitalRead(2)"), HasSubstr("SpinsOnPin.ino:5"),
@@ -18,11 +18,11 @@ TEST(Verdicts, ASketchThatSpinsOnAPinRunsOutOfTimeAndNamesThePin) {
 }
 
 TEST(Verdicts, AnEmptyEndlessLoopHangsWithMotorsOnAndEndsWithMotorsOff) {
-  const wire::RunResult hung = run({.sketch = "HangsDriving"});
+  const result::RunResult hung = run({.sketch = "HangsDriving"});
   EXPECT_EQ(hung.verdict, "hung");
   EXPECT_EQ(hung.status, 1);
   EXPECT_THAT(hung.why, HasSubstr("HangsDriving.ino:11"));
-  const wire::RunResult ended = run({.sketch = "EndsParked"});
+  const result::RunResult ended = run({.sketch = "EndsParked"});
   EXPECT_EQ(ended.verdict, "ended");
   EXPECT_THAT(ended.why, HasSubstr("EndsParked.ino:6"));
 }
@@ -31,7 +31,7 @@ TEST(Verdicts, ARobotThatIsStuckIsToldWhatStopsIt) {
   const std::string is_stuck = "it neither moved 1 mm nor turned 1 degree; it pushes against ";
   EXPECT_THAT(run({.sketch = "PidFollower", .script = "at 2s obstacle 12,2\n", .for_s = 60.0}).why,
               HasSubstr(is_stuck + "an obstacle ("));
-  const wire::RunResult wall =
+  const result::RunResult wall =
       run({.sketch = "PidFollower", .script = "at 1ms place 60mm,200mm,W\n", .for_s = 60.0});
   EXPECT_THAT(wall.why, HasSubstr(is_stuck + "a wall or the map's edge ("));
 }
@@ -46,7 +46,7 @@ TEST(Verdicts, CrashesNameReasonFunctionFileAndLine) {
   for (const Case& c : {Case{"UsesNullPointer", "null pointer", "report", 6},
                         Case{"RecursesTooDeep", "stack overflow", "depth", 0},
                         Case{"OverrunsHeap", "", "setup", 4}, Case{"Aborts", "abort()", "giveUp", 1}}) {
-    const wire::RunResult r = run({.sketch = c.sketch});
+    const result::RunResult r = run({.sketch = c.sketch});
     EXPECT_EQ(r.verdict, "crashed") << c.sketch << ": " << r.why;
     ASSERT_TRUE(r.crash) << c.sketch;
     EXPECT_THAT(r.crash->reason, HasSubstr(c.reason));
@@ -60,7 +60,7 @@ TEST(Verdicts, CrashesNameReasonFunctionFileAndLine) {
 }
 
 TEST(Verdicts, ADivisionByZeroIsToldAndTheRunGoesOn) {
-  const wire::RunResult r = run({.sketch = "DividesByZero", .for_s = 1.0});
+  const result::RunResult r = run({.sketch = "DividesByZero", .for_s = 1.0});
   EXPECT_EQ(r.verdict, "timeout") << r.why;
   EXPECT_THAT(r.serial, StartsWith("-1\r\n-1\r\n"));
   ASSERT_EQ(r.divisions_by_zero.size(), 1u);
@@ -71,43 +71,43 @@ TEST(Verdicts, ADivisionByZeroIsToldAndTheRunGoesOn) {
 }
 
 TEST(Verdicts, ACrashInALibraryIsToldByTheLibrarysNameAndFile) {
-  const wire::RunResult r = run({.sketch = "LibraryCrashes"});
+  const result::RunResult r = run({.sketch = "LibraryCrashes"});
   ASSERT_TRUE(r.crash) << r.why;
   EXPECT_EQ(r.crash->where.file, "libraries/Fragile/Fragile.cpp");
   EXPECT_EQ(r.crash->where.line, 3);
 }
 
 TEST(Verdicts, ACrashInALibrarysHeaderIsToldByTheLibrarysName) {
-  const wire::RunResult r = run({.sketch = "HeaderCrashes"});
+  const result::RunResult r = run({.sketch = "HeaderCrashes"});
   ASSERT_TRUE(r.crash) << r.why;
   EXPECT_EQ(r.crash->where.file, "libraries/Brittle/src/Brittle.h");
   EXPECT_EQ(r.crash->where.line, 3);
 }
 
 TEST(Verdicts, ASmallHeapOverrunHarmsNobodyElse) {
-  const wire::RunResult before = run({.sketch = "PidFollower", .goal = "laps:1"});
+  const result::RunResult before = run({.sketch = "PidFollower", .goal = "laps:1"});
   run({.sketch = "OverrunsHeapALittle", .goal = "none", .for_s = 1.0});
   run({.sketch = "OverrunsHeap"});
-  const wire::RunResult after = run({.sketch = "PidFollower", .goal = "laps:1"});
+  const result::RunResult after = run({.sketch = "PidFollower", .goal = "laps:1"});
   EXPECT_EQ(after.verdict, "reached");
   EXPECT_EQ(after.trace_hash, before.trace_hash);
 }
 
 TEST(Verdicts, ASketchThatExitsSaysSo) {
-  const wire::RunResult r = run({.sketch = "Exits"});
+  const result::RunResult r = run({.sketch = "Exits"});
   EXPECT_EQ(r.verdict, "ended");
   EXPECT_THAT(r.why, HasSubstr("exit(3)"));
 }
 
 TEST(Verdicts, ARobotThatIsNeverDrivenIsToldWhichPinsStayedLowAndWhatItWaitsFor) {
-  const wire::RunResult r = run({.sketch = "NeverDrives", .for_s = 20.0});
+  const result::RunResult r = run({.sketch = "NeverDrives", .for_s = 20.0});
   EXPECT_EQ(r.verdict, "timeout");
   EXPECT_THAT(r.next, AllOf(HasSubstr("never moved"), HasSubstr("motor pins 5, 7, 8, 6, 9 and 10 stayed LOW"),
                             HasSubstr("pin 4"), HasSubstr("press start")));
 }
 
 void names_wrong_pins(const char* target) {
-  const wire::RunResult r =
+  const result::RunResult r =
       run({.sketch = "WrongPins", .robot = "uno2", .goal = "none", .for_s = 1.0, .target = target});
   std::vector<std::string> unwired;
   for (const auto& pin : r.usage.unwired) unwired.push_back(pin.pin + " " + pin.how);
@@ -122,7 +122,7 @@ TEST(Verdicts, PinsToWhichNothingIsWiredAreNamedOnAnAvr) {
 }
 
 TEST(Verdicts, PressingTheButtonGetsItGoing) {
-  const wire::RunResult r =
+  const result::RunResult r =
       run({.sketch = "NeverDrives", .script = "at 1s press start 200ms", .for_s = 20.0});
   EXPECT_GT(r.metrics.distance_m, 0.1) << r.why;
 }

@@ -22,9 +22,9 @@ TEST_P(Waiting, IsLeftOutWithoutATrace) {
     wanted.robot = sketch / "robot.toml";
   }
   const wire::RunRequest request = request_of(wanted);
-  const wire::RunResult skipped = client::Runner("host").run(request);
+  const result::RunResult skipped = client::Runner("host").run(request);
   ::setenv("ROBOSIM_SKIP_WAITING", "off", 1);
-  const wire::RunResult whole = client::Runner("host").run(request);
+  const result::RunResult whole = client::Runner("host").run(request);
   ::unsetenv("ROBOSIM_SKIP_WAITING");
   EXPECT_EQ(skipped.trace_hash, whole.trace_hash);
   EXPECT_EQ(skipped.why, whole.why);

@@ -39,7 +39,7 @@ install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim
 
 # Installs what find_package(robosim) needs: the harness as source, the headers that the harness includes, and
 # one library that contains all libraries that it links.
-set(libraries world_generator launch analysis record terminal client wire build project elf cells map trace board base)
+set(libraries world_generator launch analysis record terminal client wire result build project elf cells map trace board base)
 set(script "create librobosim.a\n")
 foreach(library ${libraries})
   if(TARGET robosim_${library})
@@ -62,7 +62,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/librobosim.a DESTINATION lib/robosim C
 install(DIRECTORY sim/testing DESTINATION share/robosim/source/sim COMPONENT host
   FILES_MATCHING PATTERN *.h PATTERN *.cpp)
 foreach(folder
-    sim/base sim/map sim/wire sim/build sim/run/trace sim/launch sim/record sim/campaign/analysis sim/campaign/random_worlds
+    sim/base sim/map sim/result sim/wire sim/build sim/run/trace sim/launch sim/record sim/campaign/analysis sim/campaign/random_worlds
     sim/view/terminal hal/board)
   install(DIRECTORY ${folder}/ DESTINATION share/robosim/source/${folder} COMPONENT host FILES_MATCHING PATTERN *.h)
 endforeach()

@@ -84,12 +84,12 @@ void HistoryRecorder::add(const wire::Event& event) {
   if (const auto* sample = std::get_if<wire::Sample>(&event)) add(*sample);
   if (const auto* serial = std::get_if<wire::SerialText>(&event)) add(*serial);
   if (const auto* note = std::get_if<wire::Note>(&event)) {
-    if (const auto* lap = note->is<wire::LapDone>()) visit(note->t_ns, "lap " + std::to_string(lap->lap));
-    if (note->is<wire::CollisionBegan>()) visit(note->t_ns, "a collision");
+    if (const auto* lap = note->is<result::LapDone>()) visit(note->t_ns, "lap " + std::to_string(lap->lap));
+    if (note->is<result::CollisionBegan>()) visit(note->t_ns, "a collision");
   }
 }
 
-History HistoryRecorder::finish(const wire::RunResult& result) {
+History HistoryRecorder::finish(const result::RunResult& result) {
   history_.verdict = result.verdict;
   history_.why = result.why;
   history_.end_ns = static_cast<std::int64_t>(std::llround(result.time_s * 1e9));

@@ -56,7 +56,7 @@ class HistoryRecorder {
   HistoryRecorder(std::string target, PlaceFinder place);
 
   void add(const wire::Event& event);
-  History finish(const wire::RunResult& result);
+  History finish(const result::RunResult& result);
 
   static constexpr std::int64_t kSampleEvery_ns = 10'000'000;
 

@@ -57,7 +57,7 @@ std::vector<PinUse> PinLog::list(const Uses& uses) {
   return all;
 }
 
-wire::SourceLine PinLog::source_of(const std::string& text, std::size_t at) const {
+result::SourceLine PinLog::source_of(const std::string& text, std::size_t at) const {
   for (auto line = lines_.rbegin(); line != lines_.rend(); ++line)
     if (line->text == text && !line->sources.empty())
       return line->sources[std::min(at, line->sources.size() - 1)];

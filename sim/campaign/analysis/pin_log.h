@@ -17,7 +17,7 @@ struct PinUse {
   std::int64_t t_ns = 0;
   std::string pin;
   std::string value;
-  wire::SourceLine source;
+  result::SourceLine source;
 };
 
 class PinLog {
@@ -33,12 +33,12 @@ class PinLog {
   /// Returns the last write to any pin up to the moment.
   std::optional<PinUse> last_write() const { return last_write_; }
   /// Returns the sketch line that printed character `at` of the last output line equal to `text`.
-  wire::SourceLine source_of(const std::string& text, std::size_t at) const;
+  result::SourceLine source_of(const std::string& text, std::size_t at) const;
 
  private:
   struct Printed {
     std::string text;
-    std::vector<wire::SourceLine> sources;
+    std::vector<result::SourceLine> sources;
   };
   using Uses = std::map<std::string, PinUse>;
 

@@ -17,7 +17,7 @@ std::string beyond(double value, double limit) {
   return text == figure_text(limit) ? fmt::format("{}", value) : text;
 }
 
-std::optional<std::string> why_beyond(const FigureLimit& limit, const wire::RunResult& result) {
+std::optional<std::string> why_beyond(const FigureLimit& limit, const result::RunResult& result) {
   const std::vector<double> values = limit.figure->values(result);
   if (values.empty()) return fmt::format("{} was not measured in this run", limit.figure->name);
   for (const double value : values) {
@@ -50,7 +50,7 @@ std::optional<std::string> missing_of(const std::vector<std::string>& texts, con
 
 }  // namespace
 
-std::optional<std::string> why_failed(const Check& check, const wire::RunResult& result) {
+std::optional<std::string> why_failed(const Check& check, const result::RunResult& result) {
   if (std::find(check.expect.begin(), check.expect.end(), result.verdict) == check.expect.end()) {
     const std::string wanted = check.expect == std::vector<std::string>{"reached"}
                                    ? ""
@@ -71,7 +71,7 @@ std::optional<std::string> why_failed(const Check& check, const wire::RunResult&
   }
   if (!result.detected.empty())
     return fmt::format("{}{} (detect = false turns the detectors off)", kDetectedPrefix,
-                       wire::text_of(result.detected.front()));
+                       result::text_of(result.detected.front()));
   for (const TextAssertion& assertion : check.assertions)
     if (const std::string why = why_broken(assertion, result); !why.empty()) return why;
   return std::nullopt;

@@ -24,9 +24,9 @@ struct CheckResult {
   std::string serial;  ///< output of the sketch in the first failed run
   std::size_t runs = 0;
   std::size_t passed = 0;
-  double time_s = 0.0;                  ///< simulated, sum of all runs
-  std::optional<wire::RunResult> only;  ///< the result, if the check has only one run
-  std::vector<std::string> traces;      ///< trace hashes of all runs, in the order of the plan
+  double time_s = 0.0;                    ///< simulated, sum of all runs
+  std::optional<result::RunResult> only;  ///< the result, if the check has only one run
+  std::vector<std::string> traces;        ///< trace hashes of all runs, in the order of the plan
 
   bool ok() const { return status == ExitStatus::ok; }
 };
@@ -53,7 +53,7 @@ struct SketchResult {
 ExitStatus worse(ExitStatus a, ExitStatus b);
 
 /// Returns why a run does not meet the check, in one sentence; nullopt if it does.
-std::optional<std::string> why_failed(const Check& check, const wire::RunResult& result);
+std::optional<std::string> why_failed(const Check& check, const result::RunResult& result);
 /// Returns whether `why` is a finding of a detector.
 bool is_of_detectors(const std::string& why);
 

@@ -226,11 +226,11 @@ void CheckSession::answered(const Run& run, const client::Answer& answer) {
     return;
   }
   judge(planned, run.number,
-        launch::whole_of(std::get<wire::RunResult>(answer),
+        launch::whole_of(std::get<result::RunResult>(answer),
                          planned.plan.combination_of(run.number).task.request));
 }
 
-void CheckSession::judge(Planned& planned, std::size_t run, const wire::RunResult& run_result) {
+void CheckSession::judge(Planned& planned, std::size_t run, const result::RunResult& run_result) {
   CheckResult& result = result_of(planned);
   const auto why = why_failed(planned.check, run_result);
   planned.tallies[run / planned.plan.seeds].add(!why);

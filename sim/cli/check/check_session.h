@@ -53,7 +53,7 @@ class CheckSession {
   /// earlier checks.
   void plan(const Check& check, bool limited);
   void answered(const Run& run, const client::Answer& answer);
-  void judge(Planned& planned, std::size_t run, const wire::RunResult& result);
+  void judge(Planned& planned, std::size_t run, const result::RunResult& result);
   void finish(Planned& planned);
   CheckResult& result_of(const Planned& planned) { return sketches_[planned.sketch].results[planned.result]; }
 

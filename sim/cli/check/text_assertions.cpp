@@ -25,7 +25,7 @@ TextAssertion promise_of(const ConfigValue& value, const char* key, TextAssertio
 
 }  // namespace
 
-bool TextAssertion::is_in(const wire::RunResult& result) const {
+bool TextAssertion::is_in(const result::RunResult& result) const {
   return (shown ? result.shown : result.serial).find(words) != std::string::npos;
 }
 
@@ -44,7 +44,7 @@ std::vector<TextAssertion> read_text_assertions(TableReader& file) {
   return assertions;
 }
 
-std::string why_broken(const TextAssertion& assertion, const wire::RunResult& result) {
+std::string why_broken(const TextAssertion& assertion, const result::RunResult& result) {
   const char* const did = assertion.shown ? "showed" : "sent";
   if (assertion.when == TextAssertion::When::never && assertion.is_in(result))
     return fmt::format("the sketch {} “{}”, which it must never do", did, assertion.words);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/base/config.h"
-#include "sim/wire/run_result.h"
+#include "sim/result/run_result.h"
 
 namespace robosim::cli {
 
@@ -16,7 +16,7 @@ struct TextAssertion {
   bool shown = false;  ///< by a display or a Bluetooth module; otherwise sent by the serial port
   std::string words;
 
-  bool is_in(const wire::RunResult& result) const;
+  bool is_in(const result::RunResult& result) const;
   /// Returns the assertion as written in the file: "serial: arrived".
   std::string text() const;
 };
@@ -26,6 +26,6 @@ std::vector<TextAssertion> read_text_assertions(TableReader& file);
 
 /// Returns why a run breaks a never or always assertion, in one sentence; empty if it does not. A text of
 /// `always` must appear by the end of a run.
-std::string why_broken(const TextAssertion& assertion, const wire::RunResult& result);
+std::string why_broken(const TextAssertion& assertion, const result::RunResult& result);
 
 }  // namespace robosim::cli

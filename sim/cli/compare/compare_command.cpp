@@ -116,7 +116,7 @@ class CompareCommand {
                                    std::deque<analysis::History>& more) {
     if (compared.edges.empty()) return std::nullopt;
     for (std::size_t side = 0; side < 2; ++side) {
-      const std::vector<wire::Lateness>& late = compared.edges[0].late[1 - side];
+      const std::vector<result::Lateness>& late = compared.edges[0].late[1 - side];
       if (!at.pair.target_runs[side]->is_on_host(at.pair.robot) || late.empty() || more.size() == kMostTicks)
         continue;
       Found next = at;
@@ -209,7 +209,7 @@ class CompareCommand {
       if (near)
         result.said.push_back(fmt::format("{:.4f} s  {}", 1e-9 * static_cast<double>(said.t_ns), said.text));
     }
-    const wire::RunResult& run = result_of(compared, side, pair);
+    const result::RunResult& run = result_of(compared, side, pair);
     if (d.line[side]) {
       const std::string& text = history.lines[line].text;
       result.source = pins.source_of(text, first_difference(compared, side, text));
@@ -235,7 +235,7 @@ class CompareCommand {
                                  pair.robot);
   }
 
-  const wire::RunResult& result_of(const Compared& compared, std::size_t side, const Pair& pair) const {
+  const result::RunResult& result_of(const Compared& compared, std::size_t side, const Pair& pair) const {
     return compared.target_runs[static_cast<std::size_t>(pair.target_runs[side] - target_runs_.data())]
         .robots[pair.robot]
         .result;

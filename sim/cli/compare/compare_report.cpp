@@ -15,7 +15,7 @@ using Json = wire::OrderedJson;
 
 double seconds(std::int64_t ns) { return static_cast<double>(ns) * 1e-9; }
 
-std::string place_of(const wire::SourceLine& source) {
+std::string place_of(const result::SourceLine& source) {
   if (source.file.empty()) return "";
   const std::string place = fmt::format("{}:{}", source.file, source.line);
   return source.function.empty() ? place : fmt::format("{} in {}()", place, source.function);
@@ -72,13 +72,13 @@ std::string around_text(const ComparedSide& side) {
 
 std::string finding_text(const ComparedSide& side) {
   if (!side.finding) return "";
-  const wire::Crash& fault = side.finding->fault;
+  const result::Crash& fault = side.finding->fault;
   const std::string place = place_of(fault.where);
   return fmt::format("checks    {}{}{} (on {}, built with --sanitize, at {:.2f} s)\n", fault.reason,
                      place.empty() ? "" : ", ", place, side.target, side.finding->time_s);
 }
 
-Json json_of(const wire::SourceLine& source) {
+Json json_of(const result::SourceLine& source) {
   if (source.file.empty()) return nullptr;
   return wire::to_json(source);
 }
@@ -123,7 +123,7 @@ Json json_of(const ComparedTarget& target_run) {
 }
 
 /// Describes the last lateness: "where it is 0.26 ms late from 3.90 s on".
-std::string late_text(const std::vector<wire::Lateness>& late) {
+std::string late_text(const std::vector<result::Lateness>& late) {
   if (late.empty()) return "as it is";
   const double ms = 1e-6 * static_cast<double>(late.back().by_ns), from_s = seconds(late.back().from_ns);
   if (late.back().from_ns == 0 && ms < 0.0)
@@ -161,7 +161,7 @@ std::string edge_text(const Edge& edge, const ComparedSide& other) {
 std::string lacks_text(const Compared& c) {
   if (c.lacks.empty()) return "";
   std::string what;
-  for (const wire::Lack& lack : c.lacks) {
+  for (const result::Lack& lack : c.lacks) {
     const std::string place = place_of(lack.where);
     what += fmt::format("{}{}{}", what.empty() ? "" : "; ", lack.what, place.empty() ? "" : " in " + place);
   }
@@ -178,9 +178,9 @@ Json json_of(const Edge& edge) {
             {"texts", edge.itself.sides}};
   if (edge.clocks) json.update({{"clocks", edge.clocks}, {"as_other", edge.as_other}});
   if (!edge.is_of_tick()) return json;
-  for (const std::vector<wire::Lateness>& late : edge.late) {
+  for (const std::vector<result::Lateness>& late : edge.late) {
     Json all = Json::array();
-    for (const wire::Lateness& one : late)
+    for (const result::Lateness& one : late)
       all.push_back({{"from_s", seconds(one.from_ns)}, {"by_s", seconds(one.by_ns)}});
     json["late"].push_back(std::move(all));
   }
@@ -242,7 +242,7 @@ std::string compare_json(const Compared& c) {
     if (!c.robot.empty()) json["difference"]["robot"] = c.robot;
   }
   json["lacks"] = Json::array();
-  for (const wire::Lack& lack : c.lacks) {
+  for (const result::Lack& lack : c.lacks) {
     json["lacks"].push_back(wire::to_json(lack));
     json["lacks"].back()["target"] = c.lacking;
   }

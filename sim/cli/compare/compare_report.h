@@ -11,7 +11,7 @@
 #include "sim/campaign/analysis/pin_log.h"
 #include "sim/cli/run/run_json.h"
 #include "sim/cli/run/sanitizer_rerun.h"
-#include "sim/wire/lateness.h"
+#include "sim/result/lateness.h"
 
 namespace robosim::cli {
 
@@ -19,8 +19,8 @@ namespace robosim::cli {
 struct ComparedSide {
   std::string target;
   std::int64_t t_ns = 0;
-  std::string text;         ///< the behaviour
-  wire::SourceLine source;  ///< the sketch's line with this behaviour; may be unknown
+  std::string text;           ///< the behaviour
+  result::SourceLine source;  ///< the sketch's line with this behaviour; may be unknown
   std::vector<analysis::PinUse> reads;
   std::vector<analysis::PinUse> writes;
   std::vector<std::string> said;   ///< the last lines of output, ending with the differing line
@@ -31,7 +31,7 @@ struct ComparedSide {
 struct ComparedRun {
   std::string name;  ///< name of the robot, if there are several
   RunInputs inputs;
-  wire::RunResult result;
+  result::RunResult result;
 };
 
 /// A target whose behaviour changes with a slightly wrong clock, so that chance decides.
@@ -46,7 +46,7 @@ struct Edge {
   int clocks = 0, as_other = 0;
   /// If a tick of the host's clock decides: for each target, the lateness with which the sketch on the host
   /// behaves like this target. At least one of the two values is the unchanged lateness.
-  std::array<std::vector<wire::Lateness>, 2> late;
+  std::array<std::vector<result::Lateness>, 2> late;
 
   bool is_of_tick() const { return !late[0].empty() || !late[1].empty(); }
 };
@@ -79,7 +79,7 @@ struct Compared {
   /// A target that lacks chip features, and the missing features that the sketch used before the difference.
   /// If `lacks` is not empty, the sketch is not the cause.
   std::string lacking;
-  std::vector<wire::Lack> lacks;
+  std::vector<result::Lack> lacks;
 
   bool same() const { return !difference || !edges.empty() || !lacks.empty(); }
 };

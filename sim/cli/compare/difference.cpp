@@ -23,7 +23,7 @@ void find_lacks(Compared& compared, std::size_t robot, const std::array<std::siz
     const ComparedTarget& target_run = compared.target_runs[target_runs[side]];
     const double until_s = 1e-9 * static_cast<double>(compared.difference->t_ns[side]);
     compared.lacking = target_run.target;
-    for (const wire::Lack& lack : target_run.robots[robot].result.lacks)
+    for (const result::Lack& lack : target_run.robots[robot].result.lacks)
       if (lack.first_s <= until_s) compared.lacks.push_back(lack);
   }
 }

@@ -149,7 +149,7 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
   // Checks output only for a short time, because behind_tick() compares later output with the delayed host.
   const std::int64_t behind_ns = drives || pair.target_runs[as] != host ? analysis::kBehindEdge_ns : kSoon_ns;
   ObservedRobot observed = observed_robot_of(compared, as, pair);
-  std::array<std::vector<wire::Lateness>, 2> late{observed.late, observed.late};
+  std::array<std::vector<result::Lateness>, 2> late{observed.late, observed.late};
   std::array<analysis::History, 2> ways{*pair.histories[0], *pair.histories[1]};
   std::optional<analysis::Difference> itself;
   // The run that shows one behaviour must clearly differ from the run that shows the other behaviour.
@@ -167,7 +167,7 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
     return done[0] && done[1];
   };
   const auto find = [&] {
-    const std::vector<wire::Lateness> so_far = observed.late;
+    const std::vector<result::Lateness> so_far = observed.late;
     std::vector<std::int64_t> starts;
     for (const std::int64_t before : kLateBefore_ns)
       if (difference.first_ns() > before) starts.push_back(difference.first_ns() - before);
@@ -177,7 +177,7 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
         observed.late = so_far;
         observed.late.insert(
             std::upper_bound(observed.late.begin(), observed.late.end(), from,
-                             [](std::int64_t t, const wire::Lateness& l) { return t < l.from_ns; }),
+                             [](std::int64_t t, const result::Lateness& l) { return t < l.from_ns; }),
             {from, 1000 * late_us});
         if (look()) return true;
       }

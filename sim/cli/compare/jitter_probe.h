@@ -23,7 +23,7 @@ struct Pair {
   std::size_t robot = 0;
   std::array<TargetRun*, 2> target_runs{};
   std::array<const analysis::History*, 2> histories{};
-  std::array<std::vector<wire::Lateness>, 2> late{};  ///< lateness of their sketches; only on the host
+  std::array<std::vector<result::Lateness>, 2> late{};  ///< lateness of their sketches; only on the host
 };
 
 class JitterProbe {

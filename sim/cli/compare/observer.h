@@ -18,8 +18,8 @@ namespace robosim::cli {
 struct ObservedRobot {
   std::size_t robot = 0;
   std::uint64_t seed = 1;
-  std::int64_t until_ns = 0;         ///< the latest end of the run; in whole milliseconds
-  std::vector<wire::Lateness> late;  ///< lateness of its sketch
+  std::int64_t until_ns = 0;           ///< the latest end of the run; in whole milliseconds
+  std::vector<result::Lateness> late;  ///< lateness of its sketch
 };
 
 /// The deviation of a robot's clock in a run.

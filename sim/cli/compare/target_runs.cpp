@@ -62,7 +62,7 @@ std::string& TargetRun::script(wire::RunRequest& request, std::size_t robot) {
   return robot == 0 ? request.script : request.agents[robot - 1].script;
 }
 
-std::vector<wire::Lateness>& TargetRun::late(wire::RunRequest& request, std::size_t robot) {
+std::vector<result::Lateness>& TargetRun::late(wire::RunRequest& request, std::size_t robot) {
   return robot == 0 ? request.late : request.agents[robot - 1].late;
 }
 
@@ -91,7 +91,7 @@ TargetRun target_run_of(const CompareArguments& arguments, const std::string& ta
 std::vector<Results> run_all(const std::vector<TargetRun*>& target_runs,
                              const std::vector<wire::RunRequest>& requests,
                              const std::vector<wire::OnEvent>& listeners) {
-  std::vector<std::optional<wire::RunResult>> results(target_runs.size());
+  std::vector<std::optional<result::RunResult>> results(target_runs.size());
   const auto take = [&](std::size_t i) {
     try {
       return target_runs[i]->runner.take(listeners[i]);

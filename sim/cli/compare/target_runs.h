@@ -25,7 +25,7 @@ struct TargetRun {
   /// Returns whether a robot's sketch runs on the host in this target run.
   bool is_on_host(std::size_t robot) const { return run.members[robot].target == "host"; }
   static std::string& script(wire::RunRequest& request, std::size_t robot);
-  static std::vector<wire::Lateness>& late(wire::RunRequest& request, std::size_t robot);
+  static std::vector<result::Lateness>& late(wire::RunRequest& request, std::size_t robot);
   RunInputs inputs(std::size_t robot) const;
 };
 
@@ -36,7 +36,7 @@ TargetRun target_run_of(const CompareArguments& arguments, const std::string& ta
                         terminal::Progress& progress);
 
 /// The result of each robot, in the order of their numbers.
-using Results = std::vector<wire::RunResult>;
+using Results = std::vector<result::RunResult>;
 
 /// Runs one request on each target run, all simultaneously.
 std::vector<Results> run_all(const std::vector<TargetRun*>& target_runs,

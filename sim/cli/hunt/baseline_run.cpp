@@ -15,7 +15,9 @@ constexpr double kWayAgain = 1.5, kWayOn_s = 15.0;  // limit of most runs: facto
 constexpr double kSlower = 5.0;
 constexpr std::size_t kTours = 4, kEnoughTours = 2;
 
-bool reached(const std::optional<wire::RunResult>& result) { return result && result->verdict == "reached"; }
+bool reached(const std::optional<result::RunResult>& result) {
+  return result && result->verdict == "reached";
+}
 
 }  // namespace
 
@@ -40,7 +42,7 @@ bool Hunt::find_baseline() {
       test_case.stimuli = way;
       test_case.for_s = campaign_.space().for_ms / 1000.0;
     }
-  std::vector<std::optional<wire::RunResult>> results;
+  std::vector<std::optional<result::RunResult>> results;
   if (!campaign_.run(test_cases, results)) return false;
   if (std::none_of(results.begin(), results.end(), reached)) {
     // Gives more time to robots that have not arrived yet.
@@ -50,11 +52,11 @@ bool Hunt::find_baseline() {
         slow.push_back(test_cases[i]);
         slow.back().for_s = kSlower * test_cases[i].for_s;
       }
-    std::vector<std::optional<wire::RunResult>> later;
+    std::vector<std::optional<result::RunResult>> later;
     if (!campaign_.run(slow, later)) return false;
     if (std::any_of(later.begin(), later.end(), reached)) test_cases = slow, results = later;
   }
-  const auto is_better = [](const wire::RunResult& a, const wire::RunResult& b) {
+  const auto is_better = [](const result::RunResult& a, const result::RunResult& b) {
     if ((a.verdict == "reached") != (b.verdict == "reached")) return a.verdict == "reached";
     return b.metrics.distance_m < kMoved_m && a.metrics.distance_m > kMoved_m;
   };
@@ -96,7 +98,7 @@ bool Hunt::feel() {
                                  fmt::format("fault {} pressed for 2s", part.name), "press " + part.name});
   }
   if (!pressed.empty()) pressed.push_back(baseline_case_);
-  std::vector<std::optional<wire::RunResult>> results;
+  std::vector<std::optional<result::RunResult>> results;
   if (!campaign_.run(pressed, results)) return false;
   for (std::size_t i = 0; i + 1 < results.size(); ++i)
     if (results[i] && results.back() && results[i]->trace_hash != results.back()->trace_hash)
@@ -110,7 +112,7 @@ bool Hunt::hear() {
   TestCase test_case = baseline_case_;
   test_case.to_goal = false;
   test_case.for_s = std::max(test_case.for_s, std::ceil(baseline_.result.time_s) + kAfter_s);
-  std::vector<std::optional<wire::RunResult>> results;
+  std::vector<std::optional<result::RunResult>> results;
   if (!campaign_.run({test_case}, results)) return false;
   if (results.front()) campaign_.space().said = beginnings_of(results.front()->serial);
   return true;
@@ -125,7 +127,7 @@ bool Hunt::tour() {
     if (!space.maps[map].networks) continue;
     std::vector<TestCase> test_cases = networks_like(space, map, arguments_.seed, kTours);
     for (TestCase& test_case : test_cases) test_case.for_s = time_of(test_case);
-    std::vector<std::optional<wire::RunResult>> results;
+    std::vector<std::optional<result::RunResult>> results;
     if (!campaign_.run(test_cases, results)) return false;
     space.maps[map].tours =
         static_cast<std::size_t>(std::count_if(results.begin(), results.end(), reached)) >= kEnoughTours;

@@ -257,14 +257,14 @@ std::vector<CampaignRunner::Task> CampaignRunner::tasks_of(const std::vector<Tes
 }
 
 bool CampaignRunner::run(const std::vector<TestCase>& test_cases,
-                         std::vector<std::optional<wire::RunResult>>& results,
+                         std::vector<std::optional<result::RunResult>>& results,
                          std::vector<std::vector<std::string>>* ran) {
   results.assign(test_cases.size(), std::nullopt);
   if (ran) ran->assign(test_cases.size(), {});
   const std::vector<Task> tasks = tasks_of(test_cases);
   std::vector<std::size_t> alone;  // test cases of families that could not share a run
   const auto counters = [&](std::size_t t) { return work_.path() / std::to_string(t) / "lines"; };
-  const auto keep = [&](std::size_t i, wire::RunResult&& result, const fs::path& lines) {
+  const auto keep = [&](std::size_t i, result::RunResult&& result, const fs::path& lines) {
     results[i] = std::move(result);
     if (!ran) return;
     for (const auto& [place, count] : take_line_counts(lines))
@@ -281,8 +281,8 @@ bool CampaignRunner::run(const std::vector<TestCase>& test_cases,
        },
        [&](std::size_t t, client::Answer&& answer) {
          const std::size_t first = tasks[t].first;
-         if (auto* result = std::get_if<wire::RunResult>(&answer)) {
-           std::vector<wire::RunResult> others = std::move(result->ways);
+         if (auto* result = std::get_if<result::RunResult>(&answer)) {
+           std::vector<result::RunResult> others = std::move(result->ways);
            keep(first, std::move(*result), counters(t));
            for (std::size_t i = 0; i < others.size() && i + 1 < tasks[t].count; ++i)
              keep(first + i + 1, std::move(others[i]), fmt::format("{}.{}", counters(t).string(), i + 2));
@@ -304,7 +304,7 @@ bool CampaignRunner::run(const std::vector<TestCase>& test_cases,
     others.push_back(test_cases[i]);
     others.back().family = 0;
   }
-  std::vector<std::optional<wire::RunResult>> later;
+  std::vector<std::optional<result::RunResult>> later;
   std::vector<std::vector<std::string>> ran_later;
   if (!run(others, later, ran ? &ran_later : nullptr)) return false;
   for (std::size_t i = 0; i < alone.size(); ++i) {

@@ -45,7 +45,7 @@ class CampaignRunner {
   /// Runs test cases and sets their results, in the same order; nullopt for an impossible test case. `ran`
   /// receives the lines of the sketch that ran, for test cases on a chip without checks. Returns false if the
   /// user interrupted the runs.
-  bool run(const std::vector<TestCase>& test_cases, std::vector<std::optional<wire::RunResult>>& results,
+  bool run(const std::vector<TestCase>& test_cases, std::vector<std::optional<result::RunResult>>& results,
            std::vector<std::vector<std::string>>* ran = nullptr);
   client::Pool& pool() { return pool_; }
   /// Return the number of impossible test cases, and the reason for the first.

@@ -86,7 +86,7 @@ std::optional<Divergence> divergence(const std::vector<Line>& a, const std::vect
 
 }  // namespace
 
-std::optional<Divergence> divergence(const wire::RunResult& ours, const wire::RunResult& other,
+std::optional<Divergence> divergence(const result::RunResult& ours, const result::RunResult& other,
                                      bool numbers) {
   std::vector<Line> a = lines_of(ours.serial), b = lines_of(other.serial);
   const auto frequent = take_frequent(a, b);
@@ -157,7 +157,7 @@ Symptom symptom_of(const Divergence& divergence, const TestCase& test_case, cons
 }
 
 bool run_differential_tests(CampaignRunner& campaign, const std::vector<TestCase>& test_cases,
-                            const std::vector<std::optional<wire::RunResult>>& results,
+                            const std::vector<std::optional<result::RunResult>>& results,
                             std::vector<std::vector<Symptom>>& found) {
   std::vector<std::size_t> pairs;
   std::vector<TestCase> counterparts;
@@ -166,7 +166,7 @@ bool run_differential_tests(CampaignRunner& campaign, const std::vector<TestCase
       pairs.push_back(i);
       counterparts.push_back(counterpart_of(test_cases[i], campaign.space()));
     }
-  std::vector<std::optional<wire::RunResult>> others;
+  std::vector<std::optional<result::RunResult>> others;
   if (!campaign.run(counterparts, others)) return false;
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const TestCase& test_case = test_cases[pairs[p]];
@@ -179,7 +179,7 @@ bool run_differential_tests(CampaignRunner& campaign, const std::vector<TestCase
       again.push_back(tried_again(test_case, campaign.space(), time));
       again.push_back(counterpart_of(again.back(), campaign.space()));
     }
-    std::vector<std::optional<wire::RunResult>> tried;
+    std::vector<std::optional<result::RunResult>> tried;
     if (!campaign.run(again, tried)) return false;
     bool always = true;
     for (std::size_t i = 0; i < tried.size(); i += 2) {

@@ -25,7 +25,8 @@ struct Divergence {
 /// `numbers`, numbers in lines differ if one is more than twice the other. Without `numbers`, counts of a
 /// frequent line differ if one is more than five times the other. Runs on one chip are compared without
 /// `numbers`.
-std::optional<Divergence> divergence(const wire::RunResult& ours, const wire::RunResult& other, bool numbers);
+std::optional<Divergence> divergence(const result::RunResult& ours, const result::RunResult& other,
+                                     bool numbers);
 /// Returns whether two pairs of runs diverge in the same way. Numbers that vary from pair to pair count as
 /// chance.
 bool is_same(const Divergence& a, const Divergence& b);
@@ -42,7 +43,7 @@ Symptom symptom_of(const Divergence& divergence, const TestCase& test_case, cons
 /// Runs the counterpart of each test case that needs one and has shown no symptom. Adds a symptom for each
 /// divergence. Returns false if the user interrupted the runs.
 bool run_differential_tests(CampaignRunner& campaign, const std::vector<TestCase>& test_cases,
-                            const std::vector<std::optional<wire::RunResult>>& results,
+                            const std::vector<std::optional<result::RunResult>>& results,
                             std::vector<std::vector<Symptom>>& found);
 
 }  // namespace robosim::cli

@@ -33,7 +33,7 @@ Hunt::Hunt(CampaignRunner& campaign, const HuntArguments& arguments, std::filesy
 std::uint64_t Hunt::runs_wanted() const { return arguments_.shard.share_of(arguments_.runs); }
 
 /// Returns the failure first, then detectors' findings, then, in the baseline run, compiler warnings.
-std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const TestCase& test_case) const {
+std::vector<Symptom> Hunt::symptoms(const result::RunResult& result, const TestCase& test_case) const {
   std::vector<Symptom> all;
   if (const auto broken = failed_assertion(result, campaign_.space().assertions))
     all.push_back(*broken);
@@ -46,7 +46,8 @@ std::vector<Symptom> Hunt::symptoms(const wire::RunResult& result, const TestCas
   return all;
 }
 
-bool Hunt::look(const std::vector<TestCase>& test_cases, std::vector<std::optional<wire::RunResult>>& results,
+bool Hunt::look(const std::vector<TestCase>& test_cases,
+                std::vector<std::optional<result::RunResult>>& results,
                 std::vector<std::vector<Symptom>>& found, std::vector<std::vector<std::string>>* ran) {
   if (!campaign_.run(test_cases, results, ran)) return false;
   found.assign(test_cases.size(), {});
@@ -107,7 +108,7 @@ bool Hunt::shrink(HuntFinding& finding) {
                                        candidates.begin() + static_cast<std::ptrdiff_t>(to));
       listener_.progress(
           fmt::format("{}: looking for a smaller world, try {}", finding.symptom.group, tries + 1));
-      std::vector<std::optional<wire::RunResult>> results;
+      std::vector<std::optional<result::RunResult>> results;
       std::vector<std::vector<Symptom>> found;
       if (!look(some, results, found)) return false;
       tries += some.size();
@@ -128,7 +129,7 @@ bool Hunt::shrink(HuntFinding& finding) {
   if (finding.test_case.build == space.host_counterpart) {
     TestCase on_chip = finding.test_case;
     on_chip.build = 0;
-    std::vector<std::optional<wire::RunResult>> results;
+    std::vector<std::optional<result::RunResult>> results;
     std::vector<std::vector<Symptom>> found;
     if (!look({on_chip}, results, found)) return false;
     for (const Symptom& one : found.front())
@@ -154,7 +155,7 @@ void Hunt::tell(const HuntFinding& finding) {
 
 /// Classifies the symptoms of a run. Finds the smallest test case of a new finding. Returns nullopt if the
 /// user interrupted the search.
-std::optional<HuntRow> Hunt::take(const TestCase& test_case, const wire::RunResult& result,
+std::optional<HuntRow> Hunt::take(const TestCase& test_case, const result::RunResult& result,
                                   const std::vector<Symptom>& found, const std::vector<std::string>& ran) {
   HuntRow row;
   row.run = runs_;
@@ -210,7 +211,7 @@ bool Hunt::make_round() {
   }
   for (std::size_t i = 0; i < test_cases.size(); ++i)
     if (!log_.row(runs_ + i)) to_make.push_back(test_cases[i]);
-  std::vector<std::optional<wire::RunResult>> results;
+  std::vector<std::optional<result::RunResult>> results;
   std::vector<std::vector<Symptom>> found;
   std::vector<std::vector<std::string>> ran;
   if (!look(to_make, results, found, &ran)) return false;
@@ -247,7 +248,7 @@ void Hunt::look_back() {
       add_plain({"sometimes", "sometimes " + assertion.text(),
                  fmt::format("None of {} runs had {}, which must occur sometimes.", runs_, assertion.text()),
                  false});
-  const wire::RunResult& result = baseline_.result;
+  const result::RunResult& result = baseline_.result;
   // Without a given goal, a sketch that does not read the line has another purpose than to reach a goal.
   const bool has_goal = reads_the_floor(result, baseline_.robot) || !arguments_.each.request.goal.empty();
   if (!has_goal || reached_ > 0 || !findings_.empty() || result.goal == "none" ||

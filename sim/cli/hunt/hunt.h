@@ -51,7 +51,7 @@ class Hunt {
   bool feel();
   bool hear();
   bool tour();
-  std::optional<HuntRow> take(const TestCase& test_case, const wire::RunResult& result,
+  std::optional<HuntRow> take(const TestCase& test_case, const result::RunResult& result,
                               const std::vector<Symptom>& found, const std::vector<std::string>& ran);
   void count(const TestCase& test_case, const HuntRow& row);
   bool add(HuntFinding finding, HuntRow& row);
@@ -59,9 +59,9 @@ class Hunt {
   bool shrink(HuntFinding& finding);
   /// Runs the test cases and sets their symptoms; impossible test cases have no result. Returns false if the
   /// user interrupted the runs.
-  bool look(const std::vector<TestCase>& test_cases, std::vector<std::optional<wire::RunResult>>& results,
+  bool look(const std::vector<TestCase>& test_cases, std::vector<std::optional<result::RunResult>>& results,
             std::vector<std::vector<Symptom>>& found, std::vector<std::vector<std::string>>* ran = nullptr);
-  std::vector<Symptom> symptoms(const wire::RunResult& result, const TestCase& test_case) const;
+  std::vector<Symptom> symptoms(const result::RunResult& result, const TestCase& test_case) const;
   bool has_enough_of(const Symptom& symptom) const;
   bool is_news(const Symptom& symptom, const std::set<std::string>& needs) const;
   void adopt(HuntRow& row, const std::filesystem::path& files);

@@ -44,13 +44,13 @@ bool is_robots(const std::string& event) {
   return !was_done && event.find(": ") != std::string::npos;  // reported by a part or the rules
 }
 
-std::string place_of(const wire::Crash& crash) {
+std::string place_of(const result::Crash& crash) {
   if (crash.where.file.empty()) return "";
   return fmt::format("{}:{}", crash.where.file, crash.where.line);
 }
 
-Symptom crashed(const wire::RunResult& result) {
-  const wire::Crash& crash = *result.crash;
+Symptom crashed(const result::RunResult& result) {
+  const result::Crash& crash = *result.crash;
   const std::string place = place_of(crash);
   if (crash.check.starts_with("torn_") || crash.check == "lost_update")  // detectors also find these
     return {"crashed", crash.check + " " + place, result.why, false};
@@ -66,14 +66,14 @@ bool is_undisturbed(const TestCase& test_case, const HuntSpace& space) {
 
 }  // namespace
 
-bool has_motors(const wire::RunResult& result, const wire::RobotInfo& robot) {
+bool has_motors(const result::RunResult& result, const wire::RobotInfo& robot) {
   const auto& unused = result.usage.unused;
   return std::any_of(robot.parts.begin(), robot.parts.end(), [&](const auto& part) {
     return part.type == "motor" && std::find(unused.begin(), unused.end(), part.name) == unused.end();
   });
 }
 
-bool reads_the_floor(const wire::RunResult& result, const wire::RobotInfo& robot) {
+bool reads_the_floor(const result::RunResult& result, const wire::RobotInfo& robot) {
   const auto& unused = result.usage.unused;
   return std::any_of(robot.sensors.begin(), robot.sensors.end(), [&](const wire::RobotInfo::Sensor& sensor) {
     return std::find(unused.begin(), unused.end(), sensor.name) == unused.end();
@@ -94,7 +94,7 @@ bool tells_behaviour(const TestCase& test_case, const HuntSpace& space) {
          });
 }
 
-std::optional<Symptom> symptom_of(const wire::RunResult& result, const TestCase& test_case,
+std::optional<Symptom> symptom_of(const result::RunResult& result, const TestCase& test_case,
                                   const HuntSpace& space, const Baseline& baseline) {
   const std::string& verdict = result.verdict;
   if (verdict == "crashed" && result.crash) return crashed(result);
@@ -119,10 +119,10 @@ std::optional<Symptom> symptom_of(const wire::RunResult& result, const TestCase&
   return std::nullopt;
 }
 
-std::vector<Symptom> detected_in(const wire::RunResult& result) {
+std::vector<Symptom> detected_in(const result::RunResult& result) {
   std::vector<Symptom> all;
-  for (const wire::Detected& seen : result.detected) {
-    std::string sentence = wire::text_of(seen);
+  for (const result::Detected& seen : result.detected) {
+    std::string sentence = result::text_of(seen);
     sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
     const std::string place =
         seen.where.file.empty() ? "" : fmt::format(" {}:{}", seen.where.file, seen.where.line);
@@ -147,7 +147,7 @@ std::vector<Symptom> warned_in(const std::string& messages) {
   return all;
 }
 
-std::optional<Symptom> failed_assertion(const wire::RunResult& result,
+std::optional<Symptom> failed_assertion(const result::RunResult& result,
                                         const std::vector<TextAssertion>& assertions) {
   // A run that ended early cannot have broken an `always` assertion.
   const bool whole = result.verdict == "reached" || result.verdict == "timeout" || result.verdict == "ended";
@@ -162,7 +162,7 @@ std::optional<Symptom> failed_assertion(const wire::RunResult& result,
   return std::nullopt;
 }
 
-std::vector<std::string> passed_assertions(const wire::RunResult& result,
+std::vector<std::string> passed_assertions(const result::RunResult& result,
                                            const std::vector<TextAssertion>& assertions) {
   std::vector<std::string> kept;
   for (const TextAssertion& assertion : assertions)
@@ -171,11 +171,11 @@ std::vector<std::string> passed_assertions(const wire::RunResult& result,
   return kept;
 }
 
-Moment moment_of(const std::vector<std::string>& traits, const wire::RunResult& result) {
+Moment moment_of(const std::vector<std::string>& traits, const result::RunResult& result) {
   const auto is_new = [&](const std::string& trait) {
     return std::find(traits.begin(), traits.end(), trait) != traits.end();
   };
-  for (const wire::RunResult::Entry& event : result.events)
+  for (const result::RunResult::Entry& event : result.events)
     if (is_robots(event.text) && is_new("event " + without_numbers(event.text)))
       return {static_cast<int>(std::lround(1000.0 * event.t_s)), {}};
   std::istringstream stream(result.serial);
@@ -186,14 +186,14 @@ Moment moment_of(const std::vector<std::string>& traits, const wire::RunResult& 
   return {};
 }
 
-std::vector<std::string> traits_of(const wire::RunResult& result) {
+std::vector<std::string> traits_of(const result::RunResult& result) {
   std::vector<std::string> traits{
       "verdict " + result.verdict, fmt::format("stations {}", result.metrics.stations.size()),
       fmt::format("laps {}", result.metrics.laps_s.size()),
       fmt::format("collisions {}", std::min(result.metrics.collisions, 3)),
       fmt::format("writes {}",
                   result.eeprom_writes == 0 ? 0 : static_cast<int>(std::log2(result.eeprom_writes)) + 1)};
-  for (const wire::RunResult::Entry& event : result.events)
+  for (const result::RunResult::Entry& event : result.events)
     if (is_robots(event.text)) traits.push_back("event " + without_numbers(event.text));
   if (result.metrics.distance_m > kMoved_m) traits.push_back(kDrives);
   std::size_t lines = 0;

@@ -12,16 +12,16 @@ namespace robosim::cli {
 
 /// The baseline run, with which other runs are compared.
 struct Baseline {
-  wire::RunResult result;
+  result::RunResult result;
   wire::RobotInfo robot;
   bool reached() const { return result.verdict == "reached"; }
   /// Returns the speed on the way to the goal.
   double speed_m_s() const { return result.time_s > 0.0 ? result.metrics.distance_m / result.time_s : 0.0; }
 };
 /// Returns whether the sketch has set the pins of a motor.
-bool has_motors(const wire::RunResult& result, const wire::RobotInfo& robot);
+bool has_motors(const result::RunResult& result, const wire::RobotInfo& robot);
 /// Returns whether the sketch reads the line at all.
-bool reads_the_floor(const wire::RunResult& result, const wire::RobotInfo& robot);
+bool reads_the_floor(const result::RunResult& result, const wire::RobotInfo& robot);
 
 /// The kind of a detector's finding.
 inline constexpr const char* kDetected = "detected";
@@ -52,26 +52,26 @@ double longest_wait_s(const TestCase& test_case, const HuntSpace& space, const B
 /// anywhere. Excludes drawn maps of a kind on which the sketch does not reliably reach its goal.
 bool tells_behaviour(const TestCase& test_case, const HuntSpace& space);
 
-std::optional<Symptom> symptom_of(const wire::RunResult& result, const TestCase& test_case,
+std::optional<Symptom> symptom_of(const result::RunResult& result, const TestCase& test_case,
                                   const HuntSpace& space, const Baseline& baseline);
 /// Returns the detectors' findings, one by one.
-std::vector<Symptom> detected_in(const wire::RunResult& result);
+std::vector<Symptom> detected_in(const result::RunResult& result);
 
 /// Returns the compiler's warnings in `messages` about code that is rarely intended. Examples: an = in a
 /// condition, an if without a body, a constant that does not fit.
 std::vector<Symptom> warned_in(const std::string& messages);
 
 /// Returns a broken `never` or `always` assertion of checks.toml.
-std::optional<Symptom> failed_assertion(const wire::RunResult& result,
+std::optional<Symptom> failed_assertion(const result::RunResult& result,
                                         const std::vector<TextAssertion>& assertions);
 /// Returns the `sometimes` assertions that the run satisfied.
-std::vector<std::string> passed_assertions(const wire::RunResult& result,
+std::vector<std::string> passed_assertions(const result::RunResult& result,
                                            const std::vector<TextAssertion>& assertions);
 
 /// Returns the traits of a run: reached places, and output without numbers. Similar runs have equal traits. A
 /// run with a new trait is worth varying.
-std::vector<std::string> traits_of(const wire::RunResult& result);
+std::vector<std::string> traits_of(const result::RunResult& result);
 /// Returns the moment of the first of these traits that is an event or a sent line.
-Moment moment_of(const std::vector<std::string>& traits, const wire::RunResult& result);
+Moment moment_of(const std::vector<std::string>& traits, const result::RunResult& result);
 
 }  // namespace robosim::cli

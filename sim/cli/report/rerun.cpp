@@ -56,7 +56,8 @@ std::optional<std::string> Rerun::run(client::Runner& by, const record::Recorded
                                       const std::string& trace_hash) {
   record::Gatherer gatherer(std::make_unique<record::Deflater>());
   gatherer.begin(what);
-  const wire::RunResult result = by.run(what.request, [&](const wire::Event& event) { gatherer.add(event); });
+  const result::RunResult result =
+      by.run(what.request, [&](const wire::Event& event) { gatherer.add(event); });
   progress_.clear();
   if (launch::whole_of(result, what.request).trace_hash != trace_hash) return std::nullopt;
   return gatherer.encoded(result);

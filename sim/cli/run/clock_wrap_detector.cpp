@@ -52,7 +52,7 @@ constexpr std::size_t kMostChanges = 100'000;
 
 /// The observations of a run.
 struct Look {
-  wire::RunResult result;
+  result::RunResult result;
   std::vector<wire::Sample> samples;
   std::map<std::string, std::vector<std::int64_t>> changes;  ///< times, by pin
 };
@@ -101,7 +101,7 @@ bool differ(const Look& a, const Look& b, std::int64_t moment) {
 }
 
 /// Returns whether two results are so similar that the sketch ignores the time since power-on.
-bool is_alike(const wire::RunResult& a, const wire::RunResult& b) {
+bool is_alike(const result::RunResult& a, const result::RunResult& b) {
   const double far = a.metrics.distance_m, other = b.metrics.distance_m;
   return a.verdict == b.verdict && std::abs(far - other) <= kSameDistance * std::max(far, other);
 }
@@ -180,7 +180,7 @@ std::map<std::pair<std::string, int>, double> lines(client::Runner& runner, wire
 
 /// The line whose count differs most.
 struct Other {
-  wire::SourceLine where;
+  result::SourceLine where;
   double wrapped = 0.0, other = 0.0;
 };
 std::optional<Other> line_that_differs(client::Runner& runner, const wire::RunRequest& request,
@@ -200,8 +200,8 @@ std::optional<Other> line_that_differs(client::Runner& runner, const wire::RunRe
 
 }  // namespace
 
-std::vector<wire::Detected> detect_clock_wrap(client::Runner& runner, wire::RunRequest request,
-                                              const wire::RunResult& first) {
+std::vector<result::Detected> detect_clock_wrap(client::Runner& runner, wire::RunRequest request,
+                                                const result::RunResult& first) {
   const auto lasted = static_cast<std::int64_t>(first.time_s * 1e3) * kMillisecond;
   if (request.clock_ns != 0 || lasted < kShortest || lasted > kLongest) return {};
   request.detect = false;
@@ -219,7 +219,7 @@ std::vector<wire::Detected> detect_clock_wrap(client::Runner& runner, wire::RunR
     const bool by_micros = differ(micros, run(runner, request, kMicrosWrap - moment - kLower), moment);
     if (client::Interrupts::count() > 0) return {};
     const auto place = line_that_differs(runner, request, clock, moment);
-    wire::Detected seen;
+    result::Detected seen;
     seen.detector = "clock_wrap";
     const bool ends_otherwise = wrapped.result.verdict != usual.result.verdict;
     seen.what = fmt::format(

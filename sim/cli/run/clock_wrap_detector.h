@@ -29,7 +29,7 @@
 namespace robosim::cli {
 
 /// Returns the findings. `request`: of the sketch as flashed, on an AVR; `first`: its result.
-std::vector<wire::Detected> detect_clock_wrap(client::Runner& runner, wire::RunRequest request,
-                                              const wire::RunResult& first);
+std::vector<result::Detected> detect_clock_wrap(client::Runner& runner, wire::RunRequest request,
+                                                const result::RunResult& first);
 
 }  // namespace robosim::cli

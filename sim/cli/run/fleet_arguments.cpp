@@ -68,9 +68,9 @@ launch::Member& FleetOptions::member(const char* option, const std::string& name
   if (launch::Member* known = fleet.find(name)) return *known;
   launch::check_member_name(name, {label(option)});
   if (!fleet.file.empty()) check_known(option, name);
-  if (fleet.members.size() == wire::kMostAgents)
+  if (fleet.members.size() == result::kMostAgents)
     throw InputError(fmt::format("{}: too many robots with {}: expected at most {}", label(option), name,
-                                 wire::kMostAgents));
+                                 result::kMostAgents));
   launch::Member fresh;
   fresh.name = name;
   fleet.members.push_back(std::move(fresh));

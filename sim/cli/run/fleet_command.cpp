@@ -29,18 +29,18 @@ namespace robosim::cli {
 namespace {
 
 /// Returns 0 if all robots have reached their goals; otherwise the most important failure.
-int status_of(const std::vector<wire::RunResult>& results) {
+int status_of(const std::vector<result::RunResult>& results) {
   // If a sketch has crashed the process, the runs of the other robots are interrupted, too.
   if (client::Interrupts::count() > 0) return static_cast<int>(ExitStatus::interrupted);
   for (const ExitStatus status : {ExitStatus::failed, ExitStatus::timeout, ExitStatus::interrupted})
-    for (const wire::RunResult& result : results)
+    for (const result::RunResult& result : results)
       if (result.status == static_cast<int>(status)) return result.status;
   return static_cast<int>(ExitStatus::ok);
 }
 
 /// Runs the robots in the live view.
-wire::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, const launch::Fleet& fleet,
-                      const RunArguments& arguments, const wire::OnEvent& on_event) {
+result::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, const launch::Fleet& fleet,
+                        const RunArguments& arguments, const wire::OnEvent& on_event) {
   runner.keep_close();
   const launch::Prepared& first = run.members.front();
   const map::Map floor = map_of(run.request);
@@ -52,7 +52,7 @@ wire::RunResult watch(client::Runner& runner, const launch::PreparedFleet& run, 
   terminal::LiveView live(scene,
                           {arguments.speed, terminal::look_from_environment(true),
                            [] { return client::Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
-  const wire::RunResult result = runner.run(run.request, [&](const wire::Event& event) {
+  const result::RunResult result = runner.run(run.request, [&](const wire::Event& event) {
     on_event(event);
     live.on_event(event);
   });
@@ -109,7 +109,7 @@ int fleet_command(const RunArguments& arguments) {
     if (sample->agent == 0) progress.advance(sample->t_us, static_cast<double>(common.for_ns) * 1e-9);
   };
   const double began_s = 1e-6 * static_cast<double>(wall_us());
-  wire::RunResult result;
+  result::RunResult result;
   try {
     const client::Interrupts interrupts(runner);
     if (arguments.live)
@@ -129,8 +129,8 @@ int fleet_command(const RunArguments& arguments) {
   } catch (const InputError&) {
     unwritten = std::current_exception();
   }
-  std::vector<wire::RunResult> results = launch::results_of(std::move(result));
-  for (wire::RunResult& one : results) one.next = next_of(one);
+  std::vector<result::RunResult> results = launch::results_of(std::move(result));
+  for (result::RunResult& one : results) one.next = next_of(one);
 
   if (arguments.json) {
     std::vector<RobotRun> robots;

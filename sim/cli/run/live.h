@@ -11,7 +11,7 @@
 namespace robosim::cli {
 
 /// `on_event` also receives the events.
-wire::RunResult run_live(client::Runner& runner, const record::RecordedRun& run,
-                         const wire::OnEvent& on_event);
+result::RunResult run_live(client::Runner& runner, const record::RecordedRun& run,
+                           const wire::OnEvent& on_event);
 
 }  // namespace robosim::cli

@@ -41,8 +41,8 @@ std::vector<std::string> names_of(const record::RecordingHeader& header) {
 }
 
 /// Returns a result that describes all robots in one sentence.
-wire::RunResult whole_result(const record::RecordingHeader& header) {
-  wire::RunResult result = header.result;
+result::RunResult whole_result(const record::RecordingHeader& header) {
+  result::RunResult result = header.result;
   wire::RunRequest request;
   request.name = header.name;
   for (const record::RobotRecord& other : header.others) {

@@ -50,7 +50,7 @@ std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
 }
 
 /// Returns the RAM that neither variables nor the deepest stack used.
-std::optional<std::int64_t> free_bytes(const wire::RunResult& result, const BoardSpec& board) {
+std::optional<std::int64_t> free_bytes(const result::RunResult& result, const BoardSpec& board) {
   if (!result.resources) return std::nullopt;
   const std::int64_t used = result.resources->ram_bytes + result.resources->stack_bytes_max;
   return std::max<std::int64_t>(0, static_cast<std::int64_t>(board.ram_bytes) - used);
@@ -117,9 +117,9 @@ class Listeners {
 };
 
 /// Runs the sketch, in the live view if requested.
-wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run,
-                         const record::RecordedRun& recorded, const RunArguments& arguments,
-                         Listeners& listeners) {
+result::RunResult simulate(client::Runner& runner, const launch::Prepared& run,
+                           const record::RecordedRun& recorded, const RunArguments& arguments,
+                           Listeners& listeners) {
   const client::Interrupts interrupts(runner);
   const auto on_event = [&](const wire::Event& event) { listeners.on_event(event); };
   if (arguments.live) return run_live(runner, recorded, on_event);
@@ -134,7 +134,7 @@ wire::RunResult simulate(client::Runner& runner, const launch::Prepared& run,
                           {arguments.speed, terminal::look_from_environment(true),
                            [] { return client::Interrupts::count() > 0; }, [&] { runner.interrupt(); }});
   listeners.watch(&live);
-  const wire::RunResult result = runner.run(run.request, on_event);
+  const result::RunResult result = runner.run(run.request, on_event);
   live.finish(result);
   listeners.watch(nullptr);
   return result;
@@ -182,7 +182,7 @@ int run_command(const RunArguments& arguments) {
     listeners.name_debugger(debugger_command(run.image.image, is_built ? run.sketch.folder : "", run.target,
                                              run.request.gdb_port));
   const double began_s = wall_now_s();
-  wire::RunResult result = simulate(runner, run, told, arguments, listeners);
+  result::RunResult result = simulate(runner, run, told, arguments, listeners);
   std::optional<double> wall_s;
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();

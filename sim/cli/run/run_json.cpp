@@ -7,7 +7,7 @@ namespace {
 
 using Json = wire::OrderedJson;
 
-Json object_of(const RunInputs& in, const wire::RunResult& r, const std::optional<Finding>& finding,
+Json object_of(const RunInputs& in, const result::RunResult& r, const std::optional<Finding>& finding,
                std::optional<double> wall_s) {
   Json result = wire::to_json(r);
   Json json{{"schema", "robosim.run/1"}};
@@ -56,12 +56,12 @@ RunInputs inputs_of(const launch::Prepared& run, const std::string& robosim) {
           run.wanted.sanitize};
 }
 
-std::string run_json(const RunInputs& inputs, const wire::RunResult& result, std::optional<double> wall_s,
+std::string run_json(const RunInputs& inputs, const result::RunResult& result, std::optional<double> wall_s,
                      const std::optional<Finding>& finding) {
   return wire::text_of(object_of(inputs, result, finding, wall_s), 2) + "\n";
 }
 
-std::string run_json_line(const RunInputs& inputs, const wire::RunResult& result) {
+std::string run_json_line(const RunInputs& inputs, const result::RunResult& result) {
   return wire::text_of(object_of(inputs, result, std::nullopt, std::nullopt)) + "\n";
 }
 

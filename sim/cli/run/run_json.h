@@ -26,17 +26,17 @@ struct RunInputs {
 RunInputs inputs_of(const launch::Prepared& run, const std::string& robosim);
 
 /// Returns one object, indented by two spaces, with a line feed at its end. `wall_s`: only with --timing.
-std::string run_json(const RunInputs& inputs, const wire::RunResult& result, std::optional<double> wall_s,
+std::string run_json(const RunInputs& inputs, const result::RunResult& result, std::optional<double> wall_s,
                      const std::optional<Finding>& finding = {});
 
 /// Returns the object in one line, for JSON Lines.
-std::string run_json_line(const RunInputs& inputs, const wire::RunResult& result);
+std::string run_json_line(const RunInputs& inputs, const result::RunResult& result);
 
 /// One of several robots.
 struct RobotRun {
   std::string name;
   RunInputs inputs;
-  wire::RunResult result;
+  result::RunResult result;
 };
 
 /// Formats robosim.fleet/1: the number of robots that reached their goals, and each robot's object with its

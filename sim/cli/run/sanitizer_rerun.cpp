@@ -15,12 +15,12 @@ constexpr double kLongest_of_timeout_s = 60.0;
 constexpr double kMargin_of_crash_s = 1.0;
 
 // Returns the time by which a check must fail to explain the first result.
-double limit_s(const wire::RunResult& first) {
+double limit_s(const result::RunResult& first) {
   if (first.verdict == "timeout") return std::min(kLongest_of_timeout_s, first.time_s);
   return first.verdict == "crashed" ? first.time_s + kMargin_of_crash_s : first.time_s;
 }
 
-std::string place_of(const wire::Crash& fault) {
+std::string place_of(const result::Crash& fault) {
   if (fault.where.file.empty()) return "";
   const std::string place = fmt::format("{}:{}", fault.where.file, fault.where.line);
   return fault.where.function.empty() ? " at " + place
@@ -36,7 +36,7 @@ void listen_to_nothing(wire::RunRequest& request) {
 
 }  // namespace
 
-bool deserves_sanitizer_rerun(const build::Request& sketch, const wire::RunResult& first) {
+bool deserves_sanitizer_rerun(const build::Request& sketch, const result::RunResult& first) {
   if (first.crash && !first.crash->check.empty()) return false;
   if (sketch.target == "host") return !sketch.sanitize && first.verdict == "crashed";
   return sketch.target == "avr" && first.verdict != "reached" && first.verdict != "interrupted" &&
@@ -44,7 +44,7 @@ bool deserves_sanitizer_rerun(const build::Request& sketch, const wire::RunResul
 }
 
 std::optional<Finding> rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request,
-                                             const build::Request& sketch, const wire::RunResult& first,
+                                             const build::Request& sketch, const result::RunResult& first,
                                              std::size_t robot) {
   build::Request checked = sketch;
   checked.sanitize = true;
@@ -55,8 +55,8 @@ std::optional<Finding> rerun_with_sanitizers(client::Runner& runner, wire::RunRe
   try {
     (robot == 0 ? request.image : request.agents[robot - 1].image) = build::build(checked).image.string();
     const client::Interrupts interrupts(runner);
-    const wire::RunResult all = runner.run(request);
-    const wire::RunResult& second = robot == 0 ? all : all.others.at(robot - 1);
+    const result::RunResult all = runner.run(request);
+    const result::RunResult& second = robot == 0 ? all : all.others.at(robot - 1);
     if (!second.crash || second.crash->check.empty()) return std::nullopt;
     return Finding{*second.crash, second.time_s, second.next};
   } catch (const InputError&) {
@@ -64,13 +64,13 @@ std::optional<Finding> rerun_with_sanitizers(client::Runner& runner, wire::RunRe
   }
 }
 
-bool deserves_detectors(const build::Request& sketch, const wire::RunResult& first) {
+bool deserves_detectors(const build::Request& sketch, const result::RunResult& first) {
   if (first.verdict == "crashed" || first.verdict == "interrupted") return false;
   return sketch.sanitize || first.verdict == "lost" || first.verdict == "stuck" || first.verdict == "timeout";
 }
 
 AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
-                               const wire::RunResult& first) {
+                               const result::RunResult& first) {
   build::Request plain = sketch;
   plain.sanitize = plain.coverage = false;
   plain.warnings = build::Warnings::none;
@@ -80,7 +80,7 @@ AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request,
   request.detect = true;
   request.image = build::build(plain).image.string();
   const client::Interrupts interrupts(runner);
-  const wire::RunResult second = runner.run(request);
+  const result::RunResult second = runner.run(request);
   AsFlashed found{second.detected, std::nullopt};
   if (!sketch.sanitize || second.verdict == "interrupted") return found;
   if (second.verdict == "crashed") {
@@ -90,12 +90,12 @@ AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request,
     return found;
   }
   if (sketch.target != "avr") return found;
-  for (wire::Detected& seen : detect_clock_wrap(runner, request, second))
+  for (result::Detected& seen : detect_clock_wrap(runner, request, second))
     found.detected.push_back(std::move(seen));
   return found;
 }
 
-std::string next_of(const wire::RunResult& result) {
+std::string next_of(const result::RunResult& result) {
   const char* const flags = result.next_by == "host"       ? " (--target host)"
                             : result.next_by == "watching" ? " (--view --speed 0.2, or --record run.csv)"
                             : result.next_by == "script"   ? " (--script FILE)"
@@ -103,7 +103,7 @@ std::string next_of(const wire::RunResult& result) {
   return result.next + flags;
 }
 
-std::string next_after(const wire::RunResult& first, const std::optional<Finding>& finding) {
+std::string next_after(const result::RunResult& first, const std::optional<Finding>& finding) {
   if (finding)
     return fmt::format(
         "{}{}, {:.2f} s after the start: that is what a second run, with checks (--sanitize), has met "

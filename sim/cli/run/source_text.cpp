@@ -132,45 +132,45 @@ std::string function_at(const std::vector<std::string>& lines, std::size_t at) {
 
 }  // namespace
 
-std::string SourceText::line(const wire::SourceLine& where) {
+std::string SourceText::line(const result::SourceLine& where) {
   const std::vector<std::string>& lines = lines_of(where.file);
   const auto number = static_cast<std::size_t>(where.line);
   return number == 0 || number > lines.size() ? "" : trimmed(lines[number - 1]);
 }
 
-bool SourceText::says_nothing(const wire::SourceLine& where) {
+bool SourceText::says_nothing(const result::SourceLine& where) {
   const std::string text = line(where);
   return !text.empty() &&
          (text.find_first_not_of("{}; ") == text.npos || opens_function(without_comment(text)));
 }
 
-void SourceText::explain(std::vector<wire::Cause>& chain) {
+void SourceText::explain(std::vector<result::Cause>& chain) {
   had_.clear();
-  std::deque<wire::SourceLine> lines;
-  for (wire::Cause& cause : chain) {
+  std::deque<result::SourceLine> lines;
+  for (result::Cause& cause : chain) {
     if (cause.lines.empty()) continue;
     const auto behind_the_first = std::next(cause.lines.begin());
     cause.lines.erase(std::remove_if(behind_the_first, cause.lines.end(),
-                                     [&](const wire::SourceLine& where) { return says_nothing(where); }),
+                                     [&](const result::SourceLine& where) { return says_nothing(where); }),
                       cause.lines.end());
-    for (const wire::SourceLine& where : cause.lines)
+    for (const result::SourceLine& where : cause.lines)
       if (had_.insert({where.file, where.line}).second) lines.push_back(where);
   }
-  std::vector<wire::Cause> more = {writers_in(lines), without_value_in(lines), named_in(lines)};
-  for (wire::Cause& cause : more)
+  std::vector<result::Cause> more = {writers_in(lines), without_value_in(lines), named_in(lines)};
+  for (result::Cause& cause : more)
     if (!cause.lines.empty()) chain.push_back(std::move(cause));
 }
 
-void SourceText::add(wire::Cause& cause, const wire::SourceLine& where, std::size_t most) {
+void SourceText::add(result::Cause& cause, const result::SourceLine& where, std::size_t most) {
   if (cause.lines.size() < most && had_.insert({where.file, where.line}).second) cause.lines.push_back(where);
 }
 
 /// Returns the code for which these lines wait: the handlers that write the variables that the lines read,
 /// and the lines that install these handlers.
-wire::Cause SourceText::writers_in(const std::deque<wire::SourceLine>& chain) {
-  wire::Cause writers{0.0, "an interrupt handler writes", {}};
+result::Cause SourceText::writers_in(const std::deque<result::SourceLine>& chain) {
+  result::Cause writers{0.0, "an interrupt handler writes", {}};
   std::set<std::string> done;
-  for (const wire::SourceLine& where : chain)
+  for (const result::SourceLine& where : chain)
     for (const std::string& name : names_in(without_comment(line(where)))) {
       const std::vector<std::string>& lines = lines_of(where.file);
       const auto declares = [&](const std::string& text) {
@@ -187,7 +187,7 @@ wire::Cause SourceText::writers_in(const std::deque<wire::SourceLine>& chain) {
   return writers;
 }
 
-void SourceText::add_handler(wire::Cause& writers, const std::string& file, std::size_t at,
+void SourceText::add_handler(result::Cause& writers, const std::string& file, std::size_t at,
                              const std::string& function) {
   const std::vector<std::string>& lines = lines_of(file);
   std::vector<int> attached;
@@ -199,9 +199,9 @@ void SourceText::add_handler(wire::Cause& writers, const std::string& file, std:
   for (const int number : attached) add(writers, {"", file, number}, kMostWriters);
 }
 
-wire::Cause SourceText::without_value_in(const std::deque<wire::SourceLine>& chain) {
-  wire::Cause found{0.0, "declared without a value", {}};
-  for (const wire::SourceLine& where : chain) {
+result::Cause SourceText::without_value_in(const std::deque<result::SourceLine>& chain) {
+  result::Cause found{0.0, "declared without a value", {}};
+  for (const result::SourceLine& where : chain) {
     const std::vector<std::string>& lines = lines_of(where.file);
     const std::vector<std::string> used = names_in(without_comment(line(where)));
     for (auto i = static_cast<std::size_t>(where.line) - 1; i-- > 0 && i < lines.size();) {
@@ -216,10 +216,10 @@ wire::Cause SourceText::without_value_in(const std::deque<wire::SourceLine>& cha
   return found;
 }
 
-wire::Cause SourceText::named_in(std::deque<wire::SourceLine> chain) {
-  wire::Cause named{0.0, "named in these lines", {}};
+result::Cause SourceText::named_in(std::deque<result::SourceLine> chain) {
+  result::Cause named{0.0, "named in these lines", {}};
   for (; !chain.empty(); chain.pop_front()) {
-    const wire::SourceLine where = chain.front();
+    const result::SourceLine where = chain.front();
     const std::vector<std::string> used = names_in(without_comment(line(where)));
     for (const std::string& name : used) {
       const std::string file = file_that_declares(name, where.file);

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/wire/run_result.h"
+#include "sim/result/run_result.h"
 
 namespace robosim::cli {
 
@@ -21,13 +21,13 @@ class SourceText {
   explicit SourceText(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
   /// Returns the line without surrounding blanks; empty if it is unknown.
-  std::string line(const wire::SourceLine& where);
+  std::string line(const result::SourceLine& where);
   /// Removes lines without information. Adds facts that instructions do not show, from the same files:
   /// - writers of the `volatile` variables that the lines read, and uses of these writers' names
   ///   (attachInterrupt());
   /// - variables of functions that are declared without a value;
   /// - constants and objects that the lines or their declarations name, also in neighbouring files.
-  void explain(std::vector<wire::Cause>& chain);
+  void explain(std::vector<result::Cause>& chain);
 
  private:
   const std::vector<std::string>& lines_of(const std::string& file);
@@ -38,13 +38,13 @@ class SourceText {
   /// Returns constants and objects outside functions, with their lines.
   const std::multimap<std::string, int>& declarations_in(const std::string& file);
   /// Returns whether a line contains only a brace, or a function's head that only saves registers.
-  bool says_nothing(const wire::SourceLine& where);
-  wire::Cause writers_in(const std::deque<wire::SourceLine>& chain);
-  void add_handler(wire::Cause& writers, const std::string& file, std::size_t at,
+  bool says_nothing(const result::SourceLine& where);
+  result::Cause writers_in(const std::deque<result::SourceLine>& chain);
+  void add_handler(result::Cause& writers, const std::string& file, std::size_t at,
                    const std::string& function);
-  wire::Cause without_value_in(const std::deque<wire::SourceLine>& chain);
-  wire::Cause named_in(std::deque<wire::SourceLine> chain);
-  void add(wire::Cause& cause, const wire::SourceLine& where, std::size_t most);
+  result::Cause without_value_in(const std::deque<result::SourceLine>& chain);
+  result::Cause named_in(std::deque<result::SourceLine> chain);
+  void add(result::Cause& cause, const result::SourceLine& where, std::size_t most);
 
   std::vector<std::filesystem::path> folders_;
   std::map<std::string, std::vector<std::string>> files_;

@@ -13,15 +13,15 @@ namespace robosim::cli {
 
 namespace {
 
-std::string chain_text(const wire::RunResult& result, SourceText& source) {
+std::string chain_text(const result::RunResult& result, SourceText& source) {
   std::string text = fmt::format("{}: {}\n", result.verdict, result.why);
   if (result.because.empty()) return text;
   text += '\n';
   const char* arrow = "";
-  for (const wire::Cause& cause : result.because) {
+  for (const result::Cause& cause : result.because) {
     const std::string when = cause.t_s > 0.0 ? fmt::format("{:.3f} s", cause.t_s) : "";
     text += fmt::format("{:>10}  {}{}\n", when, arrow, cause.text);
-    for (const wire::SourceLine& line : cause.lines)
+    for (const result::SourceLine& line : cause.lines)
       text += fmt::format("{:>16}{:<26}  {}\n", "", fmt::format("{}:{}", line.file, line.line),
                           source.line(line));
     arrow = "← ";
@@ -43,7 +43,7 @@ int why_command(const WhyArguments& arguments) {
       runner.hello());
   progress.say("running " + launch::title_of(run.sketch) + ", and back from its verdict …");
   const client::Interrupts interrupts(runner);
-  wire::RunResult result = runner.run(run.request);
+  result::RunResult result = runner.run(run.request);
   progress.clear();
   // A sketch may be an example of the library that it uses.
   std::vector<std::filesystem::path> folders = {run.sketch.folder, run.sketch.folder / "../.."};

@@ -19,7 +19,7 @@ class Numbers {
   static constexpr bool kDescribes = false;
 
   template <class T>
-  void operator()(const char* key, const T& value, const char*, const wire::Rules& rules = {}) {
+  void operator()(const char* key, const T& value, const char*, const result::Rules& rules = {}) {
     if constexpr (std::is_arithmetic_v<T>)
       found.emplace_back(key, rules.presence.written ? Values{static_cast<double>(value)} : Values{});
     else if constexpr (std::is_same_v<T, Values>)
@@ -40,7 +40,7 @@ constexpr const char* kTimeName = "time_s";
 
 }  // namespace
 
-Values Figure::values(const wire::RunResult& result) const {
+Values Figure::values(const result::RunResult& result) const {
   if (name == std::string_view(kTimeName)) return {result.time_s};
   if (chip_only && !result.resources) return {};
   for (auto& [key, values] : chip_only ? numbers_of(*result.resources) : numbers_of(result.metrics))
@@ -51,8 +51,8 @@ Values Figure::values(const wire::RunResult& result) const {
 const std::vector<Figure>& figures() {
   static const std::vector<Figure> all = [] {
     std::vector<Figure> made{{kTimeName, false}};
-    for (const auto& number : numbers_of(wire::Metrics())) made.push_back({number.first, false});
-    for (const auto& number : numbers_of(wire::Resources())) made.push_back({number.first, true});
+    for (const auto& number : numbers_of(result::Metrics())) made.push_back({number.first, false});
+    for (const auto& number : numbers_of(result::Resources())) made.push_back({number.first, true});
     return made;
   }();
   return all;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/wire/run_result.h"
+#include "sim/result/run_result.h"
 
 namespace robosim::cli {
 
@@ -14,7 +14,7 @@ struct Figure {
   bool chip_only;  ///< only known on an emulated chip
 
   /// Returns one value, one value for each lap, or no value if it is unknown.
-  std::vector<double> values(const wire::RunResult& result) const;
+  std::vector<double> values(const result::RunResult& result) const;
 };
 
 const std::vector<Figure>& figures();

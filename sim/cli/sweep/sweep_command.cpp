@@ -22,9 +22,9 @@ namespace robosim::cli {
 namespace {
 
 /// Returns the result of a run that Robosim failed to make, in the usual format.
-wire::RunResult error_result(const Combination& c, const wire::RunRequest& request,
-                             const std::string& message) {
-  wire::RunResult result;
+result::RunResult error_result(const Combination& c, const wire::RunRequest& request,
+                               const std::string& message) {
+  result::RunResult result;
   result.verdict = kErrorVerdict;
   result.why = message;
   result.status = static_cast<int>(ExitStatus::internal);
@@ -39,7 +39,7 @@ wire::RunResult error_result(const Combination& c, const wire::RunRequest& reque
 }
 
 /// Throws if a file has changed during the sweep, because the table would mix results of two versions.
-void check_unchanged(const Combination& c, const wire::RunResult& result) {
+void check_unchanged(const Combination& c, const result::RunResult& result) {
   const auto check = [](const std::string& file, const std::string& then, const std::string& now) {
     if (then != now)
       throw InputError({file, 0, 0}, "was changed during the sweep; begin again, with another --csv file");
@@ -111,8 +111,8 @@ class Sweep {
       failed_itself_ = true;
       answer = error_result(combination, plan_.task_of(run).request, failure->message);
     }
-    const wire::RunResult result =
-        launch::whole_of(std::get<wire::RunResult>(answer), combination.task.request);
+    const result::RunResult result =
+        launch::whole_of(std::get<result::RunResult>(answer), combination.task.request);
     check_unchanged(combination, result);
     if (table_) table_->add(run, sweep_row(combination, result, table_->columns()));
     if (arguments_.json) print(run_json_line(combination.inputs, result));

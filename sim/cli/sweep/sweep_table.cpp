@@ -187,7 +187,7 @@ std::string content_of(const std::vector<SweepRow>& rows, Columns columns) {
 
 std::string sweep_header(Columns columns) { return fmt::format("{}\n", fmt::join(names_of(columns), ",")); }
 
-std::string sweep_row(const Combination& c, const wire::RunResult& r, Columns columns) {
+std::string sweep_row(const Combination& c, const result::RunResult& r, Columns columns) {
   const std::vector<double>& laps = r.metrics.laps_s;
   std::string measured, best, mean, score, stack, loop;
   for (const Figure& figure : figure_columns())

@@ -34,7 +34,7 @@ enum class Columns { all, without_score };
 
 /// Return lines, each with its line feed.
 std::string sweep_header(Columns columns = Columns::all);
-std::string sweep_row(const Combination& combination, const wire::RunResult& result,
+std::string sweep_row(const Combination& combination, const result::RunResult& result,
                       Columns columns = Columns::all);
 
 /// Reads the rows of `text`, the content of a table: the run and outcome of each. An incomplete last row

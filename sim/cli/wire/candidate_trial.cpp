@@ -15,11 +15,11 @@ constexpr const char* kGoal = "laps:1";
 
 std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(seconds * 1e9); }
 
-double on_line_s(const wire::RunResult& result) { return result.time_s - result.metrics.off_line_s; }
+double on_line_s(const result::RunResult& result) { return result.time_s - result.metrics.off_line_s; }
 
 // Prefers a run in which the robot moves, and then a much longer time on the line. A small difference is
 // chance.
-bool is_much_better(const wire::RunResult& a, const wire::RunResult& b) {
+bool is_much_better(const result::RunResult& a, const result::RunResult& b) {
   constexpr double kMuch = 1.5, kMoved_m = 0.05;
   const bool a_moved = a.metrics.distance_m > kMoved_m, b_moved = b.metrics.distance_m > kMoved_m;
   if (a_moved != b_moved) return a_moved;
@@ -28,7 +28,7 @@ bool is_much_better(const wire::RunResult& a, const wire::RunResult& b) {
 
 }  // namespace
 
-bool follows_a_lap(const wire::RunResult& result, bool sensors_beside) {
+bool follows_a_lap(const result::RunResult& result, bool sensors_beside) {
   constexpr double kBeside_mm = 50.0, kMostOff = 0.5;
   return result.verdict == "reached" && result.metrics.cross_track_rms_mm < kBeside_mm &&
          (sensors_beside || result.metrics.off_line_s < kMostOff * result.time_s);
@@ -48,8 +48,8 @@ CandidateTrial::CandidateTrial(launch::Launch launch, const BoardSpec& board,
   launch_.robot = robot_with_board(file_.string(), board.name);
 }
 
-wire::RunResult CandidateTrial::run(const wiring::RobotDraft& draft, double for_s, const std::string& goal,
-                                    wiring::PinHistory* history) {
+result::RunResult CandidateTrial::run(const wiring::RobotDraft& draft, double for_s, const std::string& goal,
+                                      wiring::PinHistory* history) {
   write_file(file_, wiring::text_of(draft));
   launch_.request.script = wiring::presses(draft);
   launch_.request.goal = goal;
@@ -61,7 +61,7 @@ wire::RunResult CandidateTrial::run(const wiring::RobotDraft& draft, double for_
   const client::Interrupts interrupts(runner_);
   if (!history) return runner_.run(run.request);
   history->begin();
-  wire::RunResult result = runner_.run(run.request, [&](const wire::Event& event) { history->add(event); });
+  result::RunResult result = runner_.run(run.request, [&](const wire::Event& event) { history->add(event); });
   history->end(to_ns(result.time_s));
   return result;
 }
@@ -96,9 +96,9 @@ wiring::RobotDraft CandidateTrial::draft() {
   return draft;
 }
 
-wire::RunResult CandidateTrial::choose(wiring::RobotDraft& draft) {
+result::RunResult CandidateTrial::choose(wiring::RobotDraft& draft) {
   const wiring::Open open = draft.open;
-  wire::RunResult best = run(draft, kDrive_s, kGoal, nullptr);
+  result::RunResult best = run(draft, kDrive_s, kGoal, nullptr);
   follows_ = follows_a_lap(best, open.distance);
   tried_ = 1;
   for (int bits = 1; bits < 16 && !follows_; ++bits) {
@@ -107,7 +107,7 @@ wire::RunResult CandidateTrial::choose(wiring::RobotDraft& draft) {
         (ways.other_sides && !open.sides) || (ways.close && !open.distance))
       continue;
     const wiring::RobotDraft other = guess(ways);
-    wire::RunResult result = run(other, kDrive_s, kGoal, nullptr);
+    result::RunResult result = run(other, kDrive_s, kGoal, nullptr);
     ++tried_;
     follows_ = follows_a_lap(result, open.distance && !ways.close);
     if (!follows_ && !is_much_better(result, best)) continue;

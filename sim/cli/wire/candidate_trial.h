@@ -15,7 +15,7 @@ namespace robosim::cli {
 /// Returns whether the robot has followed the line for a lap. Excludes laps by luck: the RMS cross-track
 /// error is at least 50 mm, or the sensors are off the line half of the time. `sensors_beside`: the sensors
 /// are next to the line, so that they rarely see it.
-bool follows_a_lap(const wire::RunResult& result, bool sensors_beside);
+bool follows_a_lap(const result::RunResult& result, bool sensors_beside);
 
 class CandidateTrial {
  public:
@@ -27,7 +27,7 @@ class CandidateTrial {
   wiring::RobotDraft draft();
   /// Sets `draft` to the variant that drives best among its open variants. Returns the result of the best
   /// run.
-  wire::RunResult choose(wiring::RobotDraft& draft);
+  result::RunResult choose(wiring::RobotDraft& draft);
   /// Return the number of variants that choose() has tried, and whether the chosen variant follows the line
   /// for a lap.
   int tried() const { return tried_; }
@@ -36,8 +36,8 @@ class CandidateTrial {
  private:
   /// Guesses a draft. Parts that the reader of robot files refuses become questions.
   wiring::RobotDraft guess(const wiring::Ways& ways);
-  wire::RunResult run(const wiring::RobotDraft& draft, double for_s, const std::string& goal,
-                      wiring::PinHistory* history);
+  result::RunResult run(const wiring::RobotDraft& draft, double for_s, const std::string& goal,
+                        wiring::PinHistory* history);
 
   launch::Launch launch_;
   const BoardSpec& board_;

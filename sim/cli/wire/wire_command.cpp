@@ -23,7 +23,7 @@ const BoardSpec& board_named(const std::string& name) {
   return *find_board(name.c_str());
 }
 
-std::string what_came_of_it(const wire::RunResult& result, bool follows, const std::string& map) {
+std::string what_came_of_it(const result::RunResult& result, bool follows, const std::string& map) {
   if (result.verdict == "reached" && !follows)
     return fmt::format(
         "With this robot the sketch drives around the map {}, but hardly along the line: its sensors are "
@@ -61,7 +61,7 @@ int wire_command(const WireArguments& arguments) {
   progress.say("watching the sketch's pins …");
   wiring::RobotDraft draft = try_out.draft();
   progress.say("trying polarities and sides …");
-  const wire::RunResult drive = try_out.choose(draft);
+  const result::RunResult drive = try_out.choose(draft);
   progress.clear();
 
   std::vector<std::string> remarks = {

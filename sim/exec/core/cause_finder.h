@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "hal/board/board.h"
-#include "sim/wire/run_result.h"
+#include "sim/result/run_result.h"
 
 namespace robosim::exec {
 
@@ -29,7 +29,7 @@ struct CauseStep {
     keeps,     ///< declares a variable or constant that still has its initial value
   };
   Kind kind = Kind::computes;
-  wire::SourceLine where;
+  result::SourceLine where;
   SimTime t = 0;     ///< time of its last contribution, by the world's clock
   int far = 0;       ///< number of lines between this one and the effect
   Pin pin = kNoPin;  ///< pin that was read
@@ -65,10 +65,10 @@ class CauseFinder {
   /// Returns the steps, the nearest first.
   virtual std::vector<CauseStep> steps() const = 0;
   /// Returns the line of the sketch that took most of the time from `from` to `to`, including its calls.
-  virtual wire::SourceLine busiest(SimTime from, SimTime to) const = 0;
+  virtual result::SourceLine busiest(SimTime from, SimTime to) const = 0;
 
   struct Share {
-    wire::SourceLine where;
+    result::SourceLine where;
     double of_all = 0;  ///< 0 to 1
   };
   /// Returns the share of time that the sketch's interrupt handlers took, and the line that took most of that

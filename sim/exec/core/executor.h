@@ -13,8 +13,8 @@
 #include "sim/base/error.h"
 #include "sim/exec/core/board_probe.h"
 #include "sim/exec/core/cause_finder.h"
-#include "sim/wire/lateness.h"
-#include "sim/wire/run_result.h"
+#include "sim/result/lateness.h"
+#include "sim/result/run_result.h"
 
 namespace robosim::exec {
 
@@ -22,13 +22,13 @@ namespace gdb {
 class Server;
 }
 
-using wire::Crash;
-using wire::Detected;
-using wire::DivisionByZero;
-using wire::Lack;
-using wire::Lateness;
-using wire::Resources;
-using wire::SourceLine;
+using result::Crash;
+using result::Detected;
+using result::DivisionByZero;
+using result::Lack;
+using result::Lateness;
+using result::Resources;
+using result::SourceLine;
 
 /// The last actions of the firmware, so that a verdict can name what the firmware waits for.
 struct Activity {

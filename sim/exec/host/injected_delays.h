@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "hal/host/image.h"
-#include "sim/wire/lateness.h"
+#include "sim/result/lateness.h"
 
 namespace robosim::exec {
 
 class InjectedDelays {
  public:
   /// Sets the times, in ascending order.
-  void set(const std::vector<wire::Lateness>& late) {
+  void set(const std::vector<result::Lateness>& late) {
     times_.clear();
-    for (const wire::Lateness& one : late) times_.push_back({one.from_ns, one.by_ns});
+    for (const result::Lateness& one : late) times_.push_back({one.from_ns, one.by_ns});
     times_.emplace_back();
   }
   /// Passes the times from `t` on to the sketch that starts at `t`. The times must not change while the

@@ -35,7 +35,7 @@ bool DrivenRun::take(wire::Line line) {
     state_ = std::move(*paused);
     return true;
   }
-  if (auto* result = std::get_if<wire::RunResult>(&line.content)) {
+  if (auto* result = std::get_if<result::RunResult>(&line.content)) {
     result_ = std::move(*result);
     return false;
   }
@@ -61,17 +61,17 @@ std::vector<std::uint8_t> DrivenRun::eeprom(std::size_t agent) {
   return {};
 }
 
-bool DrivenRun::go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops) {
+bool DrivenRun::go_on(std::int64_t to_ns, const std::vector<result::Stop>& stops) {
   if (over() || to_ns <= state_.t_ns) return !over();
   return take(ask(wire::GoOn{to_ns, stops}));
 }
 
-const wire::RunResult& DrivenRun::finish() {
+const result::RunResult& DrivenRun::finish() {
   while (!over()) take(ask(wire::GoOn{}));
   return *result_;
 }
 
-const wire::RunResult& DrivenRun::end() {
+const result::RunResult& DrivenRun::end() {
   while (!over()) take(ask(wire::End{}));
   return *result_;
 }

@@ -38,15 +38,15 @@ class DrivenRun {
   /// Runs until the simulated time `to_ns`, a stop, or the verdict of a robot. Returns false after the
   /// verdict of the last robot: the run is then over. Throws InputError, without effect, if a stop is
   /// invalid.
-  bool go_on(std::int64_t to_ns, const std::vector<wire::Stop>& stops = {});
+  bool go_on(std::int64_t to_ns, const std::vector<result::Stop>& stops = {});
   /// Runs to the verdict. With several robots, runs to the verdict of the last robot.
-  const wire::RunResult& finish();
+  const result::RunResult& finish();
   /// Ends the run at its present time, with the verdict `interrupted`, unless it is over.
-  const wire::RunResult& end();
+  const result::RunResult& end();
 
   bool over() const { return result_.has_value(); }
   /// Returns the result; call it only when the run is over.
-  const wire::RunResult& result() const { return *result_; }
+  const result::RunResult& result() const { return *result_; }
   /// Returns the request's script and all later actions, with their times. The text is a scenario.
   const std::string& script(std::size_t agent = 0) const { return scripts_[agent]; }
 
@@ -59,7 +59,7 @@ class DrivenRun {
   long long id_ = 0;
   std::vector<std::string> scripts_;  ///< one for each robot
   wire::Paused state_;
-  std::optional<wire::RunResult> result_;
+  std::optional<result::RunResult> result_;
 };
 
 }  // namespace robosim::client

@@ -54,7 +54,7 @@ struct Pool::Worker {
   /// Returns the answer if it has arrived.
   std::optional<Answer> take() {
     try {
-      std::optional<wire::RunResult> result = runner->take();
+      std::optional<result::RunResult> result = runner->take();
       if (!result) return std::nullopt;
       busy = false;
       return std::move(*result);

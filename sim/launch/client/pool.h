@@ -39,7 +39,7 @@ struct Failure {
   std::string message;
 };
 
-using Answer = std::variant<wire::RunResult, Failure>;
+using Answer = std::variant<result::RunResult, Failure>;
 
 /// The work for a pool: runs 0 to count - 1.
 struct Batch {

@@ -25,7 +25,7 @@ Answer run_with_power_cuts(Pool& pool, const Task& task, const OnPowerCut& cut) 
             [&](std::size_t) { return task; },
             [&](std::size_t, Answer answer) { whole = std::move(answer); },
             {}});
-  const auto* const result = std::get_if<wire::RunResult>(&whole);
+  const auto* const result = std::get_if<result::RunResult>(&whole);
   if (!result) return whole;
   const std::vector<PowerCut> cuts = all_power_cuts(result->eeprom_writes);
   const auto task_of = [&](std::size_t i) {

@@ -40,7 +40,7 @@ std::string program_of(const std::string& target) {
 }
 
 /// Marks a run whose events a sketch has overwritten: its result cannot be trusted.
-void blame_for_batch(wire::RunResult& result) {
+void blame_for_batch(result::RunResult& result) {
   if (result.verdict == "crashed") return;
   if (!result.others.empty())
     throw InputError(
@@ -125,7 +125,7 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
       if (on_event) batches_.finish(on_event);
       answered = true;
       process_->forget_interrupt();
-      if (auto* result = std::get_if<wire::RunResult>(&line.content); result && batch_is_damaged_)
+      if (auto* result = std::get_if<result::RunResult>(&line.content); result && batch_is_damaged_)
         blame_for_batch(*result);
       if (!error) return line;
       if (error->kind == "input") throw InputError(error->message);
@@ -162,9 +162,9 @@ wire::RobotInfo Runner::describe_robot(const std::string& robot, bool full) {
   return *take<wire::RobotInfo>(true, {});
 }
 
-wire::RunResult Runner::run(const wire::RunRequest& request, const wire::OnEvent& on_event) {
+result::RunResult Runner::run(const wire::RunRequest& request, const wire::OnEvent& on_event) {
   begin(request);
-  return *take<wire::RunResult>(true, on_event);
+  return *take<result::RunResult>(true, on_event);
 }
 
 void Runner::begin(const wire::RunRequest& request) {
@@ -175,8 +175,8 @@ void Runner::begin(const wire::RunRequest& request) {
   process_->write(wire::to_line(++last_id_, wire::Request(request)));
 }
 
-std::optional<wire::RunResult> Runner::take(const wire::OnEvent& on_event) {
-  return take<wire::RunResult>(false, on_event);
+std::optional<result::RunResult> Runner::take(const wire::OnEvent& on_event) {
+  return take<result::RunResult>(false, on_event);
 }
 
 int Runner::descriptor() const noexcept { return process_->descriptor(); }

@@ -47,13 +47,13 @@ class Runner {
   /// Runs to the verdict. Throws InputError for invalid input, and ToolMissing. Throws RunnerError if the
   /// runner dies without an answer, breaks the protocol or has an internal fault; the runner is then
   /// unusable. An exception from `on_event` ends the runner and is passed on.
-  wire::RunResult run(const wire::RunRequest& request, const wire::OnEvent& on_event = {});
+  result::RunResult run(const wire::RunRequest& request, const wire::OnEvent& on_event = {});
 
   /// Provide the two parts of run(), to wait for several runners at once. begin() sends the request. take()
   /// returns the result if it has arrived, without waiting, and throws the exceptions of run(). In between,
   /// descriptor() is readable, for poll(2), whenever take() has work.
   void begin(const wire::RunRequest& request);
-  std::optional<wire::RunResult> take(const wire::OnEvent& on_event = {});
+  std::optional<result::RunResult> take(const wire::OnEvent& on_event = {});
   int descriptor() const noexcept;
 
   /// Limits, from now on, how far the runner is ahead of `on_event`, to a few kilobytes of events. Viewers

@@ -264,13 +264,13 @@ judge::SupplySummary BoardFaults::power() const {
           spec.brown_out_volts + spec.regulator_drop_volts};
 }
 
-std::optional<wire::PowerLost::HalfWritten> BoardFaults::leave_half_written(const HalfWritten& what,
-                                                                            SimTime t) {
+std::optional<result::PowerLost::HalfWritten> BoardFaults::leave_half_written(const HalfWritten& what,
+                                                                              SimTime t) {
   if (!state_.last_write || t >= state_.last_write->began + kEepromWriteTime) return std::nullopt;
   std::uint8_t& byte = executor_.probe().memory()[state_.last_write->address];
   if (what.kind == HalfWritten::Kind::before) byte = state_.last_write->before;
   if (what.kind == HalfWritten::Kind::value) byte = what.value;
-  return wire::PowerLost::HalfWritten{state_.last_write->address, byte};
+  return result::PowerLost::HalfWritten{state_.last_write->address, byte};
 }
 
 void BoardFaults::send(const std::string& bytes, SimTime t) {

@@ -22,9 +22,9 @@
 #include "sim/base/noise.h"
 #include "sim/exec/core/executor.h"
 #include "sim/judge/supply_summary.h"
+#include "sim/result/events.h"
 #include "sim/robot/robot.h"
 #include "sim/run/scenario/scenario.h"
-#include "sim/wire/events.h"
 
 namespace robosim::scenario {
 
@@ -94,7 +94,7 @@ class BoardFaults final : EepromWatcher {
   judge::SupplySummary power() const;
   /// Leaves the byte that is being written at `t` with the value that `what` selects. Returns the byte's
   /// address and value, or nullopt if there is no write.
-  std::optional<wire::PowerLost::HalfWritten> leave_half_written(const HalfWritten& what, SimTime t);
+  std::optional<result::PowerLost::HalfWritten> leave_half_written(const HalfWritten& what, SimTime t);
 
   /// Sends bytes to the firmware.
   void send(const std::string& bytes, SimTime t);

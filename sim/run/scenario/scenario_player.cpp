@@ -12,7 +12,7 @@
 namespace robosim::scenario {
 namespace {
 
-wire::ScriptActed acted(const char* verb, const Action& action) {
+result::ScriptActed acted(const char* verb, const Action& action) {
   using enum Action::Verb;
   const bool has_bytes =
       action.verb != lift && action.verb != lower && action.verb != sweep && action.verb != tilt;
@@ -274,38 +274,38 @@ void ScenarioPlayer::repair(const ReadFault& fault, SimTime t) {
   }
 }
 
-wire::RunEvent::What ScenarioPlayer::break_or_repair(const Action& action, const ReadFault& fault,
-                                                     SimTime t) {
+result::RunEvent::What ScenarioPlayer::break_or_repair(const Action& action, const ReadFault& fault,
+                                                       SimTime t) {
   const bool ran = board_.powered();
   bring_about(fault, t);
   note_repair(action.part, t);
   const auto* const of_part = std::get_if<robot::PartFault>(&fault);
   const bool whole =
       of_part ? of_part->fault.failure == robot::Failure::ok : repairs(std::get<BoardFault>(fault));
-  if (whole) return wire::FaultEnded{action.part, action.arguments, true};
+  if (whole) return result::FaultEnded{action.part, action.arguments, true};
   state_.broken[action.part] = state_.faults.size();
   state_.faults.push_back(
       {action.part, action.arguments, of_part ? std::optional(of_part->fault.failure) : std::nullopt, t});
-  return wire::FaultBegan{action.part, action.arguments, ran && !board_.powered()};
+  return result::FaultBegan{action.part, action.arguments, ran && !board_.powered()};
 }
 
 void ScenarioPlayer::feed(double volts, SimTime t, judge::Events& events) {
   const bool ran = board_.powered();
   board_.feed(volts, t);
-  if (ran && !board_.powered()) events.push_back(wire::PowerLost{});
-  if (!ran && board_.powered()) events.push_back(wire::PowerBack{});
+  if (ran && !board_.powered()) events.push_back(result::PowerLost{});
+  if (!ran && board_.powered()) events.push_back(result::PowerBack{});
 }
 
-wire::RunEvent::What ScenarioPlayer::switch_power(const Action& action, SimTime t) {
+result::RunEvent::What ScenarioPlayer::switch_power(const Action& action, SimTime t) {
   const bool ran = board_.powered();
   board_.switch_power(action.part == "on", t);
-  if (action.part == "on") return wire::PowerBack{};
-  if (!ran || board_.powered()) return wire::PowerLost{};
-  return wire::PowerLost{board_.leave_half_written(action.half_written, t)};
+  if (action.part == "on") return result::PowerBack{};
+  if (!ran || board_.powered()) return result::PowerLost{};
+  return result::PowerLost{board_.leave_half_written(action.half_written, t)};
 }
 
-wire::RunEvent::What ScenarioPlayer::perform(const Action& action, const std::optional<ReadFault>& fault,
-                                             SimTime t) {
+result::RunEvent::What ScenarioPlayer::perform(const Action& action, const std::optional<ReadFault>& fault,
+                                               SimTime t) {
   switch (action.verb) {
     case Action::Verb::press:
       stage_.robot.press(action.part, t);
@@ -358,7 +358,7 @@ wire::RunEvent::What ScenarioPlayer::perform(const Action& action, const std::op
   return {};
 }
 
-std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Undo& undo, SimTime t) {
+std::optional<result::RunEvent::What> ScenarioPlayer::end(const Undo& undo, SimTime t) {
   const Action& action = undo.action;
   switch (action.verb) {
     case Action::Verb::press:
@@ -382,10 +382,10 @@ std::optional<wire::RunEvent::What> ScenarioPlayer::end(const Undo& undo, SimTim
     case Action::Verb::fault:
       repair(*undo.fault, t);
       note_repair(action.part, t);
-      return wire::FaultEnded{action.part, action.arguments, false};
+      return result::FaultEnded{action.part, action.arguments, false};
     case Action::Verb::power:
       board_.switch_power(true, t);
-      return wire::PowerBack{};
+      return result::PowerBack{};
     case Action::Verb::paint:
     case Action::Verb::erase:
     case Action::Verb::door:

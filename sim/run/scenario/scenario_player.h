@@ -132,12 +132,12 @@ class ScenarioPlayer {
   bool met(const Pending& pending, const judge::Progress& progress) const;
   void note_finger(const Action& action, const Moment& due);
   void carry_out(Pending pending, SimTime t, judge::Events& events);
-  wire::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
-  wire::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);
-  wire::RunEvent::What switch_power(const Action& action, SimTime t);
+  result::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
+  result::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);
+  result::RunEvent::What switch_power(const Action& action, SimTime t);
   /// Undoes an action of limited duration. The release of a remote control's key is not an event, since the
   /// part itself times the release.
-  std::optional<wire::RunEvent::What> end(const Undo& undo, SimTime t);
+  std::optional<result::RunEvent::What> end(const Undo& undo, SimTime t);
   void bring_about(const ReadFault& fault, SimTime t);
   void repair(const ReadFault& fault, SimTime t);
   void note_repair(const std::string& part, SimTime t);

@@ -49,7 +49,7 @@ Vec2 WorldChanges::place_of(map::CellAt cell) const {
   return map::is_line(map_.at(cell)) ? stripes_.point_of(cell) : map_.centre(cell);
 }
 
-wire::ScriptActed WorldChanges::put_obstacle(const Action& action, SimTime t) {
+result::ScriptActed WorldChanges::put_obstacle(const Action& action, SimTime t) {
   clear_obstacle(action.text);
   const map::CellAt cell = parse_cell(map_, action.text);
   const Vec2 at = place_of(cell);
@@ -60,8 +60,8 @@ wire::ScriptActed WorldChanges::put_obstacle(const Action& action, SimTime t) {
     put.began = t;
     put.period = action.period;
   }
-  wire::ScriptActed acted{"obstacle", action.part, action.text, {1e3 * at.x, 1e3 * at.y, 1e3 * action.radius},
-                          {},         {}};
+  result::ScriptActed acted{
+      "obstacle", action.part, action.text, {1e3 * at.x, 1e3 * at.y, 1e3 * action.radius}, {}, {}};
   if (put.period > 0) acted.moves = {1e3 * put.to.x, 1e3 * put.to.y, 1e-9 * static_cast<double>(put.period)};
   return acted;
 }
@@ -103,8 +103,8 @@ double WorldChanges::half_width(const Action& action) const {
   return 0.5 * world_.floor().line_width() + (action.verb == erase ? kErased_m : 0.0);
 }
 
-wire::ScriptActed WorldChanges::told(const char* verb, const Action& action) const {
-  wire::ScriptActed acted{verb, action.part, action.text, {}, {}, {}};
+result::ScriptActed WorldChanges::told(const char* verb, const Action& action) const {
+  result::ScriptActed acted{verb, action.part, action.text, {}, {}, {}};
   if (action.verb == light) return acted;
   const auto [least, most] = box_of(parse_stretch(map_, action.text), half_width(action));
   const Vec2 size = most - least;
@@ -148,7 +148,7 @@ void WorldChanges::bring_about(const Action& action) {
     world_.lighting().switch_light(number, action.part == "on");
 }
 
-wire::ScriptActed WorldChanges::perform(const Action& action) {
+result::ScriptActed WorldChanges::perform(const Action& action) {
   bring_about(action);
   const char* const verb = action.verb == paint   ? "paint"
                            : action.verb == erase ? "erase"
@@ -157,7 +157,7 @@ wire::ScriptActed WorldChanges::perform(const Action& action) {
   return told(verb, action);
 }
 
-wire::ScriptActed WorldChanges::undo(const Action& action) {
+result::ScriptActed WorldChanges::undo(const Action& action) {
   static const std::map<std::string, std::string> opposites = {
       {"shut", "open"}, {"open", "shut"}, {"on", "off"}, {"off", "on"}};
   Action back = action;

@@ -7,8 +7,8 @@
 
 #include "sim/map/map.h"
 #include "sim/map/stripes.h"
+#include "sim/result/events.h"
 #include "sim/run/scenario/scenario.h"
-#include "sim/wire/events.h"
 #include "sim/world/world.h"
 
 namespace robosim::scenario {
@@ -20,12 +20,12 @@ class WorldChanges {
 
   /// Throws InputError for unknown objects; ignores actions that do not change the world.
   void check(const Action& action) const;
-  wire::ScriptActed put_obstacle(const Action& action, SimTime t);
+  result::ScriptActed put_obstacle(const Action& action, SimTime t);
   void clear_obstacle(const std::string& cell);
   /// Runs paint, erase, door or light.
-  wire::ScriptActed perform(const Action& action);
+  result::ScriptActed perform(const Action& action);
   /// Undoes paint, erase, door or light.
-  wire::ScriptActed undo(const Action& action);
+  result::ScriptActed undo(const Action& action);
   /// Moves moving obstacles to their places at `t`.
   void act(SimTime t) {
     if (!state_.obstacles.empty()) move_obstacles(t);
@@ -54,7 +54,7 @@ class WorldChanges {
   void bring_about(const Action& action);
   Vec2 place_of(map::CellAt cell) const;
   double half_width(const Action& action) const;
-  wire::ScriptActed told(const char* verb, const Action& action) const;
+  result::ScriptActed told(const char* verb, const Action& action) const;
   std::vector<std::size_t> lights_of(const std::string& text) const;
   void remove_patch(const std::string& text);
   void add_patch(const Action& action);

@@ -112,7 +112,7 @@ class Drive {
   }
 
   void go_on_until_it_waits() {
-    run_->go_on(kLongest_ns, {wire::Stop::line(kWaits, run_->state().serial_bytes)});
+    run_->go_on(kLongest_ns, {result::Stop::line(kWaits, run_->state().serial_bytes)});
     if (!run_->over() && run_->state().stop < 0) run_->finish();
   }
 
@@ -164,7 +164,7 @@ class Drive {
   }
 
   std::string sentence() const {
-    const wire::RunResult& result = run_->result();
+    const result::RunResult& result = run_->result();
     return fmt::format("{}: {} Time: {:.2f} s, {:.2f} m.", result.verdict, result.why, result.time_s,
                        result.metrics.distance_m);
   }

@@ -42,9 +42,9 @@ std::string one_in(const Json& json, const char* key, const std::vector<std::str
 }
 
 std::map<std::string, std::string> scripts_in(const Json& json) {
-  if (!json.is_object() || json.size() > wire::kMostAgents)
+  if (!json.is_object() || json.size() > result::kMostAgents)
     throw InputError(fmt::format("scripts: expected an object of at most {} texts, by the robots' names",
-                                 wire::kMostAgents));
+                                 result::kMostAgents));
   std::map<std::string, std::string> scripts;
   std::size_t size = 0;
   for (const auto& [name, script] : json.items()) {

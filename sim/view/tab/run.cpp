@@ -41,7 +41,7 @@ record::RecordedRun recorded(const wire::RunRequest& request) {
   return run;
 }
 
-wire::RunResult run(wire::RunRequest request) {
+result::RunResult run(wire::RunRequest request) {
   request.columns_every_ns = kSampleEvery_ns;
   request.samples_every_ns = kTellEvery_ns;
   request.serial = request.notes = true;
@@ -57,7 +57,7 @@ wire::RunResult run(wire::RunRequest request) {
       },
       request, hear);
   gatherer.begin(recorded(request));
-  const wire::RunResult result = requested.go();
+  const result::RunResult result = requested.go();
   recording = gatherer.content(result);
   return result;
 }

@@ -73,14 +73,14 @@ std::string fleet_screen(const FleetReport& report, const map::Map* map, int col
     if (const std::string drawn = fleet_picture(report, *map, columns, look); !drawn.empty())
       text += drawn + "\n";
   }
-  const wire::RunResult& first = report.rows.front().result;
+  const result::RunResult& first = report.rows.front().result;
   text += fmt::format("{} robots on {} · seed {} · {}\n\n", report.rows.size(), in_one_line(report.map),
                       first.seed, in_one_line(first.profile));
   std::vector<std::vector<std::string>> rows = {
       {"robot", "verdict", "time", "distance", "collisions", "goal", "what it is"}};
   std::size_t reached = 0;
   for (const FleetRow& row : report.rows) {
-    const wire::RunResult& r = row.result;
+    const result::RunResult& r = row.result;
     reached += r.status == 0;
     rows.push_back({row.name, r.verdict, time_text(r.time_s), fmt::format("{:.2f} m", r.metrics.distance_m),
                     std::to_string(r.metrics.collisions), r.goal,

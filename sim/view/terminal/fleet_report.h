@@ -15,7 +15,7 @@ struct FleetRow {
   std::string sketch;  ///< sketch and robot are named as the user typed them
   std::string robot;
   std::string target;
-  wire::RunResult result;
+  result::RunResult result;
   Trail trail;
 };
 

@@ -71,14 +71,14 @@ void LiveScene::add(const wire::Event& event) {
     trail_.add(*note);
     note_ = fmt::format("{:.2f} s  {}{}", static_cast<double>(note->t_ns) * 1e-9,
                         names_.empty() ? "" : names_.front() + ": ", note->text);
-    if (const auto* told = note->is<wire::PartTold>()) told_[told->part] = told->text;
-    if (const auto* visit = note->is<wire::StationVisited>()) visited_.push_back(visit->station);
+    if (const auto* told = note->is<result::PartTold>()) told_[told->part] = told->text;
+    if (const auto* visit = note->is<result::StationVisited>()) visited_.push_back(visit->station);
   } else if (const auto* started = std::get_if<wire::Started>(&event)) {
     started_ = *started;
   }
 }
 
-void LiveScene::finish(const wire::RunResult& result) {
+void LiveScene::finish(const result::RunResult& result) {
   result_ = result;
   visited_ = result.metrics.stations;
 }

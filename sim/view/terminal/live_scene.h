@@ -22,7 +22,7 @@ class LiveScene {
             std::vector<std::string> names = {});
 
   void add(const wire::Event& event);
-  void finish(const wire::RunResult& result);
+  void finish(const result::RunResult& result);
   const wire::Started& started() const { return started_; }
 
   /// Moves the window by tenths of its size. The window stops following the robot.
@@ -68,7 +68,7 @@ class LiveScene {
   std::string serial_;                       // last part of the serial output
   std::map<std::string, std::string> told_;  // texts of displays, by part
   std::string note_;
-  std::optional<wire::RunResult> result_;
+  std::optional<result::RunResult> result_;
   bool follows_ = true;
 };
 

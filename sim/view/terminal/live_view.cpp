@@ -49,7 +49,7 @@ void LiveView::on_event(const wire::Event& event) {
   }
 }
 
-void LiveView::finish(const wire::RunResult& result) {
+void LiveView::finish(const result::RunResult& result) {
   scene_.finish(result);
   do {
     draw(wall_us());

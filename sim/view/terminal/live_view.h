@@ -29,7 +29,7 @@ class LiveView {
 
   void on_event(const wire::Event& event);
   /// Shows the verdict, and waits for a key if there is a keyboard.
-  void finish(const wire::RunResult& result);
+  void finish(const result::RunResult& result);
 
  private:
   void handle(Key key);

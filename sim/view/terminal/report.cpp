@@ -76,7 +76,7 @@ std::string picture(const Report& report, const map::Map& map, int columns, Look
   return to_text(frame, look) + (whole ? "" : "(the part of the map that the robot saw)\n");
 }
 
-Ink ink_of(const wire::RunResult& result) { return result.status == 0 ? Ink::good : Ink::bad; }
+Ink ink_of(const result::RunResult& result) { return result.status == 0 ? Ink::good : Ink::bad; }
 
 /// Writes lines, wrapped and coloured.
 class Writer {
@@ -121,7 +121,7 @@ std::string list(const std::vector<std::string>& names) {
 }
 
 // Returns "never used: buzzer, LED2 · never changed: start (HIGH)"; empty if there is nothing to report.
-std::string usage_text(const wire::Usage& usage) {
+std::string usage_text(const result::Usage& usage) {
   std::string text;
   const auto listed = [&](const char* label, const auto& things, auto told) {
     if (things.empty()) return;
@@ -129,18 +129,19 @@ std::string usage_text(const wire::Usage& usage) {
     for (std::size_t i = 0; i < things.size(); ++i) text += (i > 0 ? ", " : "") + told(things[i]);
   };
   listed("nothing is wired to", usage.unwired,
-         [](const wire::Usage::Loose& loose) { return fmt::format("{} ({})", loose.pin, loose.how); });
+         [](const result::Usage::Loose& loose) { return fmt::format("{} ({})", loose.pin, loose.how); });
   listed("never used", usage.unused, [](const std::string& name) { return name; });
-  listed("never changed", usage.steady,
-         [](const wire::Usage::Steady& steady) { return fmt::format("{} ({})", steady.part, steady.reads); });
+  listed("never changed", usage.steady, [](const result::Usage::Steady& steady) {
+    return fmt::format("{} ({})", steady.part, steady.reads);
+  });
   return text;
 }
 
 // Returns "by zero in position, Mean.ino:3 (214 times, first at 0.39 s). …"
-std::string divisions_text(const std::vector<wire::DivisionByZero>& divisions) {
+std::string divisions_text(const std::vector<result::DivisionByZero>& divisions) {
   std::string text = "by zero";
-  for (const wire::DivisionByZero& division : divisions) {
-    const wire::SourceLine& where = division.where;
+  for (const result::DivisionByZero& division : divisions) {
+    const result::SourceLine& where = division.where;
     text += fmt::format("{}{}{}:{} ({}{})", &division == &divisions.front() ? "" : ";",
                         where.function.empty() ? " at " : fmt::format(" in {}, ", where.function), where.file,
                         where.line,
@@ -151,10 +152,10 @@ std::string divisions_text(const std::vector<wire::DivisionByZero>& divisions) {
 }
 
 // Returns "CLKPR (Slow.ino:3 in setup()). …"
-std::string lacks_text(const std::vector<wire::Lack>& lacks) {
+std::string lacks_text(const std::vector<result::Lack>& lacks) {
   std::string text;
-  for (const wire::Lack& lack : lacks) {
-    const wire::SourceLine& where = lack.where;
+  for (const result::Lack& lack : lacks) {
+    const result::SourceLine& where = lack.where;
     const std::string place = where.file.empty() ? "" : fmt::format(" in {}:{}", where.file, where.line);
     text += fmt::format("{}{}{}", text.empty() ? "" : "; ", lack.what, place);
   }
@@ -164,9 +165,9 @@ std::string lacks_text(const std::vector<wire::Lack>& lacks) {
 std::string two_digits(double value) { return fmt::format("{:.10g}", std::round(value * 100.0) / 100.0); }
 
 // Returns "35 points · 2 × gap 20, 3 × tile 15"; empty without a score.
-std::string score_text(const wire::Metrics& m) {
+std::string score_text(const result::Metrics& m) {
   std::string parts;
-  for (const wire::ScorePart& part : m.score_parts)
+  for (const result::ScorePart& part : m.score_parts)
     parts += fmt::format("{}{}{} {}", parts.empty() ? "" : ", ",
                          part.count == 1 ? "" : fmt::format("{} × ", part.count), part.part,
                          two_digits(part.value));
@@ -175,8 +176,8 @@ std::string score_text(const wire::Metrics& m) {
 }
 
 void write_figures(Writer& out, const Report& report) {
-  const wire::RunResult& r = report.result;
-  const wire::Metrics& m = r.metrics;
+  const result::RunResult& r = report.result;
+  const result::Metrics& m = r.metrics;
   const double mean = r.time_s > 0.0 ? m.distance_m / r.time_s : 0.0;
   const std::string back = m.energy_back_j > 0.0 ? fmt::format(", {:.1f} J of it back", m.energy_back_j) : "";
   out.labelled("time        ", fmt::format("{} · distance {:.2f} m · mean {:.2f} m/s · energy {:.1f} J{}",
@@ -198,7 +199,7 @@ void write_figures(Writer& out, const Report& report) {
                                              list(m.stations), m.junctions));
   }
   if (r.resources) {
-    const wire::Resources& used = *r.resources;
+    const result::Resources& used = *r.resources;
     const std::string free =
         report.free_bytes ? fmt::format(" · {} bytes of RAM never used", *report.free_bytes) : "";
     out.labelled("chip        ", fmt::format("flash {} bytes · variables {} bytes · stack {} bytes at most{}",
@@ -215,7 +216,7 @@ void write_figures(Writer& out, const Report& report) {
   }
   if (!r.divisions_by_zero.empty()) out.labelled("division    ", divisions_text(r.divisions_by_zero));
   if (!r.lacks.empty()) out.labelled("lacks       ", lacks_text(r.lacks));
-  for (const wire::Detected& seen : r.detected) out.labelled("detected    ", wire::text_of(seen));
+  for (const result::Detected& seen : r.detected) out.labelled("detected    ", result::text_of(seen));
   if (const std::string text = usage_text(r.usage); !text.empty()) out.labelled("wiring      ", text);
   if (report.wall_s) {
     out.labelled("wall time   ", fmt::format("{:.3f} s, {:.0f} times real time", *report.wall_s,
@@ -290,7 +291,7 @@ std::vector<Mark> floor_marks(const map::Map& map, const wire::Started& started,
 }
 
 std::string end_screen(const Report& report, const map::Map* map, int columns, Look look) {
-  const wire::RunResult& r = report.result;
+  const result::RunResult& r = report.result;
   Writer out(columns, look);
   if (map) {
     if (const std::string drawn = picture(report, *map, columns, look); !drawn.empty())
@@ -310,7 +311,7 @@ std::string end_screen(const Report& report, const map::Map* map, int columns, L
   if (r.crash && !r.crash->calls.empty()) {
     out.line();
     out.line("calls that were open, the last first", Ink::strong);
-    for (const wire::SourceLine& call : r.crash->calls)
+    for (const result::SourceLine& call : r.crash->calls)
       out.line(call.file.empty() ? "  " + call.function
                                  : fmt::format("  {}, {}:{}", call.function, call.file, call.line));
     std::istringstream registers(r.crash->registers);

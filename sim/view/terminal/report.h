@@ -61,7 +61,7 @@ struct Report {
   std::string robot;
   std::string target;
   wire::Started started;
-  wire::RunResult result;
+  result::RunResult result;
   Trail trail;
   std::optional<double> wall_s;  ///< empty = not shown
   /// On a chip: RAM that was used neither by variables nor by the deepest stack.

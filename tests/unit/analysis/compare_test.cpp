@@ -311,7 +311,7 @@ TEST(HistoryRecorder, MakesManoeuvresPlacesAndLinesOfEvents) {
   }
   recorder.add(wire::Event{wire::SerialText{5 * kMs, "one\r\ntw"}});
   recorder.add(wire::Event{wire::SerialText{6 * kMs, "o\n"}});
-  wire::RunResult result;
+  result::RunResult result;
   result.verdict = "lost";
   result.time_s = 1.0;
   const History h = recorder.finish(result);

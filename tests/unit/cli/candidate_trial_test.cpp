@@ -6,7 +6,7 @@ namespace robosim::cli {
 namespace candidate_trial_test {
 
 TEST(FollowsALap, TakesALapAlongTheLineAlone) {
-  wire::RunResult result;
+  result::RunResult result;
   result.verdict = "reached";
   result.metrics.cross_track_rms_mm = 12.0;
   result.time_s = 24.0;

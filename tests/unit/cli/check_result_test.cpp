@@ -12,8 +12,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::Optional;
 
-wire::RunResult run(const std::string& verdict) {
-  wire::RunResult result;
+result::RunResult run(const std::string& verdict) {
+  result::RunResult result;
   result.verdict = verdict;
   result.why = "That is why.";
   return result;
@@ -45,7 +45,7 @@ TEST(WhyFailed, AsksForTheVerdictFirst) {
 TEST(WhyFailed, ALimitBelongsToWhatIsAllowed) {
   Check limited = check();
   limited.limits = {{figure("cross_track_rms_mm"), 1.0, 2.5}};
-  wire::RunResult result = run("reached");
+  result::RunResult result = run("reached");
   for (const double inside : {1.0, 2.5}) {
     result.metrics.cross_track_rms_mm = inside;
     EXPECT_EQ(why_failed(limited, result), std::nullopt);
@@ -61,7 +61,7 @@ TEST(WhyFailed, ALimitBelongsToWhatIsAllowed) {
 TEST(WhyFailed, EveryLapMustBeWithinItsLimitAndThereMustBeOne) {
   Check limited = check();
   limited.limits = {{figure("laps_s"), std::nullopt, 9.0}};
-  wire::RunResult result = run("reached");
+  result::RunResult result = run("reached");
   EXPECT_THAT(why_failed(limited, result), Optional(HasSubstr("laps_s was not measured")));
   result.metrics.laps_s = {8.0, 8.5};
   EXPECT_EQ(why_failed(limited, result), std::nullopt);
@@ -70,7 +70,7 @@ TEST(WhyFailed, EveryLapMustBeWithinItsLimitAndThereMustBeOne) {
 }
 
 TEST(WhyFailed, WhatADetectorHasSeenIsAFailure) {
-  wire::RunResult result = run("reached");
+  result::RunResult result = run("reached");
   result.detected.push_back({"blind", "it drove on", "Look", {"loop", "Sketch.ino", 3}, 1.5, 2});
   const auto why = why_failed(check(), result);
   ASSERT_TRUE(why);
@@ -84,7 +84,7 @@ TEST(WhyFailed, WhatADetectorHasSeenIsAFailure) {
 TEST(WhyFailed, SerialTextsFollowEachOther) {
   Check talks = check();
   talks.serial = {"ready", "go"};
-  wire::RunResult result = run("reached");
+  result::RunResult result = run("reached");
   result.serial = "ready\nset\ngo\n";
   EXPECT_EQ(why_failed(talks, result), std::nullopt);
   result.serial = "go\nready\n";
@@ -95,7 +95,7 @@ TEST(WhyFailed, SerialTextsFollowEachOther) {
 TEST(WhyFailed, WhatPartsShowFollowsEachOther) {
   Check display = check();
   display.shows = {"lcd: \"Lap 1", "Lap 2"};
-  wire::RunResult result = run("reached");
+  result::RunResult result = run("reached");
   result.shown = "lcd: \"Lap 1|9.4 s\"\nlcd: \"Lap 2|9.3 s\"\n";
   EXPECT_EQ(why_failed(display, result), std::nullopt);
   result.shown = "lcd: \"Lap 1|9.4 s\"\n";
@@ -106,7 +106,7 @@ TEST(WhyFailed, WhatPartsShowFollowsEachOther) {
 TEST(WhyFailed, StationsMayBeVisitedInAnyOrder) {
   Check visits = check();
   visits.stations = {"2", "dock"};
-  wire::RunResult result = run("reached");
+  result::RunResult result = run("reached");
   result.metrics.stations = {"dock", "1", "2"};
   EXPECT_EQ(why_failed(visits, result), std::nullopt);
   result.metrics.stations = {"1", "2"};
@@ -114,7 +114,7 @@ TEST(WhyFailed, StationsMayBeVisitedInAnyOrder) {
 }
 
 TEST(Figures, OfAChipAreKnownOnAChipOnly) {
-  wire::RunResult result = run("reached");
+  result::RunResult result = run("reached");
   for (const Figure& each : figures()) {
     if (each.chip_only) {
       EXPECT_THAT(each.values(result), ::testing::IsEmpty()) << each.name;

@@ -164,7 +164,7 @@ TEST_F(ChecksFile, SaysOfAllRunsWhatMustNeverAndAlwaysBe) {
       "never = [\"serial: ERROR\", \"shows: E\"]\nalways = \"serial: ready\"\n[[check]]\nname = \"a\"\n",
       "checks.toml");
   ASSERT_EQ(checks.at(0).assertions.size(), 3u);
-  wire::RunResult result;
+  result::RunResult result;
   result.verdict = "reached";
   result.serial = "ready\n";
   EXPECT_EQ(why_failed(checks[0], result), std::nullopt);

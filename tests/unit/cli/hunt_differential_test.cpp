@@ -15,14 +15,14 @@ namespace hunt_differential_test {
 
 using ::testing::HasSubstr;
 
-wire::RunResult sent(const std::string& serial, double distance_m = 0.0) {
-  wire::RunResult result;
+result::RunResult sent(const std::string& serial, double distance_m = 0.0) {
+  result::RunResult result;
   result.serial = serial;
   result.metrics.distance_m = distance_m;
   return result;
 }
 
-std::string apart(const wire::RunResult& ours, const wire::RunResult& other, bool numbers = true) {
+std::string apart(const result::RunResult& ours, const result::RunResult& other, bool numbers = true) {
   const auto found = divergence(ours, other, numbers);
   return found ? found->ours + "; " + found->other : "";
 }
@@ -225,7 +225,7 @@ TEST(TestCase, OfAFamilyGoOnOnAChipFromOneMoment) {
 }
 
 TEST(HuntSymptom, HasTheMomentOfTheFirstNewEventOrLine) {
-  wire::RunResult result = sent("ready\r\nfound station 2\r\n");
+  result::RunResult result = sent("ready\r\nfound station 2\r\n");
   result.events = {
       {0.5, "\"go: 1\\n\" sent to the sketch"}, {1.0, "start pressed"}, {2.5, "station 2 visited"}};
   EXPECT_THAT(traits_of(result), testing::Not(testing::Contains(HasSubstr("start pressed"))));

@@ -10,8 +10,8 @@ namespace run_json_test {
 
 using ::testing::ElementsAre;
 
-wire::RunResult result() {
-  wire::RunResult r;
+result::RunResult result() {
+  result::RunResult r;
   r.verdict = "reached";
   r.why = "why";
   r.time_s = 31.4;
@@ -94,8 +94,8 @@ TEST(RunJson, HasTheKeysOfTheSchemaInItsOrder) {
 }
 
 TEST(RunJson, ACrashStandsBetweenMetricsAndSerial) {
-  wire::RunResult r = result();
-  r.crash = wire::Crash{"division by zero", {"loop", "A.ino", 7}};
+  result::RunResult r = result();
+  r.crash = result::Crash{"division by zero", {"loop", "A.ino", 7}};
   const auto json = nlohmann::ordered_json::parse(run_json(inputs(), r, std::nullopt));
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
@@ -107,7 +107,7 @@ TEST(RunJson, ACrashStandsBetweenMetricsAndSerial) {
 }
 
 TEST(RunJson, WhatToTryNextFollowsTheReasonWhereThereIsSomething) {
-  wire::RunResult r = result();
+  result::RunResult r = result();
   r.next = "watch it";
   const auto json = nlohmann::ordered_json::parse(run_json(inputs(), r, std::nullopt));
   EXPECT_EQ(std::next(json.begin(), 3).key(), "next");
@@ -120,7 +120,7 @@ TEST(RunJson, WallTimeIsThereOnlyWhenAskedFor) {
 }
 
 TEST(RunJson, BytesThatAreNotUtf8AreReplaced) {
-  wire::RunResult r = result();
+  result::RunResult r = result();
   r.serial = "a\xff";
   EXPECT_EQ(nlohmann::json::parse(run_json(inputs(), r, std::nullopt))["serial"], "a\xEF\xBF\xBD");
 }

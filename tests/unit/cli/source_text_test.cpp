@@ -47,16 +47,16 @@ class SourceTextTest : public ::testing::Test {
   /// Returns the texts and lines that explain() adds to a chain with one cause, which has these lines.
   std::vector<std::pair<std::string, std::vector<int>>> added_to(std::vector<int> lines) {
     SourceText source({folder_.path()});
-    wire::Cause cause{0.0, "in loop()", {}};
+    result::Cause cause{0.0, "in loop()", {}};
     for (const int line : lines) cause.lines.push_back({"", "My.ino", line});
-    std::vector<wire::Cause> chain = {cause};
+    std::vector<result::Cause> chain = {cause};
     source.explain(chain);
     left_.clear();
-    for (const wire::SourceLine& line : chain[0].lines) left_.push_back(line.line);
+    for (const result::SourceLine& line : chain[0].lines) left_.push_back(line.line);
     std::vector<std::pair<std::string, std::vector<int>>> added;
     for (std::size_t i = 1; i < chain.size(); ++i) {
       added.emplace_back(chain[i].text, std::vector<int>());
-      for (const wire::SourceLine& line : chain[i].lines) added.back().second.push_back(line.line);
+      for (const result::SourceLine& line : chain[i].lines) added.back().second.push_back(line.line);
     }
     return added;
   }
@@ -79,11 +79,11 @@ TEST_F(SourceTextTest, NamesConstantsOfClassesAndOfTheFilesBeside) {
       folder_.path() / "My.ino",
       "#define LED 13\nint turns(int mm) {\n  tone(SPEAKER, BOTH);\n  return LED * mm / Robot::wheel;\n}\n");
   SourceText source({folder_.path()});
-  std::vector<wire::Cause> chain = {{0.0, "in turns()", {{"turns", "My.ino", 3}, {"turns", "My.ino", 4}}}};
+  std::vector<result::Cause> chain = {{0.0, "in turns()", {{"turns", "My.ino", 3}, {"turns", "My.ino", 4}}}};
   source.explain(chain);
   ASSERT_EQ(chain.size(), 2u);
   std::vector<std::string> named;
-  for (const wire::SourceLine& line : chain[1].lines)
+  for (const result::SourceLine& line : chain[1].lines)
     named.push_back(line.file + ":" + std::to_string(line.line));
   EXPECT_THAT(named, ElementsAre("Pins.h:1", "My.ino:1", "Robot.h:2"))
       << "names that two other files declare are omitted";

@@ -35,8 +35,8 @@ SweepPlan plan() {
   return plan;
 }
 
-wire::RunResult result(std::uint64_t seed, const std::string& verdict) {
-  wire::RunResult r;
+result::RunResult result(std::uint64_t seed, const std::string& verdict) {
+  result::RunResult r;
   r.verdict = verdict;
   r.why = "It said \"no\",\nand stopped.";
   r.time_s = 2.5;
@@ -65,7 +65,7 @@ TEST(SweepTable, ARowHasTheColumnsOfTheHeaderInOneLine) {
 }
 
 TEST(SweepTable, ARowHasTheScoreOfACompetition) {
-  wire::RunResult r = result(1, "reached");
+  result::RunResult r = result(1, "reached");
   r.metrics.score = 18.75;
   EXPECT_THAT(sweep_row(combination("oval"), r), HasSubstr(",2,18.75,,,1:ab,"));
   const std::string table = sweep_header() + sweep_row(combination("oval"), r);
@@ -92,8 +92,8 @@ TEST(SweepTable, OneThatWasBegunBeforeThereWereScoresIsGoneOnWithWithoutThem) {
 }
 
 TEST(SweepTable, OnAChipARowHasItsResources) {
-  wire::RunResult r = result(1, "reached");
-  r.resources = wire::Resources{};
+  result::RunResult r = result(1, "reached");
+  r.resources = result::Resources{};
   r.resources->stack_bytes_max = 99;
   r.resources->loops = 3;
   r.resources->loop_us_max = 12.5;

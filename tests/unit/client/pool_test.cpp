@@ -37,7 +37,7 @@ class PoolTest : public ::testing::TestWithParam<std::size_t> {
     };
     batch.answered = [this](std::size_t i, Answer answer) {
       std::string said;
-      if (const auto* result = std::get_if<wire::RunResult>(&answer)) {
+      if (const auto* result = std::get_if<result::RunResult>(&answer)) {
         EXPECT_EQ(result->seed, i);
         said = result->verdict;
       } else {

@@ -20,7 +20,7 @@ struct Pushed : HandMoved {
     for (double along = from; along <= to; along += 0.001) put(map.course.paths[0].at(along, false).position);
   }
   int lacks() const {
-    for (const wire::ScorePart& part : score().score_parts)
+    for (const result::ScorePart& part : score().score_parts)
       if (part.part == "lack of progress") return part.count;
     return 0;
   }
@@ -160,7 +160,7 @@ TEST(RescueLine, CountsTilesWithBumpsAndGapsEachTileOfARampAndSeesaws) {
     Pushed run(hills(league));
     run.follow(0.0, 2.4);
     std::map<std::string, double> parts;
-    for (const wire::ScorePart& part : run.score().score_parts) parts[part.part] = part.value;
+    for (const result::ScorePart& part : run.score().score_parts) parts[part.part] = part.value;
     std::map<std::string, double> expected = both;
     if (league == std::string("line")) expected.insert({{"start tile", 5.0}, {"seesaw", 20.0}});
     EXPECT_EQ(parts, expected) << league;

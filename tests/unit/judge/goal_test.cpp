@@ -60,7 +60,7 @@ TEST(Goal, TourWantsEveryStationAndThenTheStart) {
   EXPECT_FALSE(c.visit(3, 3));
   EXPECT_TRUE(c.visit(1, 1));
   std::vector<std::string> visited;
-  for (const auto& what : c.events) visited.push_back(std::get<wire::StationVisited>(what).station);
+  for (const auto& what : c.events) visited.push_back(std::get<result::StationVisited>(what).station);
   EXPECT_THAT(visited, testing::ElementsAre("1", testing::_, testing::_));
 }
 
@@ -152,7 +152,7 @@ TEST(Goal, UkmarsIsTimedInTheSameWayAndNeedsNoStop) {
   RaceCourse c("ukmars");
   const double length = c.path().length();
   c.drive(length - 0.5, 2 * length + 1.0);
-  wire::Metrics metrics;
+  result::Metrics metrics;
   c.progress.score(metrics);
   EXPECT_NEAR(metrics.score, 0.7913, 0.002);
   EXPECT_FALSE(c.progress.reached());

@@ -42,8 +42,8 @@ struct HandMoved {
     for (const SimTime end = now + duration; now < end;) look();
   }
   void look() { progress.update(body, now += kTick, events); }
-  wire::Metrics score() const {
-    wire::Metrics metrics;
+  result::Metrics score() const {
+    result::Metrics metrics;
     progress.score(metrics);
     return metrics;
   }

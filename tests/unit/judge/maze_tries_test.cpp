@@ -50,7 +50,7 @@ TEST(LineMaze, TheBetterOfTwoTriesCountsAndStoppingOnTheDiscTakesTenSecondsOff) 
   EXPECT_EQ(maze.score().score_parts.size(), 3u);
   EXPECT_THAT(maze.progress.summary(), HasSubstr("10 s off for stopping on it"));
   EXPECT_EQ(std::count_if(maze.events.begin(), maze.events.end(),
-                          [](const auto& e) { return std::holds_alternative<wire::Scored>(e); }),
+                          [](const auto& e) { return std::holds_alternative<result::Scored>(e); }),
             2);
 }
 

@@ -20,13 +20,13 @@ class Sensor final : public PinSource {
 
 class UsageTest : public testing::Test {
  protected:
-  wire::Usage usage() { return usage_of(uno_, wiring, was_output, board); }
-  static std::vector<std::string> told(const std::vector<wire::Usage::Loose>& pins) {
+  result::Usage usage() { return usage_of(uno_, wiring, was_output, board); }
+  static std::vector<std::string> told(const std::vector<result::Usage::Loose>& pins) {
     std::vector<std::string> text;
     for (const auto& pin : pins) text.push_back(pin.pin + " " + pin.how);
     return text;
   }
-  static std::vector<std::string> told(const std::vector<wire::Usage::Steady>& parts) {
+  static std::vector<std::string> told(const std::vector<result::Usage::Steady>& parts) {
     std::vector<std::string> text;
     for (const auto& part : parts) text.push_back(part.part + " " + part.reads);
     return text;

@@ -89,7 +89,7 @@ TEST(Fleet, IsOneResultThatNamesTheFirstRobotThatFailed) {
   request.agents.resize(2);
   request.agents[0].name = "B";
   request.agents[1].name = "C";
-  wire::RunResult result;
+  result::RunResult result;
   result.verdict = "reached";
   result.time_s = 3.0;
   result.serial = "a";
@@ -98,7 +98,7 @@ TEST(Fleet, IsOneResultThatNamesTheFirstRobotThatFailed) {
   result.others.assign(2, result);
   result.others[0].time_s = 5.0;
   result.others[0].serial = "b";
-  wire::RunResult whole = whole_of(result, request);
+  result::RunResult whole = whole_of(result, request);
   EXPECT_EQ(whole.verdict, "reached");
   EXPECT_EQ(whole.why, "All 3 robots reached their goals.");
   EXPECT_EQ(whole.time_s, 5.0);

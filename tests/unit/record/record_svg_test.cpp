@@ -27,7 +27,7 @@ class Picture : public ::testing::Test {
     std::filesystem::remove(map);
     std::filesystem::remove(file);
   }
-  std::string drawn(const wire::RunResult& result = {}) {
+  std::string drawn(const result::RunResult& result = {}) {
     recorder.finish(result);
     return read_file(file);
   }
@@ -47,7 +47,7 @@ TEST_F(Picture, ShowsTheFloorTheTrailAndHowItEnded) {
   recorder.add(started);
   recorder.add(wire::Sample{0, 150, 250, 0, 0});
   recorder.add(wire::Sample{10000, 250, 250, 0, 500});
-  wire::RunResult result;
+  result::RunResult result;
   result.verdict = "lost";
   result.time_s = 3.0;
   const std::string svg = drawn(result);
@@ -115,7 +115,7 @@ TEST_F(Picture, MarksCollisionsWhereTheRobotWas) {
   recorder.add(wire::Started{});
   EXPECT_THAT(drawn(), Not(HasSubstr("#d55e00")));
   recorder.add(wire::Sample{0, 100, 200, 0, 0});
-  recorder.add(wire::note_of({0, 0, wire::CollisionBegan{}}));
+  recorder.add(wire::note_of({0, 0, result::CollisionBegan{}}));
   EXPECT_THAT(drawn(), HasSubstr(R"(d="M80.0 220.0L120.0 180.0M80.0 180.0L120.0 220.0" stroke="#d55e00")"));
 }
 
@@ -123,7 +123,7 @@ TEST_F(Picture, DrawsNoLineToWhereAScriptPutsTheRobotNorWhereItMovesItToAndFro) 
   recorder.begin(run);
   recorder.add(wire::Started{});
   const auto acts = [&](const char* verb) {
-    recorder.add(wire::note_of({0, 0, wire::ScriptActed{verb, "", ""}}));
+    recorder.add(wire::note_of({0, 0, result::ScriptActed{verb, "", ""}}));
   };
   recorder.add(wire::Sample{0, 100, 200, 0, 0});
   acts("place");
@@ -139,7 +139,7 @@ TEST_F(Picture, DrawsNoLineToWhereAScriptPutsTheRobotNorWhereItMovesItToAndFro) 
 }
 
 TEST_F(Picture, TellsOfNoDistanceFromTheLineWhereNothingSeesIt) {
-  wire::RunResult result;
+  result::RunResult result;
   result.metrics.cross_track_max_mm = 12.0;
   run.robot_info.sensors.resize(1);
   recorder.begin(run);

@@ -49,7 +49,7 @@ class ATrace : public ::testing::Test {
   std::filesystem::path file = std::filesystem::temp_directory_path() /
                                ("robosim-trace-" + std::to_string(::getpid()) + ".perfetto.json");
   RecordedRun run;
-  wire::RunResult result;
+  result::RunResult result;
   Gatherer gatherer;
   wire::RunColumns columns{{"D5", "A0"}};
 };
@@ -80,7 +80,7 @@ TEST_F(ATrace, HasABarForAPinThatIsHighOrPulses) {
 }
 
 TEST_F(ATrace, HasWhatHappenedAndWhatWasSent) {
-  gatherer.add(wire::note_of({1'000'000'000, 0, wire::CollisionBegan{}}));
+  gatherer.add(wire::note_of({1'000'000'000, 0, result::CollisionBegan{}}));
   gatherer.add(wire::SerialText{1'500'000'000, "say \"hi\"\r\n"});
   const auto moments = those(written(), "ph", "i");
   ASSERT_EQ(moments.size(), 3u);

@@ -170,7 +170,7 @@ TEST_F(Vcd, AChangeThatIsToldTooLateToBePutInOrderStandsWhereItWasTold) {
 }
 
 TEST_F(Vcd, EndsWithTheLastWholeHundredthOfASecond) {
-  wire::RunResult result, other;
+  result::RunResult result, other;
   result.time_s = 0.042;
   other.time_s = 0.067;
   result.others = {other};

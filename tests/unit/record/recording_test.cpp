@@ -89,7 +89,7 @@ class TwoRobots : public ARecording {
       both.add(wire::SerialText{agent, agent == 0 ? "a\n" : "bb\n", agent});
       both.add(wire::Note{5 + agent, "it happened", std::nullopt, agent});
     }
-    wire::RunResult result;
+    result::RunResult result;
     result.verdict = "reached";
     result.others.emplace_back().verdict = "lost";
     return Recording::decode(both.encoded(result), "x.rec");
@@ -164,7 +164,7 @@ TEST_F(ARecording, KeepsTimesOfPinsToTheNanosecond) {
 }
 
 TEST_F(ARecording, KeepsTheLinesThatDrovePins) {
-  const wire::SourceLine on{"setup", "Blink.ino", 3}, off{"loop", "Blink.ino", 7};
+  const result::SourceLine on{"setup", "Blink.ino", 3}, off{"loop", "Blink.ino", 7};
   wire::RunColumns known{{"D2"}, true};
   known.add_pin(0, 10, wire::PinLevel::high, 1.0, 0, &on);
   gatherer.add(known.take());
@@ -187,13 +187,13 @@ TEST_F(ARecording, LeavesOutWhatSaysNothingNew) {
 
 TEST_F(ARecording, TellsSerialTextAndEventsInTheOrderOfTime) {
   gatherer.add(wire::SerialText{2'000'000'000, "grüße\r\n"});
-  gatherer.add(wire::note_of({1'000'000'000, 0, wire::CollisionBegan{}}));
+  gatherer.add(wire::note_of({1'000'000'000, 0, result::CollisionBegan{}}));
   gatherer.add(wire::SerialText{3'000'000'000, "zwei\n"});
   std::vector<std::string> told;
   written().play([&](const wire::Event& event) {
     if (const auto* serial = std::get_if<wire::SerialText>(&event)) told.push_back(serial->text);
     if (const auto* note = std::get_if<wire::Note>(&event))
-      told.push_back(note->is<wire::CollisionBegan>() ? "a collision" : "?");
+      told.push_back(note->is<result::CollisionBegan>() ? "a collision" : "?");
   });
   EXPECT_THAT(told, ElementsAre("a collision", "grüße\r\n", "zwei\n"));
 }

@@ -15,13 +15,13 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 struct Witness final : Listener {
-  void happened(const wire::RunEvent& event) override { events.push_back(event); }
+  void happened(const result::RunEvent& event) override { events.push_back(event); }
   std::vector<std::string> kinds() const {
     std::vector<std::string> names;
-    for (const wire::RunEvent& event : events) names.push_back(wire::kind_of(event));
+    for (const result::RunEvent& event : events) names.push_back(result::kind_of(event));
     return names;
   }
-  std::vector<wire::RunEvent> events;
+  std::vector<result::RunEvent> events;
 };
 
 /// Firmware that only waits, so its robot stays in place.
@@ -89,7 +89,7 @@ TEST_F(AgentsTest, CollideOnOneFloorAndEachHasItsOwnGoalAndVerdict) {
   EXPECT_EQ(moving.events[0].agent, 0);
   EXPECT_EQ(standing.events[0].agent, 1);
   EXPECT_EQ(moving.events[0].t_ns, standing.events[0].t_ns);
-  EXPECT_TRUE(std::get<wire::CollisionBegan>(moving.events[0].what).with_robot);
+  EXPECT_TRUE(std::get<result::CollisionBegan>(moving.events[0].what).with_robot);
   EXPECT_NE(outcomes[0].trace_hash, outcomes[1].trace_hash);
 }
 

@@ -71,7 +71,7 @@ class Starts final : public Distracted {
   SimTime later_;
 };
 
-std::vector<wire::Detected> detected(exec::Executor& firmware, SimTime limit, bool detect = true) {
+std::vector<result::Detected> detected(exec::Executor& firmware, SimTime limit, bool detect = true) {
   static const map::Map oval = map::read_map(map::find_map("oval"));
   static const robot::Description uno5 = robot::load_description("uno5");
   run::Setup setup;

@@ -52,7 +52,7 @@ class Blinker final : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-std::vector<wire::Detected> detected(Blinker::Led led, bool detect = true, const std::string& script = "") {
+std::vector<result::Detected> detected(Blinker::Led led, bool detect = true, const std::string& script = "") {
   static const map::Map oval = map::read_map(map::find_map("oval"));
   static const robot::Description uno5 = robot::load_description("uno5");
   Blinker firmware(led);

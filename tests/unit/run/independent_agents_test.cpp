@@ -77,8 +77,8 @@ struct NotingTurns final : Listener {
   void sampled(const Sample& s) override {
     all += fmt::format("{} {} {} {} {}\n", s.t, s.pose.position.x, s.pose.heading.y, s.cross_track, s.left);
   }
-  void happened(const wire::RunEvent& event) override {
-    all += fmt::format("{} {} {}\n", event.t_ns, event.agent, wire::text_of(event));
+  void happened(const result::RunEvent& event) override {
+    all += fmt::format("{} {} {}\n", event.t_ns, event.agent, result::text_of(event));
   }
   bool minds_turns() const override { return false; }
   std::string& all;

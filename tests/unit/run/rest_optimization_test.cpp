@@ -111,8 +111,8 @@ struct Noting final : Listener {
   void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override {
     text += fmt::format("{} {} {}\n", t, pin, drive.duty);
   }
-  void happened(const wire::RunEvent& event) override {
-    text += fmt::format("{} {}\n", event.t_ns, wire::text_of(event));
+  void happened(const result::RunEvent& event) override {
+    text += fmt::format("{} {}\n", event.t_ns, result::text_of(event));
   }
   std::string text;
 };

@@ -67,7 +67,7 @@ class Driven : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-std::vector<wire::Detected> seen(Driven::Step step, SimTime limit = 10 * kSecond) {
+std::vector<result::Detected> seen(Driven::Step step, SimTime limit = 10 * kSecond) {
   static const map::Map oval = map::read_map(map::find_map("oval"));
   static const robot::Description uno5 = robot::load_description("uno5");
   Driven firmware(std::move(step));

@@ -97,13 +97,13 @@ TEST(Answers, AResultHasItsVerdictByNameWithTheExitStatusOfRun) {
   outcome.goal = judge::parse_goal("tour");
   outcome.time = 1500 * kMillisecond;
   outcome.crash = exec::Crash{"division by zero", {"loop", "A.ino", 7}, {}, "", ""};
-  outcome.events = {{250'000'000, 0, wire::StationVisited{"2"}}};
+  outcome.events = {{250'000'000, 0, result::StationVisited{"2"}}};
   outcome.serial = "hello\n";
   outcome.end = {{0.5, 0.25}, {1.0, 0.0}};
   outcome.eeprom_writes = 9;
   outcome.trace_hash = "1:0123456789abcdef";
 
-  const wire::RunResult result = to_wire(outcome);
+  const result::RunResult result = to_wire(outcome);
 
   EXPECT_EQ(result.verdict, "crashed");
   EXPECT_EQ(result.status, 1);
@@ -116,7 +116,7 @@ TEST(Answers, AResultHasItsVerdictByNameWithTheExitStatusOfRun) {
   EXPECT_EQ(result.crash->where.line, 7);
   ASSERT_EQ(result.events.size(), 1u);
   EXPECT_DOUBLE_EQ(result.events[0].t_s, 0.25);
-  EXPECT_EQ(result.events[0].text, wire::text_of(outcome.events[0]));
+  EXPECT_EQ(result.events[0].text, result::text_of(outcome.events[0]));
   EXPECT_EQ(result.serial, "hello\n");
   EXPECT_DOUBLE_EQ(result.end.x_mm, 500.0);
   EXPECT_DOUBLE_EQ(result.end.y_mm, 250.0);

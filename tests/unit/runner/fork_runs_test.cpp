@@ -60,7 +60,7 @@ class WaysTest : public ::testing::Test {
   }
   static void nothing(wire::Event) {}
 
-  wire::RunResult go() const {
+  result::RunResult go() const {
     RequestedRun run(make, request_, nothing);
     return run_all_branches(run, request_, [] {});
   }
@@ -80,12 +80,12 @@ class WaysTest : public ::testing::Test {
     RequestedRun run(make, request, nothing);
     return line_of(run.go());
   }
-  static std::string line_of(wire::RunResult result) {
+  static std::string line_of(result::RunResult result) {
     result.ways.clear();
     return wire::to_line({}, wire::Answer(std::move(result)));
   }
   void expect_all_as_whole() const {
-    const wire::RunResult result = go();
+    const result::RunResult result = go();
     ASSERT_EQ(result.ways.size() + 1, request_.ways->scripts.size());
     for (std::size_t way = 0; way < request_.ways->scripts.size(); ++way)
       EXPECT_EQ(line_of(way == 0 ? result : result.ways[way - 1]), whole(request_.ways->scripts[way])) << way;
@@ -114,7 +114,7 @@ TEST_F(WaysTest, PartBehindWhatTheSketchSends) {
 
 TEST_F(WaysTest, AreOneIfItEndsBefore) {
   request_.ways = wire::Ways{5 * kSecond, {}, {"at 6s lift for 100ms\n", ""}};
-  const wire::RunResult result = go();
+  const result::RunResult result = go();
   ASSERT_EQ(result.ways.size(), 1U);
   EXPECT_EQ(line_of(result), whole(""));
   EXPECT_EQ(line_of(result.ways.front()), whole(""));

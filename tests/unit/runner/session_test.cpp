@@ -308,7 +308,7 @@ TEST_F(SessionTest, GivesTheResultThatTheSimulationHasWithoutIt) {
   request_.profile = "ideal";
   Session session(drivers());
   session.line();
-  const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
+  const auto result = session.ask_for<result::RunResult>(wire::Request(request_));
 
   const map::Map map = map::read_map(request_.map);
   const robot::Description robot = robot::load_description("uno5");
@@ -331,17 +331,17 @@ TEST_F(SessionTest, GivesTheResultThatTheSimulationHasWithoutIt) {
   EXPECT_EQ(result.image_sha256, sha256("any"));
   EXPECT_EQ(result.map_sha256, sha256_of_file(request_.map));
   EXPECT_EQ(result.robot_sha256, robot.sha256);
-  const auto again = session.ask_for<wire::RunResult>(wire::Request(request_));
+  const auto again = session.ask_for<result::RunResult>(wire::Request(request_));
   EXPECT_EQ(again.trace_hash, result.trace_hash) << "one runner repeats a run";
 }
 
 TEST_F(SessionTest, SaysNothingButItsAnswerToAClientThatWaitsForThatAlone) {
   Session session(drivers());
   session.line();
-  const auto told = session.ask_for<wire::RunResult>(wire::Request(request_));
+  const auto told = session.ask_for<result::RunResult>(wire::Request(request_));
   EXPECT_EQ(session.events.size(), 1u);
   request_.started = false;
-  const auto untold = session.ask_for<wire::RunResult>(wire::Request(request_));
+  const auto untold = session.ask_for<result::RunResult>(wire::Request(request_));
   EXPECT_EQ(session.events.size(), 0u);
   EXPECT_EQ(untold.trace_hash, told.trace_hash);
 }
@@ -357,7 +357,7 @@ TEST_F(SessionTest, RunsSeveralRobotsAndAnswersWithAResultForEach) {
   Session session({"built-in", drivers().make, nullptr, {{"other", drivers().make}}});
   session.line();
   request_.agents[0].target = "other";
-  const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
+  const auto result = session.ask_for<result::RunResult>(wire::Request(request_));
   EXPECT_EQ(result.verdict, "reached");
   ASSERT_EQ(result.others.size(), 1u);
   EXPECT_EQ(result.others[0].goal, "none");
@@ -368,7 +368,7 @@ TEST_F(SessionTest, RunsSeveralRobotsAndAnswersWithAResultForEach) {
     if (const auto* one = std::get_if<wire::Started>(&event)) ++started[static_cast<std::size_t>(one->agent)];
     if (const auto* one = std::get_if<wire::Sample>(&event)) ++samples[static_cast<std::size_t>(one->agent)];
     if (const auto* one = std::get_if<wire::Note>(&event))
-      notes[static_cast<std::size_t>(one->agent)] += one->is<wire::ScriptActed>() != nullptr;
+      notes[static_cast<std::size_t>(one->agent)] += one->is<result::ScriptActed>() != nullptr;
   }
   EXPECT_THAT(started, ::testing::ElementsAre(1, 1));
   EXPECT_EQ(samples[1], 201) << "the second robot runs until the time limit";
@@ -409,13 +409,13 @@ TEST_F(SessionTest, StreamsWhatWasAskedForAndNothingElse) {
   request_.script = "at 50ms press start 10ms";
   Session session(drivers());
   session.line();
-  session.ask_for<wire::RunResult>(wire::Request(request_));
+  session.ask_for<result::RunResult>(wire::Request(request_));
   ASSERT_EQ(session.events.size(), 1u);
   EXPECT_TRUE(std::holds_alternative<wire::Started>(session.events[0]));
 
   request_.samples_every_ns = 50 * kMillisecond;
   request_.notes = request_.pins = true;
-  session.ask_for<wire::RunResult>(wire::Request(request_));
+  session.ask_for<result::RunResult>(wire::Request(request_));
   std::vector<std::int64_t> samples_us;
   std::size_t notes = 0, pins = 0;
   for (const wire::Event& event : session.events) {
@@ -444,11 +444,11 @@ TEST_F(SessionTest, TellsTheSameInTheSameOrderWhereItIsAskedForBatches) {
       lines.push_back(wire::to_line(wire::Id(), wire::Answer(event)));
     };
   };
-  session.ask_for<wire::RunResult>(wire::Request(request_));
+  session.ask_for<result::RunResult>(wire::Request(request_));
   for (const wire::Event& event : session.events) keep_in(one_by_one)(event);
   EXPECT_GT(one_by_one.size(), 100u);
   request_.batches = true;
-  session.ask_for<wire::RunResult>(wire::Request(request_));
+  session.ask_for<result::RunResult>(wire::Request(request_));
   std::size_t lines = 0;
   wire::BatchReader reader(request_);
   for (const wire::Event& event : session.events) {
@@ -507,7 +507,7 @@ TEST_F(SessionTest, BlamesTheMachineForTooFewDescriptorsAndNoSketch) {
       EXPECT_THAT(error->message, StartsWith("too many files are open")) << descriptors;
       ++refused;
     } else {
-      EXPECT_EQ(std::get<wire::RunResult>(said.content).verdict, "reached") << descriptors;
+      EXPECT_EQ(std::get<result::RunResult>(said.content).verdict, "reached") << descriptors;
       ++ran;
     }
   }
@@ -522,7 +522,7 @@ TEST_F(SessionTest, SurvivesFirmwareThatTakesItsProcessDown) {
         std::pair<void (*)(), const char*>{[] { ::_exit(3); }, "it ended its process with exit status 3"}}) {
     Session session(drivers(deed));
     session.line();
-    const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
+    const auto result = session.ask_for<result::RunResult>(wire::Request(request_));
     EXPECT_EQ(result.verdict, "crashed");
     EXPECT_EQ(result.status, 1);
     ASSERT_TRUE(result.crash);
@@ -538,7 +538,7 @@ TEST_F(SessionTest, AnInterruptEndsTheRunWithItsResultAndNotTheRunner) {
   Session session(drivers([] { ::raise(SIGINT); }));
   session.line();
   session.interrupt();
-  const auto result = session.ask_for<wire::RunResult>(wire::Request(request_));
+  const auto result = session.ask_for<result::RunResult>(wire::Request(request_));
   EXPECT_EQ(result.verdict, "interrupted");
   EXPECT_EQ(result.status, 130);
   EXPECT_NEAR(result.time_s, 0.1, 0.002);
@@ -569,18 +569,18 @@ TEST_F(DrivenSessionTest, StandsStillAtTheBeginningAndWhereItWasToldTo) {
   EXPECT_EQ(later.stop, -1);
   EXPECT_TRUE(later.driven);
   const auto stopped = ask<wire::Paused>(
-      wire::GoOn{std::nullopt, {wire::Stop::rest(kSecond), wire::Stop::reading("S3", true)}});
+      wire::GoOn{std::nullopt, {result::Stop::rest(kSecond), result::Stop::reading("S3", true)}});
   EXPECT_EQ(stopped.stop, 1) << "the middle sensor is over the line while the robot drives";
-  EXPECT_EQ(ask<wire::RunResult>(wire::End{}).verdict, "interrupted");
+  EXPECT_EQ(ask<result::RunResult>(wire::End{}).verdict, "interrupted");
 }
 
 TEST_F(DrivenSessionTest, GoesToItsVerdictWithTheTraceOfARunThatWasNotDriven) {
   begin();
   ask<wire::Paused>(wire::GoOn{kSecond, {}});
-  const auto driven = ask<wire::RunResult>(wire::GoOn{});
+  const auto driven = ask<result::RunResult>(wire::GoOn{});
   EXPECT_EQ(driven.verdict, "reached");
   request_.interactive = false;
-  EXPECT_EQ(session_.ask_for<wire::RunResult>(wire::Request(request_)).trace_hash, driven.trace_hash);
+  EXPECT_EQ(session_.ask_for<result::RunResult>(wire::Request(request_)).trace_hash, driven.trace_hash);
 }
 
 TEST_F(DrivenSessionTest, ActsAtOnceAndSaysAsAScriptWhatItDoes) {
@@ -594,8 +594,9 @@ TEST_F(DrivenSessionTest, RefusesWhatMakesNoSenseAndStandsWhereItStood) {
   begin();
   EXPECT_THAT(ask<wire::Refused>(wire::Act{"pres start"}).message, StartsWith("script:1:"));
   EXPECT_THAT(ask<wire::Refused>(wire::Act{"press horn"}).message, HasSubstr("horn"));
-  EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {wire::Stop::reading("S9", true)}}).message, HasSubstr("S9"));
-  EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {wire::Stop::line("(")}}).message, HasSubstr("("));
+  EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {result::Stop::reading("S9", true)}}).message,
+              HasSubstr("S9"));
+  EXPECT_THAT(ask<wire::Refused>(wire::GoOn{0, {result::Stop::line("(")}}).message, HasSubstr("("));
   EXPECT_THAT(session_.ask_for<wire::Refused>(kDescribe).message, HasSubstr("a paused run"));
   EXPECT_THAT(session_.ask_for<wire::Refused>(std::string("{")).message,
               HasSubstr("one JSON object per line"));

@@ -23,7 +23,7 @@ using testing::IsEmpty;
 struct Witness final : run::Listener {
   void began(const run::Beginning& beginning) override { readings = beginning.readings; }
   void sampled(const run::Sample& sample) override { samples.push_back(sample); }
-  void happened(const wire::RunEvent& event) override { happenings.push_back(test::values_of(event)); }
+  void happened(const result::RunEvent& event) override { happenings.push_back(test::values_of(event)); }
   const run::Sample& at(double seconds) const {
     return samples[static_cast<std::size_t>(seconds * 1000.0 + 0.5)];
   }

@@ -50,8 +50,8 @@ class ChangingWorld : public testing::Test, public run::Listener {
   void sampled(const run::Sample& sample) override { samples.push_back(sample); }
   bool wants_inputs() const override { return true; }
   void volts_seen(Pin pin, double seen, SimTime) override { volts[pin].push_back(seen); }
-  void happened(const wire::RunEvent& event) override {
-    happenings.push_back(wire::text_of(event));
+  void happened(const result::RunEvent& event) override {
+    happenings.push_back(result::text_of(event));
     values.push_back(test::values_of(event));
   }
   const run::Sample& at(double seconds) const {

@@ -39,7 +39,7 @@ TEST(LiveScene, ShowsTimeSpeedMotorsSensorsSerialAndNotes) {
   scene.add(started());
   scene.add(sample(450, 50));
   scene.add(wire::SerialText{1, "Ready\nerror 5"});
-  scene.add(wire::note_of({2'500'000'000, 0, wire::StationVisited{"dock"}}));
+  scene.add(wire::note_of({2'500'000'000, 0, result::StationVisited{"dock"}}));
   const std::string text = to_text(scene.draw(80, 24, "×1", kPlain), kPlain);
   EXPECT_THAT(text, StartsWith("t 1.23 s  0.31 m/s  ×1  PidFollower · uno5 on oval\n"));
   EXPECT_THAT(text, HasSubstr("left  ▕█████     ▏+0.50  right ▕██▌       ▏-0.25\n"));
@@ -58,7 +58,7 @@ TEST(LiveScene, ShowsAllOfSeveralRobotsAndWhomANoteIsAbout) {
   wire::Sample other = sample(750, 50, 3.14159);
   other.agent = 1;
   scene.add(other);
-  wire::Note note = wire::note_of({2'500'000'000, 1, wire::StationVisited{"dock"}});
+  wire::Note note = wire::note_of({2'500'000'000, 1, result::StationVisited{"dock"}});
   scene.add(note);
   wire::SerialText text{1, "of B\n"};
   text.agent = 1;
@@ -90,9 +90,9 @@ TEST(LiveScene, ShowsWhatDisplaysShow) {
   LiveScene scene("t", map, robot());
   scene.add(started());
   scene.add(sample(450, 50));
-  scene.add(wire::note_of({1'000'000'000, 0, wire::PartTold{"lcd", "Lap 1"}}));
-  scene.add(wire::note_of({2'000'000'000, 0, wire::PartTold{"lcd", "Lap 2|12.4 s"}}));
-  scene.add(wire::note_of({2'500'000'000, 0, wire::StationVisited{"dock"}}));
+  scene.add(wire::note_of({1'000'000'000, 0, result::PartTold{"lcd", "Lap 1"}}));
+  scene.add(wire::note_of({2'000'000'000, 0, result::PartTold{"lcd", "Lap 2|12.4 s"}}));
+  scene.add(wire::note_of({2'500'000'000, 0, result::StationVisited{"dock"}}));
   const std::string text = to_text(scene.draw(80, 24, "×1", kPlain), kPlain);
   EXPECT_THAT(text, HasSubstr("\nlcd Lap 2|12.4 s\n2.50 s  station dock visited\n"));
 }
@@ -127,7 +127,7 @@ TEST(LiveScene, ShowsTheVerdictInsteadOfTheLastNote) {
   scene.add(started());
   scene.add(sample(450, 50));
   scene.add(wire::Note{2'500'000'000, "a note"});
-  wire::RunResult result;
+  result::RunResult result;
   result.verdict = "lost";
   result.why = "no sensor saw the line for 1 m";
   scene.finish(result);

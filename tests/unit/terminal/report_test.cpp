@@ -140,7 +140,7 @@ TEST(EndScreen, DrawsNoTrailToWhereAScriptPutsTheRobot) {
   const auto map = map::parse_map("1111\n", "t.map");
   Report r = report();
   r.trail.add(at(50, 50));
-  r.trail.add(wire::note_of({0, 0, wire::ScriptActed{"place", "", "2,0 E"}}));
+  r.trail.add(wire::note_of({0, 0, result::ScriptActed{"place", "", "2,0 E"}}));
   r.trail.add(at(250, 50));
   EXPECT_THAT(end_screen(r, &map, 78, kPlain), Not(HasSubstr("⠉⠉")));
 }

@@ -21,7 +21,7 @@
 #include <string>
 #include <type_traits>
 
-namespace robosim::wire {
+namespace robosim::result {
 
 /// T for a visitor that reads, const T for all others.
 template <class V, class T>
@@ -89,4 +89,4 @@ void agent_field(V& v, Same<V, int>& agent) {
     {.presence = when(agent != 0), .least = 0, .most = kMostAgents - 1});
 }
 
-}  // namespace robosim::wire
+}  // namespace robosim::result

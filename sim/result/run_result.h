@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/wire/fields.h"
+#include "sim/result/fields.h"
 
-namespace robosim::wire {
+namespace robosim::result {
 
 /// A line of the sketch; empty and 0 if unknown.
 struct SourceLine {
@@ -357,4 +357,4 @@ void fields(V& v, Same<V, RunResult>& r) {
     {.presence = when(!r.ways.empty())});
 }
 
-}  // namespace robosim::wire
+}  // namespace robosim::result

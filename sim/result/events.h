@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "sim/wire/fields.h"
+#include "sim/result/fields.h"
 
-namespace robosim::wire {
+namespace robosim::result {
 
 /// The body's outline has covered a station's centre for the first time.
 struct StationVisited {
@@ -191,4 +191,4 @@ const std::vector<std::string>& event_kinds();
 /// Returns "station 2 visited", "lap 1 in 8.54 s", "fault: S2 stuck 1023" …
 std::string text_of(const RunEvent& event);
 
-}  // namespace robosim::wire
+}  // namespace robosim::result

@@ -1,8 +1,8 @@
-#include "sim/wire/events.h"
+#include "sim/result/events.h"
 
 #include <gtest/gtest.h>
 
-namespace robosim::wire {
+namespace robosim::result {
 namespace events_test {
 
 TEST(RunEvents, HaveOneTextEach) {
@@ -34,4 +34,4 @@ TEST(RunEvents, AreOfAKindWhateverTheirTextSays) {
 }
 
 }  // namespace events_test
-}  // namespace robosim::wire
+}  // namespace robosim::result

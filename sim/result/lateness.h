@@ -3,9 +3,9 @@
 
 #include <cstdint>
 
-#include "sim/wire/fields.h"
+#include "sim/result/fields.h"
 
-namespace robosim::wire {
+namespace robosim::result {
 
 struct Lateness {
   std::int64_t from_ns = 0;
@@ -23,4 +23,4 @@ void fields(V& v, Same<V, Lateness>& l) {
     {.unit = "ns"});
 }
 
-}  // namespace robosim::wire
+}  // namespace robosim::result

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "sim/base/escaped.h"
-#include "sim/wire/events.h"
+#include "sim/result/events.h"
 
-namespace robosim::wire {
+namespace robosim::result {
 namespace {
 
 std::string fault_text(const std::string& part, const std::vector<std::string>& arguments) {
@@ -92,4 +92,4 @@ const char* kind_of(const RunEvent& event) {
 
 std::string text_of(const RunEvent& event) { return std::visit(Text{}, event.what); }
 
-}  // namespace robosim::wire
+}  // namespace robosim::result

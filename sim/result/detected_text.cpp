@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "sim/wire/run_result.h"
+#include "sim/result/run_result.h"
 
-namespace robosim::wire {
+namespace robosim::result {
 
 std::string text_of(const Detected& seen) {
   const SourceLine& where = seen.where;
@@ -15,4 +15,4 @@ std::string text_of(const Detected& seen) {
                      seen.mend);
 }
 
-}  // namespace robosim::wire
+}  // namespace robosim::result
