@@ -42,18 +42,19 @@ bool has_detour(std::string_view path) {
 }
 
 /// Returns whether only the system's administrator, or the user who installed Robosim, can write to the file.
-bool is_installed(const fs::path& path, const fs::path& cache) {
+/// `stages` is how the paths of the cache's own folders of links begin.
+bool is_installed(const fs::path& path, const std::string& stages) {
   static const std::array<std::string, 3> folders = {"/usr/", (data_folder() / "hal" / "").string(),
                                                      (data_folder() / "firmware" / "").string()};
   const std::string& name = path.native();
   const bool is_below = std::any_of(folders.begin(), folders.end(),
                                     [&](const std::string& folder) { return name.starts_with(folder); });
-  return (is_below || name.starts_with((cache / kStage).native())) && !has_detour(name);
+  return (is_below || name.starts_with(stages)) && !has_detour(name);
 }
 
-std::string hash_file(const fs::path& path, const fs::path& cache) {
+std::string hash_file(const fs::path& path, const std::string& stages) {
   try {
-    return is_installed(path, cache) ? checksum(read_file(path)) : sha256_of_file(path);
+    return is_installed(path, stages) ? checksum(read_file(path)) : sha256_of_file(path);
   } catch (const InputError&) {
     return kAbsent;
   }
@@ -199,6 +200,7 @@ std::optional<Entry> Cache::find(const std::string& key) const {
     return std::nullopt;
   }
   Entry entry;
+  const std::string stages = folder_ / kStage;
   std::string_view rest = text;
   bool complete = false;
   for (bool first = true; !rest.empty(); first = false) {
@@ -211,7 +213,7 @@ std::optional<Entry> Cache::find(const std::string& key) const {
     }
     const std::string_view kind = word(line);
     const std::string_view value = word(line);
-    if (kind == "file" && hash_file(line, folder_) != value) return std::nullopt;
+    if (kind == "file" && hash_file(line, stages) != value) return std::nullopt;
     if (kind == "folder" && hash_folder(line) != value) return std::nullopt;
     if (kind == "fact") entry.facts[std::string(value)] = unescape(line);
     if (kind == "result") {
@@ -242,13 +244,14 @@ Entry Cache::store(const std::string& key, const Inputs& inputs, std::string_vie
   std::string text = fmt::format("{}\nresult {} {}\n", kHeader, checksum(content), escape(stored));
   for (const auto& [fact, value] : entry.facts) text += fmt::format("fact {} {}\n", fact, escape(value));
   bool sound = !changed_after(inputs, since);
+  const std::string stages = folder_ / kStage;
   for (const auto& [kind, paths] : {std::pair{"file", &inputs.files}, {"folder", &inputs.folders}}) {
     std::vector<fs::path> sorted = *paths;
     std::sort(sorted.begin(), sorted.end());
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     for (const fs::path& path : sorted) {
       if (path.string().find('\n') != std::string::npos) sound = false;
-      text += fmt::format("{} {} {}\n", kind, kind[1] == 'i' ? hash_file(path, folder_) : hash_folder(path),
+      text += fmt::format("{} {} {}\n", kind, kind[1] == 'i' ? hash_file(path, stages) : hash_folder(path),
                           path.string());
     }
   }

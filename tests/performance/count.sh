@@ -7,7 +7,8 @@ here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 page=$here/../../docs/explanation/performance.md
 way=$1
 build=$(readlink -f "$2")
-work=$build/performance
+work=$(mktemp -d)  # its path is as long in every checkout; the count grows with the length
+trap 'rm -rf "$work"' EXIT
 tolerance=2  # per cent
 
 # The counts are of code by g++ 12, which partly uses AVX2. Counts of another compiler's code are not
@@ -17,9 +18,6 @@ if [[ $(uname -m) != x86_64 || $(g++ -dumpversion) != 12 ]] || ! grep -qw avx2 /
   echo 'not counted: the table requires g++ 12 on x86-64 with AVX2, and valgrind'
   exit 0
 fi
-rm -rf "$work"
-mkdir -p "$work"
-
 # Clears the user's environment, whose size changes the stack. Turns off the sandbox, in which callgrind
 # cannot write.
 clean() { env -i PATH=/usr/bin:/bin HOME="$work" XDG_CACHE_HOME="$work/cache" TMPDIR="$work" ROBOSIM_SANDBOX=off "$@"; }
