@@ -21,6 +21,7 @@
 
 #include "sim/base/child.h"
 #include "sim/base/descriptor.h"
+#include "sim/base/program_sandbox.h"
 #include "tests/hostile/input.h"
 #include "tests/hostile/watched.h"
 #include "tests/support/temporary_folder.h"
@@ -32,8 +33,6 @@ namespace fs = std::filesystem;
 
 constexpr double kGivenUp_s = 900.0;  ///< a command that takes longer is considered endless
 constexpr double kLate_s = 10.0;
-/// Processor time that docs/explanation/security.md grants the compilers of one build.
-constexpr double kMostCompilation_s = 300.0;
 constexpr std::size_t kMostMemory_kb = 300 * 1024;
 /// Phrases in messages about limits of docs/explanation/security.md. A run that reaches such a limit may take
 /// longer than kLate_s.
@@ -174,7 +173,7 @@ std::vector<std::string> judge(const Watched& watched, const Input& input, bool 
   const bool named =
       std::any_of(std::begin(kLimits), std::end(kLimits), [&](const char* one) { return has(texts, one); });
   const bool keeps_compilers_busy = has(input.mechanism, "bomb") || input.mechanism == "many_files";
-  const double more_s = keeps_compilers_busy ? kMostCompilation_s : 0.0;
+  const double more_s = keeps_compilers_busy ? kStepSeconds : 0.0;
   if (!named && (watched.processor_s > kLate_s + more_s || watched.wall_s > late_s() + more_s))
     found(fmt::format("late: {:.1f} s, {:.1f} s of processor time", watched.wall_s, watched.processor_s));
   for (const std::string& one : watched.left) found("process left: " + one);
