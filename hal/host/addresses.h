@@ -39,7 +39,7 @@ struct HeapBlock {
   uintptr_t begin;
   size_t bytes;
 };
-/// Returns the last block, in use or freed, that begins at or before the address; all zero if there is none.
+/// Returns the last block, in use or freed, that begins at or before the address, or a block of zeros.
 HeapBlock block_around(uintptr_t address);
 
 #ifdef ROBOSIM_SANITIZE

@@ -42,7 +42,7 @@ struct EndsAs {
 /// A condition on a run that distinguishes the two sides of a difference.
 class Choice {
  public:
-  /// Derives the condition from `found`. Returns nullopt if there is none, as for a mean speed.
+  /// Derives the condition from `found`. Returns nullopt if `found` has no condition, such as a mean speed.
   static std::optional<Choice> of(const Difference& found, const History& first, const History& second);
   /// Returns whether a run behaves like `first` at the difference.
   bool is_as_first(const History& run) const;

@@ -18,7 +18,7 @@ constexpr std::size_t kLongestLine = 100;
 /// The longest subject of a commit, in characters.
 constexpr std::size_t kLongestSubject = 72;
 
-/// Returns a message for each phrase that has a plainer form, such as `again` for `anew`.
+/// Returns a message for each phrase with a plainer form: `again` replaces `anew`.
 std::vector<std::string> odd_words(const Passage& passage);
 
 /// Returns a message for each sentence of more than kLongestSentence words. A colon or semicolon also ends a
