@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/personality.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -74,6 +75,24 @@ struct Instructions {
   }
 };
 
+/// While it exists, programs that this thread starts have no random addresses. Containers may refuse this: it
+/// then has no effect.
+class FixedAddresses {
+ public:
+  explicit FixedAddresses(bool wanted) : before_(wanted ? ::personality(kQuery) : -1) {
+    if (before_ >= 0) ::personality(static_cast<unsigned long>(before_) | ADDR_NO_RANDOMIZE);
+  }
+  ~FixedAddresses() {
+    if (before_ >= 0) ::personality(static_cast<unsigned long>(before_));
+  }
+  FixedAddresses(const FixedAddresses&) = delete;
+  FixedAddresses& operator=(const FixedAddresses&) = delete;
+
+ private:
+  static constexpr unsigned long kQuery = 0xffffffff;  // personality(2): returns the setting, changes nothing
+  int before_;
+};
+
 std::vector<char*> pointers(const std::vector<std::string>& texts) {
   std::vector<char*> result;
   for (const std::string& text : texts) result.push_back(const_cast<char*>(text.c_str()));
@@ -106,6 +125,7 @@ Child::Child(const ChildStart& start) : own_group_(start.own_group) {
   const std::vector<char*> arguments = pointers(start.words);
   const std::vector<char*> variables =
       start.environment ? pointers(*start.environment) : std::vector<char*>{};
+  const FixedAddresses fixed(start.fixed_addresses);
   const int error = ::posix_spawnp(&pid_, arguments[0], &how.files, &how.spawn, arguments.data(),
                                    start.environment ? variables.data() : environ);
   if (error != 0) {

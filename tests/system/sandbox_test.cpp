@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/personality.h>
 #include <sys/syscall.h>
 
 #include "sim/base/error.h"
@@ -430,6 +431,47 @@ TEST_F(Sandbox, LooksUpNoLineForLongerThanItMay) {
   EXPECT_THAT(r.why, HasSubstr("write of address 0x8"));
   EXPECT_FALSE(r.crash && r.crash->where.line > 0) << "it was looked up";
 }
+
+bool kernel_allows_fixed_addresses() {
+  const int before = ::personality(0xffffffff);
+  if (::personality(static_cast<unsigned long>(before) | ADDR_NO_RANDOMIZE) < 0) return false;
+  ::personality(static_cast<unsigned long>(before));
+  return true;
+}
+
+TEST_F(Sandbox, ShowsASketchTheSameAddressesInEachRun) {
+  if (!kernel_allows_fixed_addresses()) GTEST_SKIP() << "the kernel refuses fixed addresses here";
+  const auto request = request_of_text(
+      "extern \"C\" int getpid();\nint global;\n"
+      "void show(const void* place) { unsigned long n = (unsigned long)place;\n"
+      "  Serial.print((unsigned)(n >> 31 >> 1)); Serial.print(' '); Serial.println((unsigned)n); }\n"
+      "void setup() {\n  Serial.begin(115200);\n  int local;\n"
+      "  show(&global); show(&local); show(new int); show((void*)&setup); show((void*)&getpid);\n"
+      "}\nvoid loop() { delay(10); }\n");
+  const result::RunResult first = client::Runner("host").run(request);
+  client::Runner runner("host");
+  for (int run = 0; run < 3; ++run) {
+    const result::RunResult again = runner.run(request);
+    EXPECT_EQ(again.serial, first.serial);
+    EXPECT_EQ(again.trace_hash, first.trace_hash);
+  }
+}
+
+// Elsewhere the C library's random canary remains in the stack.
+#ifdef __x86_64__
+TEST_F(Sandbox, ShowsASketchTheSameUnwrittenStackInEachCommand) {
+  if (!kernel_allows_fixed_addresses()) GTEST_SKIP() << "the kernel refuses fixed addresses here";
+  const auto request = request_of_text(
+      "__attribute__((noinline)) void show_rest() {\n"
+      "  volatile unsigned char rest[512]; unsigned sum = 0;\n"
+      "  for (unsigned char byte : rest) sum = sum * 31 + byte;\n"
+      "  Serial.println(sum); }\n"
+      "void setup() { Serial.begin(115200); Serial.println(1.5); show_rest(); delay(10); show_rest(); }\n"
+      "void loop() { delay(10); }\n");
+  const std::string first = client::Runner("host").run(request).serial;
+  for (int run = 0; run < 3; ++run) EXPECT_EQ(client::Runner("host").run(request).serial, first);
+}
+#endif
 
 TEST_F(Sandbox, ChangesNoRun) {
   auto request = request_of({.sketch = "PidFollower", .goal = "laps:1"});

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 namespace robosim::exec {
 
@@ -27,6 +28,29 @@ class GuardedMemory {
   std::size_t page_;
   std::size_t bytes_;
   std::byte* begin_;
+};
+
+/// While it exists, functions put a constant into their stack frames instead of the C library's random value.
+/// Such a canary detects overflows (-fstack-protector). With a constant, firmware that reads its unwritten
+/// stack reads the same in each run. Has an effect only on x86-64: on ARM the C library protects its value.
+class ConstantCanary {
+ public:
+  ConstantCanary() : before_(exchange(0)) {}
+  ~ConstantCanary() { exchange(before_); }
+  ConstantCanary(const ConstantCanary&) = delete;
+  ConstantCanary& operator=(const ConstantCanary&) = delete;
+
+ private:
+  static std::uintptr_t exchange(std::uintptr_t value) {
+#ifdef __x86_64__
+    std::uintptr_t before = 0;
+    asm volatile("mov %%fs:0x28, %0\n\tmov %1, %%fs:0x28" : "=&r"(before) : "r"(value) : "memory");
+    return before;
+#else
+    return value;
+#endif
+  }
+  std::uintptr_t before_;
 };
 
 /// Runs `body` on `stack`. A fiber may be abandoned at any time: its destructor unwinds nothing.

@@ -198,6 +198,7 @@ class HostExecutor::Instance final : public host::Host {
  private:
   void resume() {
     running_ = this;
+    const ConstantCanary canary;
     if (sigsetjmp(escape_, 0) == 0) {
       fiber_.resume();
     } else {
