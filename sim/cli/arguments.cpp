@@ -55,6 +55,18 @@ double view_speed(const std::string& text) {
 
 using Words = std::vector<std::string>;
 
+/// Throws InputError for options that several robots exclude.
+void refuse_for_fleet(const RunArguments& run) {
+  const auto refuse = [](bool given, const char* option, const char* why) {
+    if (given) throw InputError(fmt::format("{} {}", option, why));
+  };
+  refuse(run.request.gdb_port > 0, "--gdb",
+         "halts only one robot's chip; debug that robot in a run of its own");
+  refuse(!run.coverage.empty(), "--coverage", "counts the lines of only one sketch; run that robot alone");
+  refuse(run.serial, "--serial",
+         "prints what only one sketch sends; run that robot alone, or read it in --json");
+}
+
 Command parse_run(const Words& words) {
   RunArguments run;
   std::string speed, port;
@@ -92,6 +104,7 @@ Command parse_run(const Words& words) {
     throw InputError(
         "--view, --live, --json and --serial each need the standard output; give only one of them");
   robots.finish();
+  if (!run.fleet.members.empty()) refuse_for_fleet(run);
   if (!speed.empty() && !run.view) throw InputError("--speed requires --view");
   return run;
 }

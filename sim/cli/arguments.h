@@ -8,22 +8,21 @@
 #include <variant>
 #include <vector>
 
+#include "sim/campaign/compare/compare_options.h"
+#include "sim/campaign/hunt/hunt_options.h"
+#include "sim/campaign/mutate/mutate_options.h"
+#include "sim/campaign/report/report_options.h"
+#include "sim/campaign/sweep/sweep_options.h"
 #include "sim/cli/help.h"
-#include "sim/cli/shard.h"
-#include "sim/launch/fleet.h"
-#include "sim/launch/launch.h"
+#include "sim/launch/run_settings.h"
 
 namespace robosim::cli {
 
-/// `robosim run`. Names are as the user typed them; empty = not given.
-struct RunArguments : launch::Launch {
-  launch::Fleet fleet;              ///< several robots; without members, the single robot of the base class
-  std::string script;               ///< a file
-  std::vector<std::string> send;    ///< texts in scenario syntax, between its double quotes
+/// `robosim run`
+struct RunArguments : launch::RunSettings {
   std::vector<std::string> record;  ///< files
   std::vector<std::string> plot;    ///< files
   std::string coverage;             ///< a folder; empty = lines are not counted
-  bool chip_only = false;           ///< the default target is the chip of the robot's board, not the host
   bool view = false;
   double speed = 1.0;   ///< speed of the view, simulated s per s of wall time; 0 = as fast as possible
   bool live = false;    ///< driven by requests on the standard input (run/live.h)
@@ -45,39 +44,18 @@ struct ReplayArguments {
   std::vector<std::string> record;  ///< files
 };
 
-/// `robosim sweep`: every sketch on every map with every robot on every target, each with all seeds.
-struct SweepArguments {
-  std::vector<std::string> sketches;
-  std::vector<std::string> maps;  ///< for maps, robots and targets, empty = the choice of `run`
-  std::vector<std::string> robots;
-  std::vector<std::string> targets;
-  RunArguments each;  ///< common to all runs; its sketch, map, robot, target and seed are ignored
-  std::uint64_t first_seed = 1;
-  std::uint64_t last_seed = 100;
-  std::size_t jobs = 1;  ///< simultaneous runs
-  std::string csv;       ///< a file; empty = none
-  bool resume = false;
-  std::optional<double> min_rate;
-  bool sure = false;        ///< the runs must prove min_rate, see analysis::Demand
-  bool stop_early = false;  ///< skips runs that cannot change whether min_rate is met
+/// `robosim sweep`
+struct SweepArguments : campaign::SweepOptions {
   bool json = false;
-  Shard shard;                     ///< selects some of the runs
-  std::vector<std::string> merge;  ///< tables of other shards, whose runs are not repeated
 };
 
 /// `robosim report`
-struct ReportArguments {
+struct ReportArguments : campaign::ReportOptions {
   std::string file;  ///< a table of sweep --csv, or a JUnit XML file
-  std::string out = "report.html";
-  std::size_t runs = 40;  ///< maximum number of repeated runs
-  RunArguments each;      ///< for a table: see SweepArguments
 };
 
 /// `robosim compare`
-struct CompareArguments {
-  std::vector<std::string> targets;  ///< all others are compared with the first
-  std::string moves;                 ///< with several robots: the robot that runs on the targets; empty = all
-  RunArguments each;                 ///< its target and seed are ignored
+struct CompareArguments : campaign::CompareOptions {
   std::uint64_t first_seed = 1;
   std::uint64_t last_seed = 1;
   bool json = false;
@@ -210,34 +188,15 @@ struct TestArguments {
 };
 
 /// `robosim mutate`
-struct MutateArguments {
-  std::string sketch;
-  std::string checks;              ///< a file; empty = the sketch's checks.toml
-  std::vector<std::string> tests;  ///< GoogleTest programs, used instead of checks
-  std::uint64_t seed = 1;
-  std::size_t count = 20;  ///< number of bugs
-  std::size_t jobs = 1;    ///< simultaneous runs
+struct MutateArguments : mutate::MutateOptions {
   double min_score = 0.0;
   bool json = false;
 };
 
 /// `robosim hunt`
-struct HuntArguments {
-  std::string sketch;
-  std::vector<std::string> maps;  ///< empty = the choice of `run`, or a suitable map
-  bool only_maps = false;         ///< generates no maps
-  std::string robot;
-  std::vector<std::string> targets;  ///< empty = the chip and the host
-  RunArguments each;                 ///< see SweepArguments
-  std::uint64_t seed = 1;            ///< seed of all random choices
-  std::uint64_t runs = 400;
-  double minutes = 0.0;  ///< wall time after which no run starts; 0 = no limit
-  std::size_t jobs = 1;  ///< simultaneous runs
-  std::string out;       ///< a folder; empty = hunt-SKETCH
+struct HuntArguments : campaign::HuntOptions {
+  std::string out;  ///< a folder; empty = hunt-SKETCH
   bool resume = false;
-  bool stop_early = false;
-  Shard shard;                     ///< selects some of the runs
-  std::vector<std::string> merge;  ///< folders of other shards; if given, nothing is run
 };
 
 /// `robosim new`

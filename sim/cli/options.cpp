@@ -121,39 +121,4 @@ PossibleValues targets() { return PossibleValues::of({"host", "avr", "stm32"}); 
 PossibleValues profiles() { return PossibleValues::of({kProfileNames.begin(), kProfileNames.end()}); }
 PossibleValues goals() { return PossibleValues::of({kGoalForms.begin(), kGoalForms.end()}); }
 
-void refuse_value(const char* option, const std::string& value, const std::string& allowed,
-                  const std::string& hint) {
-  throw InputError(fmt::format("{}: expected {}, got “{}”{}", option, allowed, value, hint));
-}
-
-std::int64_t simulated_time(const char* option, const std::string& text) {
-  const auto ns = parse_duration_ns(text);
-  if (!ns || *ns <= 0) {
-    refuse_value(option, text,
-                 fmt::format("a time above 0 with its unit, as in 60s ({})", unit_names(Dimension::time)));
-  }
-  return *ns;
-}
-
-std::uint64_t whole_number(const char* option, const std::string& text, std::uint64_t least,
-                           std::uint64_t most) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < least || value > most) {
-    refuse_value(option, text, fmt::format("a whole number from {} to {}", least, most));
-  }
-  return value;
-}
-
-std::uint64_t seed_number(const std::string& text) { return whole_number("--seed", text, 0, kMostSeed); }
-
-void check_choice(const char* option, const std::string& value, const std::vector<std::string>& allowed) {
-  if (std::find(allowed.begin(), allowed.end(), value) == allowed.end())
-    throw InputError(fmt::format("{}: {}", option, expected_one_of(value, allowed)));
-}
-
-void check_profile(const std::string& value) {
-  check_choice("--profile", value, {kProfileNames.begin(), kProfileNames.end()});
-}
-
 }  // namespace robosim::cli

@@ -1,12 +1,11 @@
 // The options of one command, and values that several commands read.
 #pragma once
 
-#include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/base/option_values.h"
 #include "sim/cli/help.h"
 
 namespace robosim::cli {
@@ -65,23 +64,9 @@ constexpr const char* kMapHelp = "use this map: a file, or the name of a sample 
 constexpr const char* kJobsHelp = "do this many runs at a time (default: one for each core)";
 constexpr const char* kShardHelp = "do only the I-th of N parts of the runs; --merge combines the parts";
 
-constexpr std::uint64_t kMostSeed = std::numeric_limits<std::uint64_t>::max();
-
 // Return the possible values of options that many commands have, for completion.
 PossibleValues targets();
 PossibleValues profiles();
 PossibleValues goals();
-
-/// Throws InputError: "--seed: expected `allowed`, got “x”; `hint`".
-[[noreturn]] void refuse_value(const char* option, const std::string& value, const std::string& allowed,
-                               const std::string& hint = "");
-
-// Parse values. Throw InputError.
-std::int64_t simulated_time(const char* option, const std::string& text);
-std::uint64_t whole_number(const char* option, const std::string& text, std::uint64_t least,
-                           std::uint64_t most);
-std::uint64_t seed_number(const std::string& text);
-void check_choice(const char* option, const std::string& value, const std::vector<std::string>& allowed);
-void check_profile(const std::string& value);
 
 }  // namespace robosim::cli

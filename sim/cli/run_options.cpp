@@ -9,12 +9,14 @@ void RunOptions::task() {
 }
 
 void RunOptions::time() {
-  options_.text("--for", duration_, "TIME", "limit the simulated time, as in 60s (default: 10 min)");
-  options_.text("--clock", clock_, "TIME",
+  options_.text("--for", texts_.duration, "TIME", "limit the simulated time, as in 60s (default: 10 min)");
+  options_.text("--clock", texts_.clock, "TIME",
                 "let millis() begin with this time, as in 49.7d (chip targets only)");
 }
 
-void RunOptions::seed() { options_.text("--seed", seed_, "N", "seed all noise and spread (default: 1)"); }
+void RunOptions::seed() {
+  options_.text("--seed", texts_.seed, "N", "seed all noise and spread (default: 1)");
+}
 
 void RunOptions::common() {
   options_.text("--profile", run_.request.profile, "PROFILE", kProfileHelp, profiles());
@@ -24,11 +26,6 @@ void RunOptions::common() {
   options_.texts("--libraries", run_.libraries, "DIR", kLibrariesHelp, PossibleValues::folder());
 }
 
-void RunOptions::finish() {
-  if (!duration_.empty()) run_.request.for_ns = simulated_time("--for", duration_);
-  if (!clock_.empty()) run_.request.clock_ns = simulated_time("--clock", clock_);
-  if (!seed_.empty()) run_.request.seed = seed_number(seed_);
-  check_profile(run_.request.profile);
-}
+void RunOptions::finish() { take(texts_, run_); }
 
 }  // namespace robosim::cli

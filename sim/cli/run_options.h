@@ -1,10 +1,8 @@
 // The options of a run that several commands share. Each command adds the groups that it supports.
 #pragma once
 
-#include <string>
-
-#include "sim/cli/arguments.h"
 #include "sim/cli/options.h"
+#include "sim/launch/run_settings.h"
 
 namespace robosim::cli {
 
@@ -18,7 +16,7 @@ constexpr const char* kScriptHelp = "apply this script during the run: buttons, 
 class RunOptions {
  public:
   /// Both arguments must outlive this object.
-  RunOptions(Options& options, RunArguments& run) : options_(options), run_(run) {}
+  RunOptions(Options& options, launch::RunSettings& run) : options_(options), run_(run) {}
   RunOptions(const RunOptions&) = delete;
   RunOptions& operator=(const RunOptions&) = delete;
 
@@ -32,8 +30,8 @@ class RunOptions {
 
  private:
   Options& options_;
-  RunArguments& run_;
-  std::string duration_, clock_, seed_;
+  launch::RunSettings& run_;
+  launch::RunTexts texts_;
 };
 
 }  // namespace robosim::cli

@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kLongestName = 32;
-constexpr std::size_t kMostScript_bytes = std::size_t{16} << 20;
 
 /// Returns a path relative to the file's folder.
 std::string named_path(const fs::path& folder, const std::string& word, const Place& place) {
@@ -53,7 +52,7 @@ class MemberReader {
     launch.request.clock_ns = clock();
     if (const std::string script = path_at("script", true); !script.empty()) {
       launch.request.script_file = script;
-      launch.request.script = read_file(script, kMostScript_bytes);
+      launch.request.script = script_text(script);
     }
     reader_.finish();
     if (!launch.target.empty())

@@ -10,6 +10,11 @@
 
 namespace robosim::launch {
 
+std::string script_text(const std::string& file) {
+  constexpr std::size_t kMost_bytes = std::size_t{16} << 20;
+  return read_file(file, kMost_bytes);
+}
+
 Chosen choose(const Launch& launch) {
   Chosen chosen;
   chosen.sketch = choose_sketch(launch.sketch, launch.environment, launch.untrusted);

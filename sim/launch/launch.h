@@ -71,6 +71,9 @@ struct Listener {
 /// Returns a finished .elf unchanged, and otherwise compiles the sketch. Throws InputError and ToolMissing.
 build::Image image_of(const SketchChoice& sketch, const build::Request& request, const Listener& listener);
 
+/// Reads a script file. Throws InputError.
+std::string script_text(const std::string& file);
+
 /// Prepares runs. Work that several runs share is done and reported once.
 class Launcher {
  public:

@@ -52,6 +52,21 @@ void fields(V& v, Same<V, Crash>& c) {
     {.presence = when(!c.registers.empty())});
 }
 
+/// The finding of the first check that failed in a second run, with checks (--sanitize).
+struct Finding {
+  Crash fault;
+  double time_s = 0.0;  ///< simulated time of the finding
+  std::string advice;   ///< may be empty
+};
+
+template <class V>
+void fields(V& v, Same<V, Finding>& f) {
+  v("check", f.fault.check, "what was checked: `\"mul_overflow\"`");
+  v("reason", f.fault.reason, "a clause");
+  fields(v, f.fault.where);
+  v("time_s", f.time_s, "when it was found", {.unit = "s"});
+}
+
 /// A line of the sketch that divided an integer by zero and continued, as on a chip. Reported on the host.
 struct DivisionByZero {
   SourceLine where;

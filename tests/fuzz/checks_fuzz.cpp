@@ -7,20 +7,21 @@
 #include <string_view>
 
 #include "sim/base/error.h"
-#include "sim/cli/check/checks_file.h"
+#include "sim/campaign/check/checks_file.h"
 #include "tests/fuzz/require.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace robosim;
   try {
     std::set<std::string> names;
-    for (const cli::Check& check :
-         cli::parse_checks({reinterpret_cast<const char*>(data), size}, "folder/checks.toml")) {
+    for (const campaign::Check& check :
+         campaign::parse_checks({reinterpret_cast<const char*>(data), size}, "folder/checks.toml")) {
       require(!check.name.empty() && names.insert(check.name).second, "a check has a name of its own");
       require(check.place.file == "folder/checks.toml" && check.place.line >= 1, "a check has its place");
       require(!check.expect.empty(), "there is a verdict to expect");
       require(check.sweep.first_seed <= check.sweep.last_seed, "there is a run");
-      for (const cli::FigureLimit& limit : check.limits) require(limit.min || limit.max, "a limit limits");
+      for (const campaign::FigureLimit& limit : check.limits)
+        require(limit.min || limit.max, "a limit limits");
     }
   } catch (const InputError& error) {
     require(error.place().file == "folder/checks.toml", "errors name the file");

@@ -13,7 +13,7 @@
 #include "sim/base/csv.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/cli/sweep/sweep_table.h"
+#include "sim/campaign/sweep/sweep_table.h"
 #include "sim/record/record_csv.h"
 #include "sim/record/record_vcd.h"
 #include "sim/record/recording.h"
@@ -56,10 +56,10 @@ void record_events(std::string_view text) {
   }
 }
 
-const cli::SweepPlan& plan() {
-  static const cli::SweepPlan plan = [] {
-    cli::SweepPlan made;
-    cli::Combination& only = made.combinations.emplace_back();
+const campaign::SweepPlan& plan() {
+  static const campaign::SweepPlan plan = [] {
+    campaign::SweepPlan made;
+    campaign::Combination& only = made.combinations.emplace_back();
     only.inputs.sketch = "S";
     only.inputs.map = "oval";
     only.inputs.robot = "uno5";
@@ -73,9 +73,9 @@ const cli::SweepPlan& plan() {
 }
 
 void read_table(std::string_view rows) {
-  for (const std::string& text : {std::string(rows), cli::sweep_header() + std::string(rows)}) {
+  for (const std::string& text : {std::string(rows), campaign::sweep_header() + std::string(rows)}) {
     try {
-      for (const cli::SweepRow& row : cli::read_sweep_rows(text, "fuzz.csv", plan())) {
+      for (const campaign::SweepRow& row : campaign::read_sweep_rows(text, "fuzz.csv", plan())) {
         require(row.run < plan().runs(), "a row is of the plan");
         require(row.outcome.made() && row.line.back() == '\n', "a row is whole");
       }

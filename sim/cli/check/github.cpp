@@ -64,11 +64,11 @@ std::string cell(const std::string& text) {
 
 bool on_github() { return environment("GITHUB_ACTIONS") == "true"; }
 
-std::string github_notes(const std::vector<SketchResult>& sketches) {
+std::string github_notes(const std::vector<campaign::SketchResult>& sketches) {
   std::string text;
-  for (const SketchResult& sketch : sketches) {
+  for (const campaign::SketchResult& sketch : sketches) {
     if (sketch.problem) text += note(sketch.problem->place, sketch.name, sketch.problem->text);
-    for (const CheckResult& result : sketch.results) {
+    for (const campaign::CheckResult& result : sketch.results) {
       if (result.ok() || sketch.problem) continue;
       text += note(result.place, sketch.name + ": " + result.name,
                    result.replay.empty() ? result.why : result.why + "\n" + result.replay);
@@ -77,14 +77,14 @@ std::string github_notes(const std::vector<SketchResult>& sketches) {
   return text;
 }
 
-std::string github_summary(const std::vector<SketchResult>& sketches) {
+std::string github_summary(const std::vector<campaign::SketchResult>& sketches) {
   std::string text = "| sketch | check | where | result | why |\n|---|---|---|---|---|\n";
-  for (const SketchResult& sketch : sketches) {
+  for (const campaign::SketchResult& sketch : sketches) {
     if (sketch.problem) {
       text += fmt::format("| {} | | | ❌ error | {} |\n", cell(sketch.name), cell(sketch.problem->line));
       continue;
     }
-    for (const CheckResult& result : sketch.results) {
+    for (const campaign::CheckResult& result : sketch.results) {
       text += fmt::format("| {} | {} | {} | {} | {} |\n", cell(sketch.name), cell(result.name),
                           cell(result.where), result.ok() ? "✅ passed" : "❌ failed", cell(result.why));
     }
@@ -92,7 +92,7 @@ std::string github_summary(const std::vector<SketchResult>& sketches) {
   return text + "\n";
 }
 
-void add_github_summary(const std::vector<SketchResult>& sketches) {
+void add_github_summary(const std::vector<campaign::SketchResult>& sketches) {
   const std::string file = environment("GITHUB_STEP_SUMMARY");
   if (file.empty()) return;
   std::ofstream out(file, std::ios::binary | std::ios::app);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/cli/check/check_result.h"
+#include "sim/campaign/check/check_result.h"
 
 namespace robosim::cli {
 
@@ -12,12 +12,12 @@ namespace robosim::cli {
 bool on_github();
 
 /// Returns a `::error file=…,line=…::…` for each failure, at its [[check]] or at the place in the sketch.
-std::string github_notes(const std::vector<SketchResult>& sketches);
+std::string github_notes(const std::vector<campaign::SketchResult>& sketches);
 
 /// Returns a Markdown table.
-std::string github_summary(const std::vector<SketchResult>& sketches);
+std::string github_summary(const std::vector<campaign::SketchResult>& sketches);
 
 /// Appends the summary to the file in GITHUB_STEP_SUMMARY, if that is set. Throws InputError.
-void add_github_summary(const std::vector<SketchResult>& sketches);
+void add_github_summary(const std::vector<campaign::SketchResult>& sketches);
 
 }  // namespace robosim::cli

@@ -2,7 +2,6 @@
 
 #include "sim/base/error.h"
 #include "sim/cli/options.h"
-#include "sim/cli/sweep/sweep_arguments.h"
 
 namespace robosim::cli {
 

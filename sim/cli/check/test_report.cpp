@@ -22,7 +22,7 @@ int widest(const Items& items, const TextOf& text_of) {
   return width;
 }
 
-std::string mark(const CheckResult& result) {
+std::string mark(const campaign::CheckResult& result) {
   switch (result.status) {
     case ExitStatus::ok:
       return "passed";
@@ -35,10 +35,10 @@ std::string mark(const CheckResult& result) {
 }
 
 // Keeps a name in one line, since it comes from a sketch or its folder.
-std::string shown_name(const CheckResult& result) { return in_one_line(result.name); }
-std::string shown_place(const CheckResult& result) { return in_one_line(result.where); }
+std::string shown_name(const campaign::CheckResult& result) { return in_one_line(result.name); }
+std::string shown_place(const campaign::CheckResult& result) { return in_one_line(result.where); }
 
-std::string outcome(const CheckResult& result) {
+std::string outcome(const campaign::CheckResult& result) {
   if (result.only)
     return fmt::format("{} after {}", result.only->verdict, terminal::time_text(result.only->time_s));
   if (result.runs > 0) return fmt::format("{} of {} runs passed", result.passed, result.runs);
@@ -47,13 +47,13 @@ std::string outcome(const CheckResult& result) {
 
 }  // namespace
 
-std::string sketch_report(const SketchResult& sketch) {
+std::string sketch_report(const campaign::SketchResult& sketch) {
   if (sketch.problem) return "";
   const auto& results = sketch.results;
   const int names = widest(results, shown_name);
   const int places = widest(results, shown_place);
   std::string text;
-  for (const CheckResult& result : results) {
+  for (const campaign::CheckResult& result : results) {
     std::string line =
         fmt::format("{}  {}  {}  {}", padded(mark(result), 6), padded(shown_name(result), names),
                     padded(shown_place(result), places), outcome(result));
@@ -67,12 +67,12 @@ std::string sketch_report(const SketchResult& sketch) {
                             results.size() == 1 ? "" : "s");
 }
 
-std::string class_report(const std::vector<SketchResult>& sketches) {
-  const auto shown = [](const SketchResult& sketch) { return in_one_line(sketch.name); };
+std::string class_report(const std::vector<campaign::SketchResult>& sketches) {
+  const auto shown = [](const campaign::SketchResult& sketch) { return in_one_line(sketch.name); };
   const int names = widest(sketches, shown);
   std::size_t passed = 0;
   std::string text;
-  for (const SketchResult& sketch : sketches) {
+  for (const campaign::SketchResult& sketch : sketches) {
     std::string line = padded(shown(sketch), names);
     if (sketch.problem) {
       line += "  ERROR   " + in_one_line(sketch.problem->line);
@@ -81,7 +81,7 @@ std::string class_report(const std::vector<SketchResult>& sketches) {
       line +=
           fmt::format("  {}  {} of {}", all ? "passed" : "FAILED", sketch.passed(), sketch.results.size());
       const auto failed = std::find_if(sketch.results.begin(), sketch.results.end(),
-                                       [](const CheckResult& r) { return !r.ok(); });
+                                       [](const campaign::CheckResult& r) { return !r.ok(); });
       if (failed != sketch.results.end())
         line += fmt::format("  {}: {}", shown_name(*failed), in_one_line(failed->why));
       passed += all ? 1 : 0;

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "sim/cli/check/check_result.h"
+#include "sim/campaign/check/check_result.h"
 
 namespace robosim::cli {
 
 /// Returns the report on one sketch: a line for each check. A failure is followed by its reason and the
 /// command that replays it.
-std::string sketch_report(const SketchResult& sketch);
+std::string sketch_report(const campaign::SketchResult& sketch);
 
 /// Returns the report on several sketches: a line for each.
-std::string class_report(const std::vector<SketchResult>& sketches);
+std::string class_report(const std::vector<campaign::SketchResult>& sketches);
 
 }  // namespace robosim::cli

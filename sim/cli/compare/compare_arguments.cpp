@@ -5,7 +5,6 @@
 #include "sim/base/error.h"
 #include "sim/cli/run/fleet_arguments.h"
 #include "sim/cli/run_options.h"
-#include "sim/cli/sweep/sweep_arguments.h"
 
 namespace robosim::cli {
 namespace {

@@ -21,7 +21,7 @@ std::string place_of(const result::SourceLine& source) {
   return source.function.empty() ? place : fmt::format("{} in {}()", place, source.function);
 }
 
-std::string names_of(const Compared& c) {
+std::string names_of(const campaign::Compared& c) {
   std::string text;
   for (std::size_t i = 0; i < c.target_runs.size(); ++i)
     text += (i == 0 ? "" : i + 1 < c.target_runs.size() ? ", " : " and ") + c.target_runs[i].target;
@@ -29,19 +29,19 @@ std::string names_of(const Compared& c) {
 }
 
 /// Returns a line for each robot on each target.
-std::string lanes_text(const Compared& c) {
-  const auto robot_of = [&](const ComparedRun& run) {
+std::string lanes_text(const campaign::Compared& c) {
+  const auto robot_of = [&](const campaign::ComparedRun& run) {
     return c.moves.empty() ? run.inputs.robot : fmt::format("{}, {}", run.inputs.robot, run.inputs.target);
   };
   std::size_t name = 0, robot = 0;
-  for (const ComparedTarget& target_run : c.target_runs)
-    for (const ComparedRun& run : target_run.robots) {
+  for (const campaign::ComparedTarget& target_run : c.target_runs)
+    for (const campaign::ComparedRun& run : target_run.robots) {
       name = std::max(name, run.name.size());
       robot = std::max(robot, robot_of(run).size());
     }
   std::string text;
-  for (const ComparedTarget& target_run : c.target_runs)
-    for (const ComparedRun& run : target_run.robots)
+  for (const campaign::ComparedTarget& target_run : c.target_runs)
+    for (const campaign::ComparedRun& run : target_run.robots)
       text += fmt::format("  {:<6} {:<{}}{}{:<{}}  {:<8} {:8.2f} s\n", target_run.target, run.name, name,
                           name ? "  " : "", robot_of(run), robot, run.result.verdict, run.result.time_s);
   return text;
@@ -55,14 +55,14 @@ std::string uses_text(const char* what, const std::vector<analysis::PinUse>& use
   return text;
 }
 
-std::string side_text(const ComparedSide& side) {
+std::string side_text(const campaign::ComparedSide& side) {
   std::string text = fmt::format("  {:<6} {}\n", side.target, side.text);
   if (const std::string place = place_of(side.source); !place.empty())
     text += fmt::format("         {}\n", place);
   return text;
 }
 
-std::string around_text(const ComparedSide& side) {
+std::string around_text(const campaign::ComparedSide& side) {
   std::string text = fmt::format("\naround it on {}, until {:.4f} s:\n", side.target, seconds(side.t_ns));
   text += uses_text("read ", side.reads);
   text += uses_text("drove", side.writes);
@@ -70,7 +70,7 @@ std::string around_text(const ComparedSide& side) {
   return text;
 }
 
-std::string finding_text(const ComparedSide& side) {
+std::string finding_text(const campaign::ComparedSide& side) {
   if (!side.finding) return "";
   const result::Crash& fault = side.finding->fault;
   const std::string place = place_of(fault.where);
@@ -93,7 +93,7 @@ Json json_of(const std::vector<analysis::PinUse>& uses) {
   return all;
 }
 
-Json json_of(const ComparedSide& side) {
+Json json_of(const campaign::ComparedSide& side) {
   Json json{{"target", side.target},
             {"t_s", seconds(side.t_ns)},
             {"text", side.text},
@@ -105,17 +105,17 @@ Json json_of(const ComparedSide& side) {
   return json;
 }
 
-Json json_of(const ComparedRun& run) {
+Json json_of(const campaign::ComparedRun& run) {
   return {{"target", run.inputs.target},        {"robot", run.inputs.robot},
           {"verdict", run.result.verdict},      {"time_s", run.result.time_s},
           {"compiler", run.inputs.compiler},    {"image_sha256", run.result.image_sha256},
           {"trace_hash", run.result.trace_hash}};
 }
 
-Json json_of(const ComparedTarget& target_run) {
+Json json_of(const campaign::ComparedTarget& target_run) {
   if (target_run.robots.front().name.empty()) return json_of(target_run.robots.front());
   Json robots = Json::array();
-  for (const ComparedRun& run : target_run.robots) {
+  for (const campaign::ComparedRun& run : target_run.robots) {
     robots.push_back({{"name", run.name}, {"sketch", run.inputs.sketch}});
     robots.back().update(json_of(run));
   }
@@ -133,7 +133,7 @@ std::string late_text(const std::vector<result::Lateness>& late) {
                      from_s);
 }
 
-std::string tick_text(const Edge& edge, const std::array<ComparedSide, 2>& sides) {
+std::string tick_text(const campaign::Edge& edge, const std::array<campaign::ComparedSide, 2>& sides) {
   std::string ways;
   for (std::size_t side = 0; side < 2; ++side)
     if (sides[side].target != edge.target)
@@ -147,7 +147,7 @@ std::string tick_text(const Edge& edge, const std::array<ComparedSide, 2>& sides
   return text;
 }
 
-std::string edge_text(const Edge& edge, const ComparedSide& other) {
+std::string edge_text(const campaign::Edge& edge, const campaign::ComparedSide& other) {
   return fmt::format(
       "on the edge: {} also {}, {}where its clock is {:g} % {}{}; at {:.4f} s, {}\n"
       "  as above  {}\n  so        {}\n",
@@ -158,7 +158,7 @@ std::string edge_text(const Edge& edge, const ComparedSide& other) {
       seconds(edge.itself.t_ns[0]), edge.itself.what, edge.itself.sides[0], edge.itself.sides[1]);
 }
 
-std::string lacks_text(const Compared& c) {
+std::string lacks_text(const campaign::Compared& c) {
   if (c.lacks.empty()) return "";
   std::string what;
   for (const result::Lack& lack : c.lacks) {
@@ -171,7 +171,7 @@ std::string lacks_text(const Compared& c) {
       c.lacking, what);
 }
 
-Json json_of(const Edge& edge) {
+Json json_of(const campaign::Edge& edge) {
   Json json{{"target", edge.target},           {"ppm", edge.ppm},
             {"from_s", seconds(edge.from_ns)}, {"kind", analysis::name_of(edge.itself.kind)},
             {"what", edge.itself.what},        {"t_s", seconds(edge.itself.t_ns[0])},
@@ -189,8 +189,8 @@ Json json_of(const Edge& edge) {
 
 }  // namespace
 
-std::string compare_text(const Compared& c) {
-  const RunInputs& in = c.target_runs.front().robots.front().inputs;
+std::string compare_text(const campaign::Compared& c) {
+  const launch::RunInputs& in = c.target_runs.front().robots.front().inputs;
   std::string text =
       fmt::format("{} on {}, seed {}{}: {} ", c.sketch, in.map, c.seed,
                   c.moves.empty() ? "" : fmt::format(", {} on each target", c.moves), names_of(c));
@@ -199,7 +199,7 @@ std::string compare_text(const Compared& c) {
           : c.edges.empty()  ? "differ\n"
                              : "differ no more than each differs from itself\n";
   text += lanes_text(c);
-  for (const ComparedKnown& known : c.known)
+  for (const campaign::ComparedKnown& known : c.known)
     text += fmt::format("known difference, not counted: {}{} ({} “{}”, {} “{}”)\n", known.difference.what,
                         known.robot.empty() ? "" : " of robot " + known.robot, known.targets[0],
                         known.difference.sides[0], known.targets[1], known.difference.sides[1]);
@@ -208,27 +208,28 @@ std::string compare_text(const Compared& c) {
   text += fmt::format("\nfirst difference,{} at {:.4f} s on {} and {:.4f} s on {}: {}\n",
                       c.robot.empty() ? "" : fmt::format(" of robot {},", c.robot), seconds(d.t_ns[0]),
                       c.sides[0].target, seconds(d.t_ns[1]), c.sides[1].target, d.what);
-  for (const ComparedSide& side : c.sides) text += side_text(side);
+  for (const campaign::ComparedSide& side : c.sides) text += side_text(side);
   text += lacks_text(c);
   for (std::size_t side = 0; side < c.edges.size(); ++side)
     text += c.edges[side].is_of_tick() ? tick_text(c.edges[side], c.sides)
                                        : edge_text(c.edges[side], c.sides[1 - side]);
   if (!d.cause.empty()) text += fmt::format("cause     {}\n", d.cause);
-  for (const ComparedSide& side : c.sides) text += finding_text(side);
-  for (const ComparedSide& side : c.sides) text += around_text(side);
+  for (const campaign::ComparedSide& side : c.sides) text += finding_text(side);
+  for (const campaign::ComparedSide& side : c.sides) text += around_text(side);
   return text;
 }
 
-std::string compare_json(const Compared& c) {
+std::string compare_json(const campaign::Compared& c) {
   Json json{{"schema", "robosim.compare/1"},
             {"same", c.same()},
             {"sketch", c.sketch},
             {"map", c.target_runs.front().robots.front().inputs.map},
             {"seed", c.seed}};
   json["runs"] = Json::array();
-  for (const ComparedTarget& target_run : c.target_runs) json["runs"].push_back(json_of(target_run));
+  for (const campaign::ComparedTarget& target_run : c.target_runs)
+    json["runs"].push_back(json_of(target_run));
   json["known"] = Json::array();
-  for (const ComparedKnown& known : c.known) {
+  for (const campaign::ComparedKnown& known : c.known) {
     Json one{{"what", known.difference.what}, {"targets", known.targets}, {"texts", known.difference.sides}};
     if (!known.robot.empty()) one["robot"] = known.robot;
     json["known"].push_back(std::move(one));
@@ -247,7 +248,7 @@ std::string compare_json(const Compared& c) {
     json["lacks"].back()["target"] = c.lacking;
   }
   json["edges"] = Json::array();
-  for (const Edge& edge : c.edges) json["edges"].push_back(json_of(edge));
+  for (const campaign::Edge& edge : c.edges) json["edges"].push_back(json_of(edge));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

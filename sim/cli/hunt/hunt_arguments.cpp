@@ -4,7 +4,6 @@
 #include <charconv>
 
 #include "sim/cli/run_options.h"
-#include "sim/cli/sweep/sweep_arguments.h"
 
 namespace robosim::cli {
 namespace {
@@ -61,7 +60,7 @@ Command parse_hunt(const std::vector<std::string>& words) {
   shared.common();
   if (const auto help = options.parse(words)) return *help;
   hunt.jobs = number_of_jobs(jobs);
-  if (!shard.empty()) hunt.shard = read_shard(shard);
+  if (!shard.empty()) hunt.shard = campaign::read_shard(shard);
   if (!hunt.merge.empty() && (hunt.resume || !shard.empty()))
     throw InputError("--merge does no runs; it excludes --resume and --shard");
   if (!seed.empty()) hunt.seed = seed_number(seed);

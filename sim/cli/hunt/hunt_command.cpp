@@ -9,9 +9,11 @@
 #include "sim/base/escaped.h"
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
-#include "sim/cli/hunt/hunt.h"
+#include "sim/campaign/hunt/hunt.h"
+#include "sim/cli/launching.h"
 #include "sim/cli/output.h"
 #include "sim/launch/client/interrupts.h"
+#include "sim/view/terminal/progress.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -40,29 +42,31 @@ fs::path folder_for(const HuntArguments& arguments) {
 
 /// Returns the checks of the findings. Repeats the `never` and `always` assertions, so that the checks
 /// include them.
-std::string checks_text(const std::vector<HuntFinding>& findings, const CampaignRunner& campaign) {
+std::string checks_text(const std::vector<campaign::HuntFinding>& findings,
+                        const campaign::CampaignRunner& runner) {
   std::string text;
-  for (const auto& [key, when] :
-       {std::pair{"never", TextAssertion::When::never}, {"always", TextAssertion::When::always}}) {
+  for (const auto& [key, when] : {std::pair{"never", campaign::TextAssertion::When::never},
+                                  {"always", campaign::TextAssertion::When::always}}) {
     std::string list;
-    for (const TextAssertion& assertion : campaign.space().assertions)
+    for (const campaign::TextAssertion& assertion : runner.space().assertions)
       if (assertion.when == when)
         list += fmt::format("{}\"{}\"", list.empty() ? "" : ", ", escaped(assertion.text()));
     if (!list.empty()) text += fmt::format("{} = [{}]\n", key, list);
   }
   for (std::size_t i = 0; i < findings.size(); ++i)
-    text += (text.empty() ? "" : "\n") + hunt_check(findings[i], i + 1);
+    text += (text.empty() ? "" : "\n") + campaign::hunt_check(findings[i], i + 1);
   return text;
 }
 
-std::string opening_text(const CampaignRunner& campaign) {
+std::string opening_text(const campaign::CampaignRunner& runner) {
   std::string text;
-  for (const Stimulus& stimulus : campaign.space().opening)
+  for (const campaign::Stimulus& stimulus : runner.space().opening)
     text += fmt::format(", {} at {} s", stimulus.kind, stimulus.at_ms / 1000);
   return text;
 }
 
-std::string hunt_summary(const Hunt& hunt, const CampaignRunner& campaign, const fs::path& out) {
+std::string hunt_summary(const campaign::Hunt& hunt, const campaign::CampaignRunner& runner,
+                         const fs::path& out) {
   const std::size_t found = hunt.findings().size();
   std::string text = fmt::format("{} runs, {:.0f} s of simulated time: {}\n", hunt.runs(), hunt.simulated_s(),
                                  found == 0   ? std::string("nothing was found")
@@ -72,37 +76,37 @@ std::string hunt_summary(const Hunt& hunt, const CampaignRunner& campaign, const
     text += fmt::format("  {:3}  {} run{}  {}\n", i + 1, hunt.findings()[i].times,
                         hunt.findings()[i].times == 1 ? "" : "s", hunt.findings()[i].symptom.group);
   text += hunt.remark();
-  for (const std::string& map : hunt.baseline().reached() ? campaign.left_maps() : std::vector<std::string>{})
+  for (const std::string& map : hunt.baseline().reached() ? runner.left_maps() : std::vector<std::string>{})
     text += fmt::format(
         "{0} was skipped, because the sketch did not reach its goal there: --map {0} includes it\n", map);
-  for (const HuntSpace::Map& map : campaign.space().maps)
+  for (const campaign::HuntSpace::Map& map : runner.space().maps)
     if (!map.tours)
       text += fmt::format(
           "the sketch reaches its goal on {0}, but not on most floors like it, so that its driving there is "
           "not reported: --map {0} reports it\n",
           map.name);
-  if (campaign.refused() > 0)
-    text += fmt::format("{} world{} could not be run; the first: {}\n", campaign.refused(),
-                        campaign.refused() == 1 ? "" : "s", campaign.refusal());
+  if (runner.refused() > 0)
+    text += fmt::format("{} world{} could not be run; the first: {}\n", runner.refused(),
+                        runner.refused() == 1 ? "" : "s", runner.refusal());
   if (found > 0)
     text += fmt::format("checks that fail until it is fixed: {}\n", (out / "checks.toml").string());
   return text;
 }
 
 std::string part_of(const HuntArguments& arguments) {
-  if (!arguments.merge.empty()) return kMerged;
+  if (!arguments.merge.empty()) return campaign::kMerged;
   return arguments.shard.whole() ? "" : arguments.shard.text();
 }
 
 /// Returns a sentence for each shard that was not given.
-std::vector<std::string> missing_of(const std::vector<HuntPart>& parts) {
+std::vector<std::string> missing_of(const std::vector<campaign::HuntPart>& parts) {
   std::vector<std::string> sentences;
   for (std::uint64_t i = 0; !parts.empty() && i < parts.front().shard.count; ++i) {
-    const bool given =
-        std::any_of(parts.begin(), parts.end(), [&](const HuntPart& part) { return part.shard.index == i; });
+    const bool given = std::any_of(parts.begin(), parts.end(),
+                                   [&](const campaign::HuntPart& part) { return part.shard.index == i; });
     if (!given)
       sentences.push_back(fmt::format("robosim: shard {} is missing: its runs are not counted here\n",
-                                      Shard{i, parts.front().shard.count}.text()));
+                                      campaign::Shard{i, parts.front().shard.count}.text()));
   }
   return sentences;
 }
@@ -111,31 +115,32 @@ std::vector<std::string> missing_of(const std::vector<HuntPart>& parts) {
 
 int hunt_command(const HuntArguments& arguments) {
   terminal::Progress progress(true);
-  CampaignRunner campaign(arguments, progress);
-  const client::Interrupts interrupts(campaign.pool());
-  const std::vector<HuntPart> parts = read_parts(arguments.merge, campaign.fingerprint());
+  campaign::CampaignRunner runner(arguments, listener_of(progress, {false, false}));
+  const client::Interrupts interrupts(runner.pool());
+  const std::vector<campaign::HuntPart> parts = campaign::read_parts(arguments.merge, runner.fingerprint());
   const fs::path out = folder_for(arguments);
-  for (const std::string& sentence : campaign.left_out())
+  for (const std::string& sentence : runner.left_out())
     complain(fmt::format("robosim: skipped: {}\n", sentence));
-  HuntLog log(out, campaign.fingerprint(), part_of(arguments), arguments.resume);
-  Hunt hunt(campaign, arguments, out, log,
-            {[&](const std::string& sentence) { progress.update(sentence); },
-             [&](const Symptom& symptom, std::uint64_t run) {
-               progress.clear();
-               complain(fmt::format("robosim: run {}: {} Looking for the smallest world that shows it\n",
-                                    run + 1, symptom.sentence));
-             },
-             [&](const HuntFinding& finding, std::size_t number) {
-               progress.clear();
-               print(hunt_text(finding, number, out) + "\n");
-               write_file(out / "checks.toml", checks_text(hunt.findings(), campaign));
-             }});
+  campaign::HuntLog log(out, runner.fingerprint(), part_of(arguments), arguments.resume);
+  campaign::Hunt hunt(
+      runner, arguments, out, log,
+      {[&](const std::string& sentence) { progress.update(sentence); },
+       [&](const campaign::Symptom& symptom, std::uint64_t run) {
+         progress.clear();
+         complain(fmt::format("robosim: run {}: {} Looking for the smallest world that shows it\n", run + 1,
+                              symptom.sentence));
+       },
+       [&](const campaign::HuntFinding& finding, std::size_t number) {
+         progress.clear();
+         print(campaign::hunt_text(finding, number, out) + "\n");
+         write_file(out / "checks.toml", checks_text(hunt.findings(), runner));
+       }});
   const bool complete = parts.empty() ? hunt.go() : hunt.merge(parts);
   progress.clear();
-  print(fmt::format("{} on {}{}, {}\n", launch::title_of(campaign.of(hunt.plain_world()).sketch),
-                    campaign.space().maps.front().name, opening_text(campaign),
-                    campaign.of(hunt.plain_world()).robot.name) +
-        hunt_summary(hunt, campaign, out));
+  print(fmt::format("{} on {}{}, {}\n", launch::title_of(runner.of(hunt.plain_world()).sketch),
+                    runner.space().maps.front().name, opening_text(runner),
+                    runner.of(hunt.plain_world()).robot.name) +
+        hunt_summary(hunt, runner, out));
   for (const std::string& sentence : missing_of(parts)) complain(sentence);
   if (!complete)
     complain(parts.empty() ? "robosim: interrupted; the same command with --resume continues\n"

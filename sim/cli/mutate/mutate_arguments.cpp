@@ -3,7 +3,6 @@
 #include <charconv>
 
 #include "sim/cli/options.h"
-#include "sim/cli/sweep/sweep_arguments.h"
 
 namespace robosim::cli {
 

@@ -24,7 +24,7 @@ Command parse_report(const std::vector<std::string>& words) {
                "write this page, and replays into a folder next to it (default: report.html)",
                PossibleValues::file());
   options.text("--runs", runs, "N", "repeat at most this many runs (default: 40)");
-  RunArguments& each = report.each;
+  launch::RunSettings& each = report.each;
   RunOptions shared(options, each);
   shared.task();
   shared.time();

@@ -10,7 +10,6 @@
 #include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
-#include "sim/cli/launching.h"
 #include "sim/cli/run_options.h"
 
 namespace robosim::cli {
@@ -26,7 +25,7 @@ Named named(const std::string& word) {
   return {word.substr(0, equals), word.substr(equals + 1)};
 }
 
-FleetOptions::FleetOptions(Options& options, RunArguments& run, bool compares)
+FleetOptions::FleetOptions(Options& options, launch::RunSettings& run, bool compares)
     : run_(run),
       command_(compares ? "compare" : "run"),
       given_{Given{"", [](launch::Launch& l) -> std::string& { return l.sketch; }},
@@ -118,30 +117,8 @@ void FleetOptions::take_scripts() {
       throw InputError(fmt::format("--script is given more than once for {}", name));
     names.push_back(name);
     wire::RunRequest& request = member("--script", name).launch.request;
-    request.script = script_text(file);
+    request.script = launch::script_text(file);
     request.script_file = file;
-  }
-}
-
-void fill_up(launch::Fleet& fleet, const RunArguments& all) {
-  const auto unless = [](std::string& own, const std::string& other) {
-    if (own.empty()) own = other;
-  };
-  for (launch::Member& member : fleet.members) {
-    launch::Launch& launch = member.launch;
-    unless(launch.sketch, all.sketch);
-    unless(launch.robot, all.robot);
-    unless(launch.target, all.target);
-    unless(launch.environment, all.environment);
-    unless(launch.request.start, all.request.start);
-    unless(launch.request.goal, all.request.goal);
-    if (launch.request.script.empty() && (!all.script.empty() || !all.send.empty())) {
-      launch.request.script = scenario_text(all);
-      launch.request.script_file = all.script.empty() ? "--send" : all.script;
-    }
-    launch.libraries.insert(launch.libraries.begin(), all.libraries.begin(), all.libraries.end());
-    launch.sanitize |= all.sanitize;
-    launch.untrusted |= all.untrusted;
   }
 }
 
@@ -151,17 +128,9 @@ void FleetOptions::finish() {
   take_scripts();
   if (run_.fleet.members.empty()) return;
   if (!run_.map.empty()) run_.fleet.map = run_.map;
-  fill_up(run_.fleet, run_);
-  const auto refuse = [](bool given, const char* option, const char* why) {
-    if (given) throw InputError(fmt::format("{} {}", option, why));
-  };
-  refuse(run_.request.gdb_port > 0, "--gdb",
-         "halts only one robot's chip; debug that robot in a run of its own");
-  refuse(!run_.coverage.empty(), "--coverage", "counts the lines of only one sketch; run that robot alone");
-  refuse(run_.serial, "--serial",
-         "prints what only one sketch sends; run that robot alone, or read it in --json");
-  refuse(run_.request.clock_ns > 0, "--clock",
-         "applies to runs of one robot; a fleet's file has the key clock for each robot");
+  launch::fill_up(run_.fleet, run_);
+  if (run_.request.clock_ns > 0)
+    throw InputError("--clock applies to runs of one robot; a fleet's file has the key clock for each robot");
 }
 
 }  // namespace robosim::cli

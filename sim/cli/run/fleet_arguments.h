@@ -6,13 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/cli/arguments.h"
 #include "sim/cli/options.h"
+#include "sim/launch/run_settings.h"
 
 namespace robosim::cli {
-
-/// Copies each common setting to the robots of the fleet that do not have their own value.
-void fill_up(launch::Fleet& fleet, const RunArguments& all);
 
 /// A value for all robots, or for one robot, as in "A=uno5". A path may contain = after its first '/' or '.'.
 struct Named {
@@ -24,7 +21,7 @@ Named named(const std::string& word);
 class FleetOptions {
  public:
   /// `compares`: the command handles --target itself.
-  FleetOptions(Options& options, RunArguments& run, bool compares = false);
+  FleetOptions(Options& options, launch::RunSettings& run, bool compares = false);
   /// Distributes the given values. Call it after options.parse(). Throws InputError.
   void finish();
   /// Throws InputError if no robot has this name.
@@ -42,7 +39,7 @@ class FleetOptions {
   void take_scripts();
   launch::Member& member(const char* option, const std::string& name);
 
-  RunArguments& run_;
+  launch::RunSettings& run_;
   const char* command_;
   std::vector<std::string> scripts_;
   std::array<Given, 5> given_;

@@ -10,16 +10,17 @@
 
 #include "sim/base/error.h"
 #include "sim/base/wall_clock.h"
+#include "sim/campaign/recorded.h"
+#include "sim/campaign/rerun/sanitizer_rerun.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
 #include "sim/cli/run/end_screen.h"
 #include "sim/cli/run/live.h"
 #include "sim/cli/run/recorders.h"
-#include "sim/cli/run/run_json.h"
-#include "sim/cli/run/sanitizer_rerun.h"
 #include "sim/launch/client/interrupts.h"
 #include "sim/launch/client/runner.h"
 #include "sim/launch/fleet.h"
+#include "sim/launch/run_json.h"
 #include "sim/record/recorder.h"
 #include "sim/view/terminal/fleet_report.h"
 #include "sim/view/terminal/live_view.h"
@@ -95,7 +96,7 @@ int fleet_command(const RunArguments& arguments) {
     if (!member.remark.empty())
       complain(fmt::format("robosim: {}: {}\n", fleet.members[i].name, member.remark));
   }
-  const record::RecordedRun told = recorded(fleet, run, runner.hello().version);
+  const record::RecordedRun told = campaign::recorded(fleet, run, runner.hello().version);
   recorders.begin(told);
   const auto on_event = [&](const wire::Event& event) {
     recorders.add(event);
@@ -130,14 +131,14 @@ int fleet_command(const RunArguments& arguments) {
     unwritten = std::current_exception();
   }
   std::vector<result::RunResult> results = launch::results_of(std::move(result));
-  for (result::RunResult& one : results) one.next = next_of(one);
+  for (result::RunResult& one : results) one.next = campaign::next_of(one);
 
   if (arguments.json) {
-    std::vector<RobotRun> robots;
+    std::vector<launch::RobotRun> robots;
     for (std::size_t i = 0; i < results.size(); ++i)
       robots.push_back(
-          {fleet.members[i].name, inputs_of(run.members[i], runner.hello().version), results[i]});
-    print(fleet_json(robots, report.wall_s));
+          {fleet.members[i].name, launch::inputs_of(run.members[i], runner.hello().version), results[i]});
+    print(launch::fleet_json(robots, report.wall_s));
   } else if (!arguments.live) {
     for (std::size_t i = 0; i < results.size(); ++i) report.rows[i].result = results[i];
     const ScreenSize screen = screen_size();

@@ -16,6 +16,8 @@
 #include "sim/base/error.h"
 #include "sim/base/wall_clock.h"
 #include "sim/build/sketch.h"
+#include "sim/campaign/recorded.h"
+#include "sim/campaign/rerun/sanitizer_rerun.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
 #include "sim/cli/run/coverage.h"
@@ -24,12 +26,11 @@
 #include "sim/cli/run/fleet_command.h"
 #include "sim/cli/run/live.h"
 #include "sim/cli/run/recorders.h"
-#include "sim/cli/run/run_json.h"
-#include "sim/cli/run/sanitizer_rerun.h"
 #include "sim/launch/client/interrupts.h"
 #include "sim/launch/client/runner.h"
 #include "sim/launch/launch.h"
 #include "sim/launch/names.h"
+#include "sim/launch/run_json.h"
 #include "sim/record/recorder.h"
 #include "sim/view/terminal/live_view.h"
 #include "sim/view/terminal/progress.h"
@@ -147,7 +148,7 @@ int run_command(const RunArguments& arguments) {
   record::Recorders recorders = recorders_of(arguments);
   const std::vector<FileLock> claims = claims_of(arguments);
   check_view(arguments);
-  launch::Launch launch = launch_of(arguments);
+  launch::Launch launch = launch::launch_of(arguments);
   launch::Chosen chosen = choose(launch);
   check_debugger(launch.request.gdb_port, chosen.target);
   const std::string coverage = coverage_folder(arguments.coverage, chosen.target);
@@ -174,7 +175,7 @@ int run_command(const RunArguments& arguments) {
   const bool is_built = run.sketch.elf_target.empty();
   const std::string sketch = launch::title_of(run.sketch);
 
-  const record::RecordedRun told = recorded(run, runner.hello().version);
+  const record::RecordedRun told = campaign::recorded(run, runner.hello().version);
   recorders.begin(told);
   Listeners listeners(recorders, run.request.for_ns, progress);
   if (arguments.serial) listeners.print_serial();
@@ -193,25 +194,25 @@ int run_command(const RunArguments& arguments) {
   } catch (const InputError&) {
     unwritten = std::current_exception();
   }
-  std::optional<Finding> finding;
-  std::string next = next_of(result);
-  if (!arguments.live && is_built && deserves_sanitizer_rerun(run.wanted, result)) {
+  std::optional<result::Finding> finding;
+  std::string next = campaign::next_of(result);
+  if (!arguments.live && is_built && campaign::deserves_sanitizer_rerun(run.wanted, result)) {
     progress.say("running " + sketch + " again, with checks …");
-    finding = rerun_with_sanitizers(runner, run.request, run.wanted, result);
+    finding = campaign::rerun_with_sanitizers(runner, run.request, run.wanted, result);
     progress.clear();
-    next = next_after(result, finding);
+    next = campaign::next_after(result, finding);
   }
   result.next = std::move(next);
-  if (!arguments.live && is_built && deserves_detectors(run.wanted, result)) {
+  if (!arguments.live && is_built && campaign::deserves_detectors(run.wanted, result)) {
     progress.say("running " + sketch + " again, watched by detectors …");
-    AsFlashed flashed = rerun_with_detectors(runner, run.request, run.wanted, result);
+    campaign::AsFlashed flashed = campaign::rerun_with_detectors(runner, run.request, run.wanted, result);
     if (flashed.crashed) result = std::move(*flashed.crashed);
     result.detected = std::move(flashed.detected);
     progress.clear();
   }
 
   const auto json = [&](std::optional<double> timing) {
-    return run_json(inputs_of(run, runner.hello().version), result, timing, finding);
+    return launch::run_json(launch::inputs_of(run, runner.hello().version), result, timing, finding);
   };
   if (arguments.json) {
     print(json(wall_s));

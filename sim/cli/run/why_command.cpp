@@ -4,10 +4,10 @@
 
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
-#include "sim/cli/run/run_json.h"
 #include "sim/cli/run/source_text.h"
 #include "sim/launch/client/interrupts.h"
 #include "sim/launch/client/runner.h"
+#include "sim/launch/run_json.h"
 
 namespace robosim::cli {
 
@@ -32,7 +32,7 @@ std::string chain_text(const result::RunResult& result, SourceText& source) {
 }  // namespace
 
 int why_command(const WhyArguments& arguments) {
-  launch::Launch launch = launch_of(arguments.run);
+  launch::Launch launch = launch::launch_of(arguments.run);
   launch::Chosen chosen = choose(launch);
   launch.request.why = true;
   client::Runner runner(chosen.target);
@@ -51,7 +51,8 @@ int why_command(const WhyArguments& arguments) {
   SourceText source(std::move(folders));
   source.explain(result.because);
   if (arguments.run.json)
-    print(run_json(inputs_of(run, runner.hello().version), result, std::nullopt, std::nullopt));
+    print(
+        launch::run_json(launch::inputs_of(run, runner.hello().version), result, std::nullopt, std::nullopt));
   else
     print(chain_text(result, source));
   return result.status;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include "sim/base/terminal_text.h"
 #include "sim/view/terminal/text.h"
@@ -15,29 +14,9 @@ namespace {
 
 constexpr std::size_t kFailuresShown = 3;
 
-std::optional<analysis::Demand> demand_of(const SweepArguments& arguments) {
-  if (!arguments.min_rate) return std::nullopt;
-  return analysis::Demand{*arguments.min_rate, arguments.sure};
-}
-
 // Round to four digits, down or up, so that a share near 0 or 1 does not become 0 or 1.
 std::string share_down(double share) { return fmt::format("{:.4f}", std::floor(share * 1e4) / 1e4); }
 std::string share_up(double share) { return fmt::format("{:.4f}", std::ceil(share * 1e4) / 1e4); }
-
-/// Visits the runs of one combination that count, by index.
-template <typename Visit>
-analysis::Tally count(const SweepArguments& arguments, const SweepPlan& plan, std::size_t combination,
-                      const std::vector<SweepOutcome>& outcomes, const Visit& visit) {
-  analysis::Tally tally(static_cast<std::int64_t>(plan.seeds), demand_of(arguments));
-  for (std::size_t i = 0; i < plan.seeds; ++i) {
-    const std::size_t run = combination * plan.seeds + i;
-    if (arguments.stop_early && tally.decided()) break;
-    if (!outcomes[run].made()) continue;
-    tally.add(outcomes[run].reached());
-    visit(run);
-  }
-  return tally;
-}
 
 using Lines = std::vector<std::vector<std::string>>;
 
@@ -76,7 +55,8 @@ struct Scores {
   }
 };
 
-std::vector<std::string> line_of(const Combination& c, const analysis::Tally& tally, double reached_time_s) {
+std::vector<std::string> line_of(const campaign::Combination& c, const analysis::Tally& tally,
+                                 double reached_time_s) {
   std::vector<std::string> line;
   for (const std::string& name : {c.title, c.inputs.map, c.inputs.robot, c.inputs.target})
     line.push_back(in_one_line(name));
@@ -96,11 +76,11 @@ std::vector<std::string> line_of(const Combination& c, const analysis::Tally& ta
 }
 
 /// Lists the failures, with commands that repeat the first ones.
-std::string failures_text(const SweepPlan& plan, std::size_t combination, const analysis::Tally& tally,
-                          const std::vector<std::size_t>& failures,
-                          const std::vector<SweepOutcome>& outcomes) {
+std::string failures_text(const campaign::SweepPlan& plan, std::size_t combination,
+                          const analysis::Tally& tally, const std::vector<std::size_t>& failures,
+                          const std::vector<campaign::SweepOutcome>& outcomes) {
   if (failures.empty()) return "";
-  const Combination& c = plan.combinations[combination];
+  const campaign::Combination& c = plan.combinations[combination];
   std::map<std::string, int> verdicts;
   for (const std::size_t run : failures) ++verdicts[outcomes[run].verdict];
   std::string kinds;
@@ -109,10 +89,10 @@ std::string failures_text(const SweepPlan& plan, std::size_t combination, const 
   std::string text = fmt::format("\n{}: {} of {} did not reach the goal ({})\n", in_one_line(c.text()),
                                  failures.size(), tally.runs(), kinds);
   for (std::size_t i = 0; i < std::min(failures.size(), kFailuresShown); ++i) {
-    const SweepOutcome& outcome = outcomes[failures[i]];
+    const campaign::SweepOutcome& outcome = outcomes[failures[i]];
     const std::uint64_t seed = plan.seed_of(failures[i]);
     text += fmt::format("  seed {}: {}. {}\n    {}\n", seed, outcome.verdict, in_one_line(outcome.why),
-                        in_one_line(replay_command(c, seed)));
+                        in_one_line(campaign::replay_command(c, seed)));
   }
   if (failures.size() > kFailuresShown)
     text += fmt::format("  and {} more\n", failures.size() - kFailuresShown);
@@ -120,9 +100,9 @@ std::string failures_text(const SweepPlan& plan, std::size_t combination, const 
 }
 
 /// Reports whether the demand is met, if that is known, and how certain it is.
-std::string demand_text(const SweepArguments& arguments, const SweepPlan& plan,
+std::string demand_text(const campaign::SweepOptions& options, const campaign::SweepPlan& plan,
                         const std::vector<analysis::Tally>& tallies) {
-  const analysis::Demand demand = *demand_of(arguments);
+  const analysis::Demand demand = *campaign::demand_of(options);
   std::string text;
   bool doubtful = false;
   for (std::size_t i = 0; i < tallies.size(); ++i) {
@@ -135,7 +115,7 @@ std::string demand_text(const SweepArguments& arguments, const SweepPlan& plan,
                       demand.rate, name, tally.successes(), tally.runs(),
                       *analysis::needed_successes(demand, tally.planned()), tally.planned());
     }
-    if (arguments.stop_early && tally.runs() < tally.planned()) {
+    if (options.stop_early && tally.runs() < tally.planned()) {
       text += fmt::format("{}: stopped after {} of {} runs; the others could not change that it is {}\n",
                           name, tally.runs(), tally.planned(), tally.met() ? "met" : "not met");
     }
@@ -156,19 +136,12 @@ std::string demand_text(const SweepArguments& arguments, const SweepPlan& plan,
 
 }  // namespace
 
-std::vector<analysis::Tally> count_runs(const SweepArguments& arguments, const SweepPlan& plan,
-                                        const std::vector<SweepOutcome>& outcomes) {
-  std::vector<analysis::Tally> tallies;
-  for (std::size_t i = 0; i < plan.combinations.size(); ++i)
-    tallies.push_back(count(arguments, plan, i, outcomes, [](std::size_t) {}));
-  return tallies;
-}
-
-std::string sweep_report(const SweepArguments& arguments, const SweepPlan& plan,
-                         const std::vector<SweepOutcome>& outcomes) {
+std::string sweep_report(const campaign::SweepOptions& options, const campaign::SweepPlan& plan,
+                         const std::vector<campaign::SweepOutcome>& outcomes) {
   Lines lines{{"sketch", "map", "robot", "target", "runs", "reached", "rate", "95 % interval", "mean time"}};
-  const bool scored = std::any_of(outcomes.begin(), outcomes.end(),
-                                  [](const SweepOutcome& outcome) { return !std::isnan(outcome.score); });
+  const bool scored =
+      std::any_of(outcomes.begin(), outcomes.end(),
+                  [](const campaign::SweepOutcome& outcome) { return !std::isnan(outcome.score); });
   if (scored) lines[0].push_back("score: least, mean, most");
   std::vector<analysis::Tally> tallies;
   std::string failed;
@@ -176,7 +149,7 @@ std::string sweep_report(const SweepArguments& arguments, const SweepPlan& plan,
     std::vector<std::size_t> failures;
     double reached_time_s = 0.0;
     Scores scores;
-    tallies.push_back(count(arguments, plan, i, outcomes, [&](std::size_t run) {
+    tallies.push_back(campaign::count_runs_of(i, options, plan, outcomes, [&](std::size_t run) {
       if (outcomes[run].reached()) {
         reached_time_s += outcomes[run].time_s;
       } else {
@@ -189,7 +162,7 @@ std::string sweep_report(const SweepArguments& arguments, const SweepPlan& plan,
     failed += failures_text(plan, i, tallies.back(), failures, outcomes);
   }
   constexpr std::size_t kNames = 4;
-  return aligned(lines, kNames) + failed + (arguments.min_rate ? demand_text(arguments, plan, tallies) : "");
+  return aligned(lines, kNames) + failed + (options.min_rate ? demand_text(options, plan, tallies) : "");
 }
 
 }  // namespace robosim::cli

@@ -5,10 +5,10 @@
 #include "sim/base/file.h"
 #include "sim/base/file_lock.h"
 #include "sim/build/cache.h"
+#include "sim/campaign/wiring/candidate_trial.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/options.h"
 #include "sim/cli/output.h"
-#include "sim/cli/wire/candidate_trial.h"
 
 namespace robosim::cli {
 namespace fs = std::filesystem;
@@ -56,8 +56,8 @@ int wire_command(const WireArguments& arguments) {
   terminal::Progress progress(true);
   const build::Cache cache(build::cache_folder());
   const build::WorkFolder scratch(cache);
-  CandidateTrial try_out(launch, board, scratch.path(),
-                         listener_of(progress, {.choices = false, .warnings = false}));
+  wiring::CandidateTrial try_out(launch, board, scratch.path(),
+                                 listener_of(progress, {.choices = false, .warnings = false}));
   progress.say("watching the sketch's pins …");
   wiring::RobotDraft draft = try_out.draft();
   progress.say("trying polarities and sides …");

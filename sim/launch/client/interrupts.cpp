@@ -1,5 +1,7 @@
 #include "sim/launch/client/interrupts.h"
 
+#include <algorithm>
+
 namespace robosim::client {
 namespace {
 
@@ -46,6 +48,12 @@ void Interrupts::catch_signals() {
 
 Interrupts::~Interrupts() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
+}
+
+bool make_runs(const Batch& batch, std::size_t jobs) {
+  Pool pool(std::clamp<std::size_t>(jobs, 1, std::max<std::size_t>(1, batch.count)));
+  const Interrupts interrupts(pool);
+  return pool.run(batch);
 }
 
 int Interrupts::count() { return the_count; }

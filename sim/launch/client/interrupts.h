@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <array>
+#include <cstddef>
 
 #include "sim/launch/client/pool.h"
 #include "sim/launch/client/runner.h"
@@ -32,5 +33,9 @@ class Interrupts {
   static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
   std::array<struct sigaction, kSignals.size()> before_;
 };
+
+/// Makes the runs of a batch, at most `jobs` at a time. Returns false if the user interrupted them. Throws
+/// the exceptions of Pool::run().
+bool make_runs(const Batch& batch, std::size_t jobs);
 
 }  // namespace robosim::client

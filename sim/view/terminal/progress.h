@@ -4,26 +4,28 @@
 #include <cstdint>
 #include <string>
 
+#include "sim/base/progress.h"
+
 namespace robosim::terminal {
 
-class Progress {
+class Progress final : public robosim::Progress {
  public:
   /// Stays silent if standard error is not a terminal, or if `wanted` is false.
   explicit Progress(bool wanted);
-  ~Progress();
+  ~Progress() override;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   bool active() const { return active_; }
   /// Shows a line immediately.
-  void say(const std::string& text);
+  void say(const std::string& text) override;
   /// Shows a line that may change often, but at most ten times a second, and not in the object's first half
   /// second.
-  void update(const std::string& text);
+  void update(const std::string& text) override;
   /// Shows simulated time in a line that changes often.
   void advance(std::int64_t t_us, double for_s);
   /// Clears the line.
-  void clear();
+  void clear() override;
 
  private:
   bool due();

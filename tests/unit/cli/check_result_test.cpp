@@ -1,4 +1,4 @@
-#include "sim/cli/check/check_result.h"
+#include "sim/campaign/check/check_result.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,6 +7,8 @@
 
 namespace robosim::cli {
 namespace check_result_test {
+
+using namespace campaign;
 
 using ::testing::HasSubstr;
 using ::testing::Not;

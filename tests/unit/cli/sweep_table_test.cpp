@@ -1,4 +1,4 @@
-#include "sim/cli/sweep/sweep_table.h"
+#include "sim/campaign/sweep/sweep_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +12,8 @@
 
 namespace robosim::cli {
 namespace sweep_table_test {
+
+using namespace campaign;
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -217,10 +219,10 @@ SweepOutcome reached() { return {"reached", 10.0, ""}; }
 SweepOutcome lost() { return {"lost", 1.0, "It left the line."}; }
 
 TEST(SweepReport, CountsEachCombinationAndShowsHowToMakeFailuresAgain) {
-  SweepArguments arguments;
-  arguments.min_rate = 0.75;
+  SweepOptions options;
+  options.min_rate = 0.75;
   const std::string report = sweep_report(
-      arguments, plan(), {reached(), reached(), reached(), lost(), lost(), reached(), lost(), reached()});
+      options, plan(), {reached(), reached(), reached(), lost(), lost(), reached(), lost(), reached()});
   EXPECT_EQ(report, R"(sketch      map    robot  target  runs  reached    rate     95 % interval  mean time
 My, Sketch  oval   uno5   host       4        3  0.7500  0.3006 .. 0.9545    10.00 s
 My, Sketch  tight  uno5   host       4        2  0.5000  0.1500 .. 0.8500    10.00 s
@@ -249,15 +251,15 @@ TEST(SweepReport, ShowsTheScoresOfACompetition) {
 }
 
 TEST(SweepReport, SaysWhereTheRunsHaveTheRateAndDoNotShowIt) {
-  SweepArguments arguments;
-  arguments.min_rate = 0.75;
-  EXPECT_THAT(sweep_report(arguments, plan(), std::vector<SweepOutcome>(8, reached())),
+  SweepOptions options;
+  options.min_rate = 0.75;
+  EXPECT_THAT(sweep_report(options, plan(), std::vector<SweepOutcome>(8, reached())),
               HasSubstr("\n\n--min-rate 0.75: met\nThese runs have that rate, but they do not "
                         "prove it in general, because the interval begins below it. 12 seeds without a "
                         "failure would (--sure asks for "
                         "that).\n"));
-  arguments.min_rate = 0.5;
-  EXPECT_THAT(sweep_report(arguments, plan(), std::vector<SweepOutcome>(8, reached())),
+  options.min_rate = 0.5;
+  EXPECT_THAT(sweep_report(options, plan(), std::vector<SweepOutcome>(8, reached())),
               Not(HasSubstr("These runs have that rate")));
 }
 
@@ -271,25 +273,25 @@ TEST(SweepReport, ARateIsNeverRoundedUpToOne) {
 }
 
 TEST(SweepReport, WithStopEarlyRunsBeyondTheDecisionDoNotCount) {
-  SweepArguments arguments;
-  arguments.min_rate = 1.0;
-  arguments.stop_early = true;
+  SweepOptions options;
+  options.min_rate = 1.0;
+  options.stop_early = true;
   const std::vector<SweepOutcome> outcomes{reached(), lost(),    reached(), lost(),
                                            reached(), reached(), reached(), reached()};
-  const auto tallies = count_runs(arguments, plan(), outcomes);
+  const auto tallies = count_runs(options, plan(), outcomes);
   EXPECT_EQ(tallies[0].runs(), 2);
   EXPECT_TRUE(tallies[0].missed());
   EXPECT_EQ(tallies[1].runs(), 4);
   EXPECT_TRUE(tallies[1].met());
-  EXPECT_THAT(sweep_report(arguments, plan(), outcomes), HasSubstr("stopped after 2 of 4 runs"));
+  EXPECT_THAT(sweep_report(options, plan(), outcomes), HasSubstr("stopped after 2 of 4 runs"));
 }
 
 TEST(SweepReport, RunsThatWereNotMadeAreNotCounted) {
-  SweepArguments arguments;
-  arguments.min_rate = 0.5;
+  SweepOptions options;
+  options.min_rate = 0.5;
   std::vector<SweepOutcome> outcomes(8);
   outcomes[0] = reached();
-  const std::string report = sweep_report(arguments, plan(), outcomes);
+  const std::string report = sweep_report(options, plan(), outcomes);
   EXPECT_THAT(report, HasSubstr("tight  uno5   host       0        0"));
   EXPECT_THAT(report, Not(HasSubstr("met")));
 }

@@ -1,0 +1,17 @@
+// The options of a comparison.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/launch/run_settings.h"
+
+namespace robosim::campaign {
+
+struct CompareOptions {
+  std::vector<std::string> targets;  ///< all others are compared with the first
+  std::string moves;                 ///< with several robots: the robot that runs on the targets; empty = all
+  launch::RunSettings each;          ///< its target and seed are ignored
+};
+
+}  // namespace robosim::campaign

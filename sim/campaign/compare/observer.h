@@ -1,0 +1,54 @@
+// Observes a robot for `robosim compare`: finds the places that it reaches, and requests the events of a run.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/campaign/analysis/history.h"
+#include "sim/campaign/compare/target_runs.h"
+#include "sim/map/map.h"
+#include "sim/map/places.h"
+
+namespace robosim::campaign {
+
+/// A robot of a target run, in one run.
+struct ObservedRobot {
+  std::size_t robot = 0;
+  std::uint64_t seed = 1;
+  std::int64_t until_ns = 0;           ///< the latest end of the run; in whole milliseconds
+  std::vector<result::Lateness> late;  ///< lateness of its sketch
+};
+
+/// The deviation of a robot's clock in a run.
+struct ClockOffset {
+  std::int64_t from_ns = 0;
+  int ppm = 0;  ///< too fast, from from_ns on
+};
+
+class Observer {
+ public:
+  /// Uses the map and the robots' starts in `request`.
+  explicit Observer(const wire::RunRequest& request);
+  Observer(const Observer&) = delete;
+
+  std::size_t robots() const { return places_.size(); }
+  /// The recorder must not outlive this observer.
+  analysis::HistoryRecorder recorder_of(const TargetRun& target_run, std::size_t robot) const;
+  static wire::RunRequest request_of(const TargetRun& target_run, std::uint64_t seed);
+  static bool is_of(const wire::Event& event, std::size_t robot);
+  /// Makes a run. The clocks of the other robots deviate in the opposite direction. The reason is that the
+  /// order of robots at a crossing may also be chance.
+  analysis::History run(TargetRun& target_run, const ObservedRobot& observed,
+                        const ClockOffset& off = {}) const;
+
+ private:
+  std::string place_of(std::size_t robot, const wire::Sample& sample) const;
+
+  map::Map map_;
+  std::vector<map::Places> places_;  ///< for each robot, numbered from its start
+};
+
+}  // namespace robosim::campaign

@@ -1,0 +1,47 @@
+// Draws the stimuli of a hunt: buttons, messages, manual moves, obstacles.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/campaign/hunt/test_case.h"
+#include "sim/campaign/random_worlds/random_source.h"
+
+namespace robosim::campaign {
+
+inline bool chance(const random_worlds::RandomSource& rng, int of_100) { return rng(100) < of_100; }
+
+template <typename T>
+const T& pick(const random_worlds::RandomSource& rng, const std::vector<T>& from) {
+  return from[static_cast<std::size_t>(rng(static_cast<int>(from.size())))];
+}
+
+/// Returns the openings that may start a sketch: nothing, a button, the same button twice.
+std::vector<std::vector<Stimulus>> openings(const HuntSpace& space);
+/// Returns the beginnings of the sketch's lines, up to their first number; the last line last.
+std::vector<std::string> beginnings_of(const std::string& serial);
+
+/// Draws the opening, and at most four more stimuli at any time.
+void draw_stimuli(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
+/// Returns whether the sketch can receive messages.
+bool hears(const HuntSpace& space);
+/// Draws the opening, and a sequence of many messages. The sequence often starts after an output of the
+/// sketch, mostly the last output, because the sketch may then wait for messages.
+void draw_talk(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
+/// Puts an obstacle on the line from the beginning, for longer than most runs.
+void block(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
+/// Repeats one input just before and twice after millis() exceeds 65,535, to expose 16-bit timestamps and
+/// durations. Such code fails only on a chip.
+void draw_late_stimuli(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
+/// Adds a stimulus within two seconds after the moment.
+void add_stimulus_after(TestCase& test_case, const Moment& moment, const HuntSpace& space,
+                        const random_worlds::RandomSource& rng);
+/// Adds a stimulus after `test_case.branch_point`, as the last stimulus.
+void branch(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
+/// Adds a stimulus.
+void add_stimulus(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
+
+/// Returns a stimulus as a line of a script.
+std::string script_line(const Stimulus& stimulus);
+
+}  // namespace robosim::campaign

@@ -1,0 +1,122 @@
+#include "sim/campaign/rerun/sanitizer_rerun.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/campaign/rerun/clock_wrap_detector.h"
+#include "sim/launch/client/interrupts.h"
+
+namespace robosim::campaign {
+namespace {
+
+constexpr double kLongest_of_timeout_s = 60.0;
+// With checks, a sketch takes longer to crash.
+constexpr double kMargin_of_crash_s = 1.0;
+
+// Returns the time by which a check must fail to explain the first result.
+double limit_s(const result::RunResult& first) {
+  if (first.verdict == "timeout") return std::min(kLongest_of_timeout_s, first.time_s);
+  return first.verdict == "crashed" ? first.time_s + kMargin_of_crash_s : first.time_s;
+}
+
+std::string place_of(const result::Crash& fault) {
+  if (fault.where.file.empty()) return "";
+  const std::string place = fmt::format("{}:{}", fault.where.file, fault.where.line);
+  return fault.where.function.empty() ? " at " + place
+                                      : fmt::format(" in {}, {}", fault.where.function, place);
+}
+
+void listen_to_nothing(wire::RunRequest& request) {
+  request.counters.clear();
+  request.samples_every_ns = request.columns_every_ns = 0;
+  request.gdb_port = 0;
+  request.pins = request.serial = request.notes = request.io = false;
+}
+
+}  // namespace
+
+bool deserves_sanitizer_rerun(const build::Request& sketch, const result::RunResult& first) {
+  if (first.crash && !first.crash->check.empty()) return false;
+  if (sketch.target == "host") return !sketch.sanitize && first.verdict == "crashed";
+  return sketch.target == "avr" && first.verdict != "reached" && first.verdict != "interrupted" &&
+         first.verdict != "over_budget";
+}
+
+std::optional<result::Finding> rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request,
+                                                     const build::Request& sketch,
+                                                     const result::RunResult& first, std::size_t robot) {
+  build::Request checked = sketch;
+  checked.sanitize = true;
+  checked.warnings = build::Warnings::none;
+  checked.coverage = false;
+  request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(limit_s(first) * 1e9));
+  listen_to_nothing(request);
+  try {
+    (robot == 0 ? request.image : request.agents[robot - 1].image) = build::build(checked).image.string();
+    const client::Interrupts interrupts(runner);
+    const result::RunResult all = runner.run(request);
+    const result::RunResult& second = robot == 0 ? all : all.others.at(robot - 1);
+    if (!second.crash || second.crash->check.empty()) return std::nullopt;
+    return result::Finding{*second.crash, second.time_s, second.next};
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+bool deserves_detectors(const build::Request& sketch, const result::RunResult& first) {
+  if (first.verdict == "crashed" || first.verdict == "interrupted") return false;
+  return sketch.sanitize || first.verdict == "lost" || first.verdict == "stuck" || first.verdict == "timeout";
+}
+
+AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
+                               const result::RunResult& first) {
+  build::Request plain = sketch;
+  plain.sanitize = plain.coverage = false;
+  plain.warnings = build::Warnings::none;
+  if (first.verdict == "timeout")
+    request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(kLongest_of_timeout_s * 1e9));
+  listen_to_nothing(request);
+  request.detect = true;
+  request.image = build::build(plain).image.string();
+  const client::Interrupts interrupts(runner);
+  const result::RunResult second = runner.run(request);
+  AsFlashed found{second.detected, std::nullopt};
+  if (!sketch.sanitize || second.verdict == "interrupted") return found;
+  if (second.verdict == "crashed") {
+    found.crashed = second;
+    found.crashed->why = fmt::format("With checks the verdict is “{}”; without them, as flashed: {}",
+                                     first.verdict, second.why);
+    return found;
+  }
+  if (sketch.target != "avr") return found;
+  for (result::Detected& seen : detect_clock_wrap(runner, request, second))
+    found.detected.push_back(std::move(seen));
+  return found;
+}
+
+std::string next_of(const result::RunResult& result) {
+  const char* const flags = result.next_by == "host"       ? " (--target host)"
+                            : result.next_by == "watching" ? " (--view --speed 0.2, or --record run.csv)"
+                            : result.next_by == "script"   ? " (--script FILE)"
+                                                           : "";
+  return result.next + flags;
+}
+
+std::string next_after(const result::RunResult& first, const std::optional<result::Finding>& finding) {
+  if (finding)
+    return fmt::format(
+        "{}{}, {:.2f} s after the start: that is what a second run, with checks (--sanitize), has met "
+        "first.{}{}",
+        finding->fault.reason, place_of(finding->fault), finding->time_s, finding->advice.empty() ? "" : " ",
+        finding->advice);
+  if (first.verdict != "lost" && first.verdict != "stuck") return next_of(first);
+  return fmt::format(
+      "{}{}A second run, with checks (--sanitize), has met no signed number that went too high, no bad index "
+      "and "
+      "no division by zero. Not checked: unsigned numbers that wrap, and conversions such as int t = "
+      "millis().",
+      next_of(first), first.next.empty() ? "" : ". ");
+}
+
+}  // namespace robosim::campaign

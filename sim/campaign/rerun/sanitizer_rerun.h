@@ -1,0 +1,44 @@
+// Runs a failed sketch a second time, built with the checks of --sanitize. The checks may report the faulty
+// line. Examples are a product that does not fit a 16-bit int, and an index that has overwritten other data.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/build/sketch.h"
+#include "sim/launch/client/runner.h"
+#include "sim/result/run_result.h"
+
+namespace robosim::campaign {
+
+/// Returns whether a second run is useful: the sketch has failed on an AVR, or crashed on the host, without
+/// checks.
+bool deserves_sanitizer_rerun(const build::Request& sketch, const result::RunResult& first);
+
+/// Runs at most as long as the first run, and after a timeout at most one minute. After a crash, runs one
+/// second longer, because checks take time. Returns nullopt if no check failed, if the sketch with checks
+/// does not compile, or if the user interrupted the run. `robot`: the number of the sketch's robot, if there
+/// are several.
+std::optional<result::Finding> rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request,
+                                                     const build::Request& sketch,
+                                                     const result::RunResult& first, std::size_t robot = 0);
+
+/// Returns whether detectors may report: the user requested checks, or the sketch has failed.
+bool deserves_detectors(const build::Request& sketch, const result::RunResult& first);
+
+/// A run of the sketch as flashed, without checks. Checks change the timing, and need more RAM and flash than
+/// the chip has.
+struct AsFlashed {
+  std::vector<result::Detected> detected;
+  std::optional<result::RunResult> crashed;  ///< the repeated run, if it crashed, whatever the first result
+};
+/// Returns an empty result on interruption by the user.
+AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
+                               const result::RunResult& first);
+
+/// Returns the run's hint `next`, with the flags that the user needs.
+std::string next_of(const result::RunResult& result);
+/// Returns the first run's hint `next`, updated by the second run's finding.
+std::string next_after(const result::RunResult& first, const std::optional<result::Finding>& finding);
+
+}  // namespace robosim::campaign
