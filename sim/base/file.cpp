@@ -53,6 +53,8 @@ fs::path find_helper_folder() {
   std::error_code error;
   const fs::path installed = executable_folder() / "../libexec/robosim";
   if (fs::is_directory(installed, error)) return fs::canonical(installed);
+  if (executable_folder().parent_path().filename() == "libexec")
+    return executable_folder();  // a helper itself
   return ROBOSIM_HELPER_DIR;
 }
 

@@ -9,7 +9,7 @@
 #include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
 #include "sim/base/units.h"
-#include "sim/cli/calibrate/calibrate_command.h"
+#include "sim/cli/calibrate/calibrate_arguments.h"
 #include "sim/cli/check/test_arguments.h"
 #include "sim/cli/compare/compare_arguments.h"
 #include "sim/cli/completion.h"

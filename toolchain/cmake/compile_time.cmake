@@ -3,7 +3,8 @@
 # Compiles code that usually waits for disks, compilers or users with less optimisation, in two thirds of the
 # time.
 set(quick $<$<CONFIG:Release>:-O1>)
-foreach(library project build course print calibrate launch play wiring mutate terminal client record analysis cli serve)
+foreach(library project build course print calibrate launch play wiring mutate terminal client record
+    statistics analysis campaign_options rerun campaign cli cli_campaign serve)
   if(TARGET robosim_${library})
     target_compile_options(robosim_${library} PRIVATE ${quick})
   endif()
@@ -16,7 +17,7 @@ endif()
 
 # Groups the files that use nlohmann-json, whose templates take a compiler about 5 s. Files that are compiled
 # together share this time.
-foreach(library course record cli)
+foreach(library course record campaign cli cli_campaign)
   get_target_property(sources robosim_${library} SOURCES)
   set(with_json "")
   foreach(source ${sources})

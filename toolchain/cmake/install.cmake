@@ -7,6 +7,7 @@ endif()
 
 install(TARGETS robosim DESTINATION bin COMPONENT host)
 install(TARGETS robosim-host DESTINATION libexec/robosim COMPONENT host)
+install(TARGETS robosim-campaign DESTINATION libexec/robosim COMPONENT host)
 if(TARGET robosim-serve)
   install(TARGETS robosim-serve DESTINATION libexec/robosim COMPONENT host)
 endif()
@@ -39,7 +40,7 @@ install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim
 
 # Installs what find_package(robosim) needs: the harness as source, the headers that the harness includes, and
 # one library that contains all libraries that it links.
-set(libraries world_generator launch analysis record terminal client wire result build project elf cells map trace board base)
+set(libraries world_generator launch analysis statistics record terminal client wire result build project elf cells map trace board base)
 set(script "create librobosim.a\n")
 foreach(library ${libraries})
   if(TARGET robosim_${library})

@@ -9,7 +9,7 @@
 #include "sim/base/escaped.h"
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
-#include "sim/campaign/recorded.h"
+#include "sim/campaign/rerun/recorded.h"
 #include "sim/launch/client/runner.h"
 #include "sim/record/recorder.h"
 

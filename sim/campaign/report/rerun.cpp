@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "sim/campaign/recorded.h"
+#include "sim/campaign/rerun/recorded.h"
 #include "sim/record/record_page.h"
 
 namespace robosim::campaign {

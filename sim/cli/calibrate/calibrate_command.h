@@ -2,15 +2,9 @@
 // (docs/howto/calibrating.md).
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "sim/cli/arguments.h"
 
 namespace robosim::cli {
-
-/// Parses `words`, after "calibrate". Throws InputError.
-Command parse_calibrate(const std::vector<std::string>& words);
 
 /// Reports the results from the logs, and writes them if a file is named. Throws InputError before writing
 /// anything.

@@ -16,7 +16,7 @@
 #include "sim/base/error.h"
 #include "sim/base/wall_clock.h"
 #include "sim/build/sketch.h"
-#include "sim/campaign/recorded.h"
+#include "sim/campaign/rerun/recorded.h"
 #include "sim/campaign/rerun/sanitizer_rerun.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"

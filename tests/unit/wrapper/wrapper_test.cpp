@@ -53,14 +53,15 @@ class Wrapper : public testing::Test {
     tool("cmake", R"(
       case $1 in
         --version) echo 'cmake version 3.25.1' ;;
-        --preset) mkdir -p build/$2; printf 'build robosim-%s: phony\n' avr stm32 serve >build/$2/build.ninja
+        --preset) mkdir -p build/$2; printf 'build robosim-%s: phony\n' avr stm32 serve campaign >build/$2/build.ninja
                   echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >build/$2/CMakeCache.txt
                   echo 'ROBOSIM_TESTS:BOOL='${3#*=} >>build/$2/CMakeCache.txt ;;
         --build) echo compiling
                  printf '#!/bin/sh\npwd\nprintf "<%%s>" "$@"\nexit 4\n' >$2/robosim; chmod +x $2/robosim
-                 case "$*" in *robosim-avr*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-avr ;; esac
-                 case "$*" in *robosim-stm32*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-stm32 ;; esac
-                 case "$*" in *robosim-serve*) mkdir -p $2/libexec; cp $2/robosim $2/libexec/robosim-serve ;; esac ;;
+                 mkdir -p $2/libexec
+                 for program in avr stm32 serve campaign; do
+                   case "$*" in *robosim-$program*) cp $2/robosim $2/libexec/robosim-$program ;; esac
+                 done ;;
       esac)");
     write_file(folder_ / "have", "scarce\n");
   }
@@ -197,6 +198,16 @@ TEST_F(Wrapper, BuildsTheServerOnceItIsWantedAndKeepsItUpToDate) {
   fs::last_write_time(checkout() / "sim/new.cpp", fs::file_time_type::clock::now() + std::chrono::hours(1));
   run("../checkout/robosim");
   EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-serve\n"));
+}
+
+TEST_F(Wrapper, BuildsTheProgramForManyRunsOnceItIsWanted) {
+  run("../checkout/robosim run X");
+  run("../checkout/robosim map show oval");
+  EXPECT_THAT(calls(), Not(HasSubstr("robosim-campaign")));
+  run("../checkout/robosim sweep X");
+  EXPECT_THAT(calls(), HasSubstr("--target robosim robosim-host robosim-campaign\n"));
+  run("../checkout/robosim map import x.png");
+  EXPECT_EQ(calls(), "");
 }
 
 TEST_F(Wrapper, TellsTheCommandWhereItIsForAServersRuns) {

@@ -1,4 +1,4 @@
-#include "sim/campaign/recorded.h"
+#include "sim/campaign/rerun/recorded.h"
 
 namespace robosim::campaign {
 

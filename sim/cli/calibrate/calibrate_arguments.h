@@ -1,0 +1,14 @@
+// The command line of `robosim calibrate`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/cli/arguments.h"
+
+namespace robosim::cli {
+
+/// Parses `words`, after "calibrate". Throws InputError.
+Command parse_calibrate(const std::vector<std::string>& words);
+
+}  // namespace robosim::cli
