@@ -23,8 +23,8 @@ Trial make_checks(const std::string& sketch, const std::string& file, std::size_
   campaign::SweepPlanner planner({});
   campaign::CheckSession session(planner);
   session.add(sketch, file);
-  Progress nobody;
-  if (!session.make_runs(jobs, nobody)) return {Trial::Ending::interrupted, {}, "", "interrupted"};
+  Progress silent;
+  if (!session.make_runs(jobs, silent)) return {Trial::Ending::interrupted, {}, "", "interrupted"};
   const campaign::SketchResult result = session.results().front();
   Trial trial;
   if (result.problem) return {Trial::Ending::not_compiled, {}, "", result.problem->line};
