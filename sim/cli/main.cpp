@@ -27,11 +27,12 @@
 namespace robosim::cli {
 namespace {
 
-/// Replaces this process by robosim-campaign. Throws ToolMissing if it was not built.
+/// Replaces this process by robosim-campaign. Throws ToolMissing if it cannot be started.
 [[noreturn]] void start_campaign(char** words) {
   const std::filesystem::path program = helper_folder() / "robosim-campaign";
   ::execv(program.c_str(), words);
-  throw ToolMissing(program.string() + " cannot be started: " + std::strerror(errno));
+  throw ToolMissing(program.string() + " cannot be started: " + std::strerror(errno) +
+                    "; this command requires it: build or install all of Robosim");
 }
 
 struct Perform {
