@@ -75,13 +75,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number, ResolvedMiss
   for (Pin pin = 0; pin < board_.spec().pin_count; ++pin) board_.watch(pin, *this);
   board_.watch_serial(*this);
   if (state_.listener->wants_inputs()) board_.watch_inputs(*this);
-  if (!setup_.detect) return;
-  board_detectors_.emplace(executor_, robot_.wiring());
-  steering_.emplace(robot_, executor_, sensor_midpoint_.x, setup_.map->line_m);
-  std::vector<Pin> counted;
-  for (const robot::WiredPin& wired : robot_.wiring())
-    if (wired.type == "encoder" || wired.type == "ir-receiver") counted.push_back(wired.pin);
-  executor_.detect(counted);
+  if (setup_.detect) detectors_.emplace(robot_, executor_, setup_.map->line_m);
 }
 
 // Excludes competitions: a manual move according to their rules may put the robot anywhere.
@@ -90,9 +84,9 @@ bool Agent::may_take_turns() const {
 }
 
 Agent::Saved Agent::save() const {
-  Saved saved{state_, serial_.save(), progress_,     judge_,         steering_,       {},
+  Saved saved{state_, serial_.save(), progress_,     judge_,         {},
               hash_,  stops_.save(),  robot_.save(), player_.save(), executor_.save()};
-  if (board_detectors_) saved.board_detectors = board_detectors_->save();
+  if (detectors_) saved.detectors = detectors_->save();
   return saved;
 }
 
@@ -103,8 +97,7 @@ void Agent::restore(const Saved& saved) {
   stops_.restore(saved.stops);
   hash_ = saved.hash;
   judge_ = saved.judge;
-  steering_ = saved.steering;
-  if (board_detectors_ && saved.board_detectors) board_detectors_->restore(*saved.board_detectors);
+  if (detectors_ && saved.detectors) detectors_->restore(*saved.detectors);
   progress_ = saved.progress;
   serial_.restore(saved.serial);
   state_ = saved.own;
@@ -187,17 +180,8 @@ void Agent::sample_sensors(SimTime end) {
 }
 
 void Agent::watch_steering(SimTime end) {
-  steering_->look({end, state_.sent_at, body_.distance(), body_.wheel_travel(), robot_.left_command(),
-                   robot_.right_command(), state_.sees_line, player_.powered() && !body_.in_hand()});
-}
-
-std::vector<exec::Detected> Agent::detected(SimTime t) const {
-  std::vector<exec::Detected> all = executor_.detected();
-  if (steering_)
-    for (exec::Detected& one : steering_->found()) all.push_back(std::move(one));
-  if (board_detectors_)
-    for (exec::Detected& one : board_detectors_->found(t)) all.push_back(std::move(one));
-  return all;
+  detectors_->look({end, state_.sent_at, body_.distance(), body_.wheel_travel(), robot_.left_command(),
+                    robot_.right_command(), state_.sees_line, player_.powered() && !body_.in_hand()});
 }
 
 const Sample& Agent::sample_at(SimTime t) {
@@ -248,7 +232,7 @@ void Agent::act_in_full(SimTime t) {
   if (robot_.has_battery()) feed_board(t);
   if (!finished()) player_.act(t, progress_, state_.happened);
   if (!state_.happened.empty()) tell_events(t, t, 1);  // causes before their effects in this tick
-  if (board_detectors_) board_detectors_->booted(player_.boots());
+  if (detectors_) detectors_->booted(player_.boots());
   robot_.begin_tick(t);
 }
 
@@ -295,7 +279,7 @@ bool Agent::evaluate_in_full(SimTime end) {
     state_.collisions_told = body_.collisions();
     state_.happened.push_back(result::CollisionBegan{body_.collided_with_body()});
   }
-  if (steering_) watch_steering(end);
+  if (detectors_) watch_steering(end);
   if (robot_.has_text_outputs()) hear_parts(end);
   if (!state_.happened.empty()) tell_events(end, end - kTick, 4);
   if (setup_.samples_every > 0 && end % setup_.samples_every == 0) {
@@ -377,7 +361,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.crash = e.crash;
   outcome.divisions_by_zero = e.divisions_by_zero;
   outcome.lacks = executor_.lacks();
-  outcome.detected = detected(t);
+  if (detectors_) outcome.detected = detectors_->found(t);
   outcome.resources = executor_.resources();
   outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe());
   outcome.events.assign(state_.events.begin(), state_.events.end());

@@ -11,11 +11,10 @@
 #include <variant>
 #include <vector>
 
+#include "sim/detect/detectors.h"
 #include "sim/judge/explain.h"
 #include "sim/judge/judge.h"
-#include "sim/judge/steering_detectors.h"
 #include "sim/run/append_only_text.h"
-#include "sim/run/board_detectors.h"
 #include "sim/run/check_schedule.h"
 #include "sim/run/prepared_map.h"
 #include "sim/run/scenario/scenario_player.h"
@@ -49,7 +48,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   // next one.
   /// Step 1: runs the script at `t`; the parts schedule their edges.
   void act(SimTime t) {
-    if (robot_.has_battery() || board_detectors_ || player_.next_act(t) <= t || !state_.happened.empty())
+    if (robot_.has_battery() || detectors_ || player_.next_act(t) <= t || !state_.happened.empty())
         [[unlikely]]
       act_in_full(t);
     else
@@ -90,7 +89,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   SimTime rests_until(SimTime end) const;
   /// Performs step 1 in a tick of rest.
   void begin_rest(SimTime t) {
-    if (board_detectors_) board_detectors_->booted(player_.boots());
+    if (detectors_) detectors_->booted(player_.boots());
     robot_.begin_tick(t);
   }
   bool has_crashed() const { return crash_.has_value(); }
@@ -159,8 +158,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     AppendOnlyText::Copy serial;
     judge::Progress progress;
     judge::Judge judge;
-    std::optional<judge::SteeringDetectors> steering;
-    std::optional<BoardDetectors::State> board_detectors;
+    std::optional<SnapshotRegistry::Snapshot> detectors;
     trace::TraceHash hash;
     StopConditions::State stops;
     SnapshotRegistry::Snapshot robot;
@@ -196,7 +194,6 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void measure(SimTime end);
   void sample_sensors(SimTime end);
   void watch_steering(SimTime end);
-  std::vector<exec::Detected> detected(SimTime t) const;
   void count_tick(SimTime end);
   void hear_parts(SimTime t);
   /// Reports the events of one step of the tick that begins at `tick`.
@@ -222,8 +219,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   robot::Robot robot_;
   scenario::ScenarioPlayer player_;
   judge::Judge judge_;
-  std::optional<judge::SteeringDetectors> steering_;  ///< unset unless detectors are on
-  std::optional<BoardDetectors> board_detectors_;     ///< unset unless detectors are on
+  std::optional<detect::Detectors> detectors_;  ///< unset unless detectors are on
   trace::TraceHash hash_;
   const Vec2 sensor_midpoint_;
   State state_;
@@ -298,7 +294,7 @@ inline bool Agent::is_undisturbed(SimTime end) const {
   measure(end);
   if (end >= state_.senses_at) sample_sensors(end);
   count_tick(end);
-  if (steering_) [[unlikely]]
+  if (detectors_) [[unlikely]]
     watch_steering(end);
   if (checks_progress && !state_.happened.empty()) [[unlikely]]
     tell_events(end, end - kTick, 4);

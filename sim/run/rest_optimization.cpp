@@ -26,7 +26,7 @@ void Agent::rest(SimTime end) {
   hash_.pose(body_.pose());
   if (state_.sees_line && end % (kSideCheckEvery * kTick) == 0) look_to_the_side();
   count_tick(end);
-  if (steering_) watch_steering(end);
+  if (detectors_) watch_steering(end);
 }
 
 void Agent::catch_up(SimTime t) {

@@ -18,14 +18,6 @@ inline ExecutorFactory host_target() {
           }};
 }
 
-/// Returns the factory for a target whose firmware is data, such as `avr` with `AvrExecutor`.
-template <class Executor>
-ExecutorFactory chip_target(const char* target) {
-  return {target, [](const BoardSpec& board, const std::filesystem::path& image) {
-            return std::make_unique<Executor>(board, image);
-          }};
-}
-
 /// Lets the program of `runner` run firmware of the other targets, too.
 inline ExecutorFactory beside(ExecutorFactory runner, std::vector<ExecutorFactory> others) {
   runner.besides = std::move(others);

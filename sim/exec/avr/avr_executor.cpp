@@ -1,19 +1,11 @@
 #include "sim/exec/avr/avr_executor.h"
 
 #include "sim/exec/avr/debug_port.h"
-#include "sim/exec/avr/detect/float_equality.h"
-#include "sim/exec/avr/detect/heap.h"
-#include "sim/exec/avr/detect/lost_pwm.h"
-#include "sim/exec/avr/detect/missed_interrupts.h"
-#include "sim/exec/avr/detect/nested_loop.h"
-#include "sim/exec/avr/detect/reference_change.h"
-#include "sim/exec/avr/detect/stack_margin.h"
-#include "sim/exec/avr/detect/torn_access.h"
-#include "sim/exec/avr/detect/watchdog_margin.h"
 #include "sim/exec/avr/diagnosis.h"
 #include "sim/exec/avr/driven_lines.h"
 #include "sim/exec/avr/hang.h"
 #include "sim/exec/avr/loop_locator.h"
+#include "sim/exec/avr/running_program.h"
 #include "sim/exec/avr/why/backward_slice.h"
 
 namespace robosim::exec {
@@ -49,25 +41,13 @@ class AvrExecutor::Running final : public RunningChip {
   }
 
   void count(LineCounts& lines) { machine_.chip().count(lines); }
-  void detect(const std::vector<Pin>& counted) {
-    const auto where = [this] { return diagnosis().where_now(); };
-    detectors_.push_back(
-        std::make_unique<avr::MissedInterrupts>(machine_, image_.firmware, image_.debug, where, counted));
-    detectors_.push_back(std::make_unique<avr::Heap>(machine_, image_.firmware, where));
-    detectors_.push_back(
-        std::make_unique<avr::WatchdogMargin>(machine_, [this] { return diagnosis().sketch_line(); }));
-    const avr::Program program{image_.firmware, image_.debug, board_};
-    detectors_.push_back(std::make_unique<avr::FloatEquality>(machine_, program));
-    detectors_.push_back(std::make_unique<avr::LostPwm>(machine_, program));
-    detectors_.push_back(std::make_unique<avr::ReferenceChange>(machine_, program));
-    detectors_.push_back(std::make_unique<avr::StackMargin>(machine_, program));
-    detectors_.push_back(std::make_unique<avr::NestedLoop>(machine_, program));
-    detectors_.push_back(std::make_unique<avr::TornAccess>(machine_, program));
+  void detect(const MakeChipDetectors& make, const std::vector<Pin>& counted) {
+    detectors_ = make({machine_, image_.firmware, image_.debug, board_}, counted);
   }
   std::vector<Detected> detected() const override {
     std::vector<Detected> all;
     for (const auto& detector : detectors_)
-      for (Detected& seen : detector->found()) all.push_back(std::move(seen));
+      for (Detected& seen : detector->found(machine_.now())) all.push_back(std::move(seen));
     return all;
   }
   void trace_drives() { lines_.emplace(machine_.chip(), machine_.stack(), image_.debug); }
@@ -106,7 +86,7 @@ class AvrExecutor::Running final : public RunningChip {
   const Image& image_;
   const BoardSpec& board_;
   avr::Machine machine_;
-  std::vector<std::unique_ptr<avr::Detector>> detectors_;
+  std::vector<std::unique_ptr<Detector>> detectors_;
   std::optional<avr::DrivenLines> lines_;  ///< unset without a listener
   avr::DebugPort* debugger_;               ///< null without a debugger
   avr::BackwardSlice* causes_;             ///< null if causes are not searched
@@ -115,7 +95,8 @@ class AvrExecutor::Running final : public RunningChip {
 
 class AvrExecutor::Firmware final : public ChipFirmware {
  public:
-  Firmware(const std::filesystem::path& file, const BoardSpec& spec) : image_(file, spec) {}
+  Firmware(const std::filesystem::path& file, const BoardSpec& spec, MakeChipDetectors make_detectors)
+      : image_(file, spec), make_detectors_(std::move(make_detectors)) {}
 
   const std::string& file() const override { return image_.firmware.file; }
   int int_bits() const override { return 16; }
@@ -135,7 +116,7 @@ class AvrExecutor::Firmware final : public ChipFirmware {
     chip->idle().allow(!runs_waiting_loops);
     if (lines) running->count(*lines);
     if (traces_drives) running->trace_drives();
-    if (detects && fits_chip()) running->detect(counted_);
+    if (detects && make_detectors_ && fits_chip()) running->detect(make_detectors_, counted_);
     return running;
   }
 
@@ -160,13 +141,15 @@ class AvrExecutor::Firmware final : public ChipFirmware {
 
  private:
   const Image image_;
+  const MakeChipDetectors make_detectors_;
   std::vector<Pin> counted_;  ///< pins whose edges detectors count
   std::unique_ptr<avr::DebugPort> debugger_;
   std::unique_ptr<avr::BackwardSlice> causes_;
 };
 
-AvrExecutor::AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image)
-    : AvrExecutor(spec, new Firmware(image, spec)) {}
+AvrExecutor::AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image,
+                         MakeChipDetectors make_detectors)
+    : AvrExecutor(spec, new Firmware(image, spec, std::move(make_detectors))) {}
 
 AvrExecutor::AvrExecutor(const BoardSpec& spec, Firmware* firmware)
     : ChipExecutor(spec, std::unique_ptr<ChipFirmware>(firmware)), firmware_(*firmware) {}

@@ -6,6 +6,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
 
 #include "sim/exec/chip/chip_executor.h"
 
@@ -15,10 +18,20 @@ class Chip;
 
 namespace robosim::exec {
 
+namespace avr {
+struct RunningProgram;
+}
+
+/// Makes the detectors of a chip that is about to start (sim/detect/avr). `counted`: see Executor::detect().
+using MakeChipDetectors = std::function<std::vector<std::unique_ptr<Detector>>(
+    const avr::RunningProgram& program, const std::vector<Pin>& counted)>;
+
 class AvrExecutor final : public ChipExecutor {
  public:
-  /// Loads `image`. Throws InputError if it is not an ELF file that this board's chip can run.
-  AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image);
+  /// Loads `image`. Throws InputError if it is not an ELF file that this board's chip can run. Without
+  /// `make_detectors`, detect() has no effect.
+  AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image,
+              MakeChipDetectors make_detectors = {});
 
   // --- for tests
   /// Runs waiting loops instead of skipping them (robosim::avr::Idle), from the next power-on.

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "sim/exec/avr/demangle.h"
-#include "sim/exec/avr/detect/torn_access.h"
 #include "sim/exec/avr/ubsan_report.h"
 
 namespace robosim::exec::avr {

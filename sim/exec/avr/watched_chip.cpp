@@ -238,13 +238,13 @@ void WatchedChip::look_for_tearing(const DebugInfo& debug) {
   tell_of_handlers();
 }
 
-void WatchedChip::show(Detector& detector, std::uint32_t pc) {
-  shown_.emplace(pc, &detector);
-  set_trap(kDetectorTrap, pc);
+void WatchedChip::show(ChipObserver& observer, std::uint32_t pc) {
+  shown_.emplace(pc, &observer);
+  set_trap(kObserverTrap, pc);
 }
 
-void WatchedChip::show_handlers(Detector& detector) {
-  told_of_handlers_.push_back(&detector);
+void WatchedChip::show_handlers(ChipObserver& observer) {
+  told_of_handlers_.push_back(&observer);
   tell_of_handlers();
 }
 
@@ -254,12 +254,12 @@ void WatchedChip::tell_of_handlers() {
 }
 
 void WatchedChip::handler_entered() {
-  for (Detector* const each : told_of_handlers_) each->entered(vector(), cycle());
+  for (ChipObserver* const each : told_of_handlers_) each->entered(vector(), cycle());
   if (race_analysis_) race_analysis_->entered(vector());
 }
 
 void WatchedChip::handler_left() {
-  for (Detector* const each : told_of_handlers_) each->left();
+  for (ChipObserver* const each : told_of_handlers_) each->left();
   if (!race_analysis_) return;
   race_analysis_->left();
   fail_if_torn();
@@ -272,7 +272,7 @@ bool WatchedChip::fail_if_torn() {
 }
 
 void WatchedChip::restore(const Saved& saved) {
-  constexpr unsigned kThatStay = kBreakpoint | kDetectorTrap | kTearingTrap;
+  constexpr unsigned kThatStay = kBreakpoint | kObserverTrap | kTearingTrap;
   const std::vector<TrapPlace> here = std::exchange(state_.traps, {});
   for (const TrapPlace& place : here) chip_.cpu().set_mark(place.pc / 2, false);
   state_ = saved.own;
@@ -292,9 +292,9 @@ bool WatchedChip::visited(std::uint32_t pc, Cycle at) {
 }
 
 bool WatchedChip::others_visited(std::uint32_t pc, Cycle at, unsigned traps) {
-  const unsigned others = traps & ~unsigned{kLineTrap | kTearingTrap | kDetectorTrap};
+  const unsigned others = traps & ~unsigned{kLineTrap | kTearingTrap | kObserverTrap};
   if (traps & kLineTrap) lines_->ran(2 * pc);
-  if (traps & kDetectorTrap)
+  if (traps & kObserverTrap)
     for (auto [each, end] = shown_.equal_range(2 * pc); each != end; ++each)
       each->second->visited(2 * pc, at);
   if (traps & kTearingTrap) {

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "sim/exec/avr/chip_observer.h"
 #include "sim/exec/avr/clock_map.h"
-#include "sim/exec/avr/detect/detector.h"
-#include "sim/exec/avr/detect/race_analysis.h"
 #include "sim/exec/avr/firmware.h"
+#include "sim/exec/avr/race_analysis.h"
 #include "sim/exec/elf/line_counts.h"
 #include "sim/exec/elf/loop_timer.h"
 #include "sim/mcu/avr/chip.h"
@@ -71,7 +71,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     kFirstLoopTrap = 32,
     kLineTrap = 64,
     kTearingTrap = 128,
-    kDetectorTrap = 256
+    kObserverTrap = 256
   };
   void set_trap(Trap trap, std::uint32_t pc);
   /// Counts the executions of lines, by a kLineTrap at the start of each line.
@@ -82,10 +82,10 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   /// Reports torn reads and writes as faults.
   void look_for_tearing(const DebugInfo& debug);
   const std::optional<RaceAnalysis>& race_analysis() const { return race_analysis_; }
-  /// Calls `detector` before the instruction at `pc` runs. The detector must outlive the chip's use.
-  void show(Detector& detector, std::uint32_t pc);
-  /// Calls `detector` when a handler starts or returns.
-  void show_handlers(Detector& detector);
+  /// Calls `observer` before the instruction at `pc` runs. The observer must outlive the chip's use.
+  void show(ChipObserver& observer, std::uint32_t pc);
+  /// Calls `observer` when a handler starts or returns.
+  void show_handlers(ChipObserver& observer);
   void clear_trap(Trap trap, std::uint32_t pc);
   /// Returns the traps for which run_to() returned, as a sum, and clears them.
   unsigned take_traps() { return std::exchange(state_.trapped, 0); }
@@ -148,7 +148,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     SnapshotRegistry::Snapshot chip;
   };
   Saved save() const { return {state_, chip_.save()}; }
-  /// Restores saved state. Breakpoints, which belong to the debugger, and the traps of detectors stay as they
+  /// Restores saved state. Breakpoints, which belong to the debugger, and the traps of observers stay as they
   /// are.
   void restore(const Saved& saved);
 
@@ -192,8 +192,8 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   LoopTimer<Cycle>* rounds_ = nullptr;
   LineCounts* lines_ = nullptr;
   std::optional<RaceAnalysis> race_analysis_;
-  std::multimap<std::uint32_t, Detector*> shown_;  ///< detectors by place
-  std::vector<Detector*> told_of_handlers_;
+  std::multimap<std::uint32_t, ChipObserver*> shown_;  ///< observers by place
+  std::vector<ChipObserver*> told_of_handlers_;
   bool singly_ = false;
   State state_;
   robosim::avr::Chip chip_;

@@ -13,6 +13,7 @@
 #include "sim/base/error.h"
 #include "sim/exec/core/board_probe.h"
 #include "sim/exec/core/cause_finder.h"
+#include "sim/exec/core/detector.h"
 #include "sim/result/lateness.h"
 #include "sim/result/run_result.h"
 

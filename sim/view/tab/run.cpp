@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "sim/base/error.h"
+#include "sim/detect/avr/chip_detectors.h"
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/record/recording.h"
 #include "sim/robot/describe.h"
@@ -53,7 +54,7 @@ result::RunResult run(wire::RunRequest request) {
   };
   runner::RequestedRun requested(
       [](const std::string&, const BoardSpec& board, const std::filesystem::path& image) {
-        return std::make_unique<exec::AvrExecutor>(board, image);
+        return std::make_unique<exec::AvrExecutor>(board, image, detect::avr::chip_detectors);
       },
       request, hear);
   gatherer.begin(recorded(request));

@@ -49,7 +49,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
 
   /// Builds `text`, creates an executor for the image, and switches the board on at time 0.
   void start(const std::string& text) {
-    avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), build(text));
+    avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), build(text), make_detectors_);
     for (Pin pin = 0; pin < board().spec().pin_count; ++pin) board().watch(pin, *this);
     board().watch_serial(*this);
     before_power_on();
@@ -97,6 +97,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
 
   const char* board_name_ = "uno";
   bool sanitize_ = false;
+  MakeChipDetectors make_detectors_;  ///< for detect(); see sim/detect
   std::filesystem::path folder_;
   build::Image built_;
   std::unique_ptr<AvrExecutor> avr_;

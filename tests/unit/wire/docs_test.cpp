@@ -8,6 +8,7 @@
 #include <set>
 
 #include "sim/base/file.h"
+#include "sim/result/detector_names.h"
 #include "sim/wire/json_writer.h"
 #include "sim/wire/live.h"
 #include "sim/wire/messages.h"
@@ -121,6 +122,15 @@ Table table(const char* name, bool request = false) {
   return {name, writer.text};
 }
 
+/// The table of all detectors.
+Table detectors() {
+  std::string text = "| detector | targets | finding |\n|---|---|---|\n";
+  for (const result::DetectorName& one : result::kDetectorNames)
+    text.append("| `").append(one.name).append("` | ").append(one.targets).append(" | ").append(one.finds) +=
+        " |\n";
+  return {"detectors", text};
+}
+
 std::vector<Table> tables() {
   return {table<DescribeRobot>("describe_robot", true),
           table<RunRequest>("run", true),
@@ -171,7 +181,8 @@ std::vector<Table> tables() {
           table<Pose>("result.end"),
           table<Paused>("paused"),
           table<Worst>("paused.worst"),
-          table<Accepted>("accepted")};
+          table<Accepted>("accepted"),
+          detectors()};
 }
 
 constexpr const char* kBegin = "<!-- keys of ";

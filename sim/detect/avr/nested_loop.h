@@ -1,0 +1,39 @@
+// Detects a loop() that calls itself, directly or indirectly, without returning.
+//
+//   void goTo(int n) { drive(n); for (;;) loop(); }      each destination starts another nested loop()
+//
+// Each call pushes a return address, saved registers and local variables, which are never popped. The chip
+// has 2 KB of RAM. After some calls, within a minute or a week, the stack reaches the variables. The stack
+// overwrites a threshold or a pointer, and the sketch misbehaves or restarts.
+//
+//   nested_loop   three calls of loop() are open at once, each within the previous call
+//
+// One nested call is not a finding: some sketches wait for a button that way, and return. Not detected: other
+// functions that call themselves; calls of loop() that the compiler has turned into jumps.
+//
+// To fix the sketch, return from loop(), because main() calls loop() repeatedly.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sim/detect/avr/chip_detector.h"
+
+namespace robosim::detect::avr {
+
+class NestedLoop final : public ChipDetector {
+ public:
+  explicit NestedLoop(const RunningProgram& program);
+
+  void visited(std::uint32_t pc, Cycle at) override;
+  std::vector<Detected> found(SimTime) const override;
+
+ private:
+  const RunningProgram program_;
+  std::vector<std::uint16_t> open_;  ///< stack pointer at the start of each call, the outermost first
+  std::size_t deepest_ = 0;
+  Detected seen_;
+};
+
+}  // namespace robosim::detect::avr

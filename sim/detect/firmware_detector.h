@@ -1,0 +1,18 @@
+// The base class of detectors that observe firmware through its board, on any target.
+#pragma once
+
+#include "hal/board/robot_port.h"
+#include "sim/base/snapshot_registry.h"
+#include "sim/exec/core/detector.h"
+#include "sim/exec/core/executor.h"
+#include "sim/result/detector_names.h"
+
+namespace robosim::detect {
+
+class FirmwareDetector : public exec::Detector {
+ public:
+  /// The firmware has started again, after a power cut or a reset.
+  virtual void powered_on() {}
+};
+
+}  // namespace robosim::detect

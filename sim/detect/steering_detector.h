@@ -1,0 +1,36 @@
+// The base class of detectors that examine how a robot steers along its line.
+#pragma once
+
+#include <string>
+
+#include "sim/detect/firmware_detector.h"
+
+namespace robosim::detect {
+
+/// A tick as these detectors see it.
+struct Steering {
+  SimTime t = 0;
+  SimTime sent_at = -1;     ///< time of Serial's last byte; -1 = none
+  double distance_m = 0.0;  ///< distance that the axle has travelled
+  double travel_m = 0.0;    ///< distance that the wheels have turned
+  double left = 0.0, right = 0.0;
+  bool sees_line = false;
+  bool on_its_own = true;   ///< switched on, and not moved manually
+  bool asks_floor = false;  ///< firmware has read a floor sensor in this tick
+};
+
+class SteeringDetector : public FirmwareDetector {
+ public:
+  /// Examines the tick that ends at `now.t`.
+  virtual void look(const Steering& now) = 0;
+};
+
+/// Returns the call in which firmware waits; empty if the current call never waits, or there is none.
+std::string waiting_call(const exec::Activity& activity);
+
+/// The fix for a sketch that waits while it prints.
+inline constexpr const char* kPrintLess =
+    "Print less, less often, or with a faster Serial.begin(): printing waits until its buffer of 64 bytes "
+    "has room.";
+
+}  // namespace robosim::detect

@@ -1,0 +1,26 @@
+// Declares observers of a running chip. Observers do not change the run.
+#pragma once
+
+#include <cstdint>
+
+#include "sim/mcu/avr/cycle.h"
+
+namespace robosim::exec::avr {
+
+class ChipObserver {
+ public:
+  /// Called before an instruction runs, for each byte address requested by WatchedChip::show().
+  virtual void visited(std::uint32_t pc, robosim::avr::Cycle at) {
+    static_cast<void>(pc), static_cast<void>(at);
+  }
+  /// Called when the processor has entered or left a handler (WatchedChip::show_handlers()).
+  virtual void entered(int vector, robosim::avr::Cycle at) {
+    static_cast<void>(vector), static_cast<void>(at);
+  }
+  virtual void left() {}
+
+ protected:
+  ~ChipObserver() = default;
+};
+
+}  // namespace robosim::exec::avr

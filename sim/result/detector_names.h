@@ -1,0 +1,58 @@
+// Lists all detectors of behaviour that would fail on a real robot. Reports, JSON (`detected`) and
+// docs/howto/sanitizers.md use these names.
+#pragma once
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+namespace robosim::result {
+
+struct DetectorName {
+  std::string_view name;
+  std::string_view targets;  ///< targets on which it works: "all", "host, avr" or "avr"
+  std::string_view finds;    ///< a sentence in Markdown: the finding
+};
+
+inline constexpr DetectorName kDetectorNames[] = {
+    {"blind", "all", "The robot lost the line while it drove too far without reading a floor sensor."},
+    {"motors_left_on", "all",
+     "The line was gone, and the robot drove 0.5 m more without steering or stopping."},
+    {"slow_serial", "all", "Prints that waited for `Serial` slowed down steering."},
+    {"forgotten_output", "all", "A pin with a part was written HIGH, but never set to OUTPUT."},
+    {"eeprom_wear", "host, avr",
+     "An EEPROM byte wears out in a day, or is written repeatedly with the same value."},
+    {"torn_record", "host, avr",
+     "A power cut leaves an EEPROM number half old and half new, without a check value."},
+    {"overwritten_record", "host, avr", "An EEPROM byte was written 8 times in a row with different values."},
+    {"lost_pwm", "host, avr", "`analogWrite()` with a variable value from 1 to 254 on a pin without PWM."},
+    {"slow_source", "host, avr", "A pin was read before its source had charged the converter's capacitor."},
+    {"lost_edge", "avr",
+     "A second edge at an encoder's or receiver's pin came before the first one's handler."},
+    {"lost_byte", "avr", "A byte came before the handler had read the bytes before it."},
+    {"lost_tick", "avr", "A second tick of `millis()` came before the first one's handler."},
+    {"torn_read", "avr", "A handler can change a number while the sketch reads its bytes one by one."},
+    {"torn_write", "avr", "A handler can change a number while the sketch writes its bytes one by one."},
+    {"lost_update", "avr", "A handler's change of a byte can be lost while the sketch changes the byte."},
+    {"float_equality", "avr",
+     "A float was compared by `==` or `!=` with a number that it passed but never equalled."},
+    {"reference_change", "avr", "The sketch used the first `analogRead()` after `analogReference()`."},
+    {"heap_grows", "avr", "The heap keeps growing."},
+    {"heap_in_pieces", "avr", "The heap grows although enough bytes are free, in too small pieces."},
+    {"no_memory", "avr", "`malloc()` failed."},
+    {"stack_margin", "avr",
+     "A handler at the deepest stack would overwrite variables, or leave under 16 bytes free."},
+    {"nested_loop", "avr", "Three calls of `loop()` are open, each inside the one before."},
+    {"watchdog_bite", "avr", "The watchdog reset the chip, except in an empty loop."},
+    {"watchdog_margin", "avr", "Feeds of the watchdog were over 80 % of its timeout apart."},
+    {"clock_wrap", "avr", "The robot behaves differently when `millis()` or `micros()` wraps to 0."},
+};
+
+/// Returns `name`. Does not compile unless the list contains it.
+consteval const char* detector(const char* name) {
+  const auto is_it = [name](const DetectorName& one) { return one.name == name; };
+  if (std::none_of(std::begin(kDetectorNames), std::end(kDetectorNames), is_it)) throw "not a detector";
+  return name;
+}
+
+}  // namespace robosim::result

@@ -1,0 +1,56 @@
+// Tests the detection of a watchdog that is fed with too little margin
+// (sim/detect/avr/watchdog_margin.h).
+
+#include "tests/unit/detect_avr/fixture.h"
+
+namespace robosim::detect {
+namespace watchdog_margin_test {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+class WatchdogMarginTest : public AvrDetectorTest {
+ protected:
+  std::vector<Detected> seen(const std::string& pass) {
+    start("#include <avr/wdt.h>\nvoid setup() { wdt_enable(WDTO_250MS); }\nvoid loop() { wdt_reset(); " +
+          pass + " }\n");
+    run(kSecond);
+    return avr_->detected();
+  }
+};
+
+TEST_F(WatchdogMarginTest, IsSmallWhereAPassTakesNearlyAsLong) {
+  const auto found = seen("static int pass; delay(++pass == 3 ? 235 : 20);");
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].detector, "watchdog_margin");
+  EXPECT_THAT(
+      found[0].what,
+      HasSubstr("with a timeout of 256 ms, was reset 235 ms after the previous reset, 92 % of the timeout"));
+  EXPECT_THAT(found[0].mend, HasSubstr("wdt_enable(WDTO_500MS)"));
+  EXPECT_EQ(found[0].where.file, "Test.ino");
+  EXPECT_EQ(found[0].where.line, 3);
+}
+
+TEST_F(WatchdogMarginTest, IsEnoughWithAFifthToSpareOrWhileItIsOff) {
+  EXPECT_THAT(seen("delay(195);"), IsEmpty());
+  EXPECT_THAT(seen("wdt_disable(); delay(235); wdt_enable(WDTO_250MS);"), IsEmpty());
+}
+
+TEST_F(WatchdogMarginTest, IsOverrunWhereItBites) {
+  const auto found = seen("static int pass; delay(++pass == 15 ? 300 : 20);");
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].detector, "watchdog_bite");
+  EXPECT_THAT(found[0].what, HasSubstr("was not reset within its timeout of 256 ms, and reset the chip"));
+  EXPECT_THAT(found[0].mend, HasSubstr("wdt_enable(WDTO_500MS)"));
+  EXPECT_EQ(found[0].where.file, "Test.ino");
+  EXPECT_EQ(found[0].where.line, 3);
+  EXPECT_EQ(found[0].times, 1);
+}
+
+TEST_F(WatchdogMarginTest, IsNoneWhereTheSketchResetsItselfByIt) {
+  EXPECT_THAT(seen("delay(700); wdt_enable(WDTO_15MS); while (true) {}"), IsEmpty());
+}
+
+}  // namespace watchdog_margin_test
+}  // namespace robosim::detect
