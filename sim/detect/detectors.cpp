@@ -25,7 +25,7 @@ std::vector<Pin> counted_pins(const robot::Robot& robot) {
 
 Detectors::Detectors(const robot::Robot& robot, exec::Executor& executor, double line_m)
     : executor_(executor), floor_(robot, executor) {
-  executor.detect(counted_pins(robot));
+  if (exec::ChipAccess* const chip = executor.chip_access()) chip->detect(counted_pins(robot));
   snapshots_.add(state_);
   if (floor_.are_known())
     steering_ = {&add<BlindDriving>(robot.sensor_midpoint().x, line_m), &add<MotorsLeftOn>(),
@@ -52,7 +52,8 @@ void Detectors::look(Steering now) {
 }
 
 std::vector<exec::Detected> Detectors::found(SimTime now) const {
-  std::vector<exec::Detected> all = executor_.detected();
+  exec::ChipAccess* const chip = executor_.chip_access();
+  std::vector<exec::Detected> all = chip ? chip->detected() : std::vector<exec::Detected>{};
   for (const auto& detector : all_)
     for (exec::Detected& one : detector->found(now)) all.push_back(std::move(one));
   return all;

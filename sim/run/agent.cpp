@@ -28,6 +28,14 @@ std::string exceeded_budget(const robot::Budget& budget, const std::optional<exe
   return "";
 }
 
+constexpr const char* kCannotBeSaved =
+    "saving a run requires an emulated chip: firmware for the host is a program of this machine";
+
+std::optional<exec::Resources> resources_of(exec::Executor& executor) {
+  exec::ChipAccess* const chip = executor.chip_access();
+  return chip ? chip->resources() : std::nullopt;
+}
+
 struct Nobody final : Listener {
   bool minds_turns() const override { return false; }
 };
@@ -84,14 +92,15 @@ bool Agent::may_take_turns() const {
 }
 
 Agent::Saved Agent::save() const {
+  const exec::ChipAccess& chip = exec::chip_of(executor_, kCannotBeSaved);
   Saved saved{state_, serial_.save(), progress_,     judge_,         {},
-              hash_,  stops_.save(),  robot_.save(), player_.save(), executor_.save()};
+              hash_,  stops_.save(),  robot_.save(), player_.save(), chip.save()};
   if (detectors_) saved.detectors = detectors_->save();
   return saved;
 }
 
 void Agent::restore(const Saved& saved) {
-  executor_.restore(saved.executor);
+  exec::chip_of(executor_, kCannotBeSaved).restore(saved.executor);
   player_.restore(saved.player);
   robot_.restore(saved.robot);
   stops_.restore(saved.stops);
@@ -220,7 +229,7 @@ void Agent::publish_pause_state(SimTime t, int stop_met) {
   shown.driven = robot_.driven();
   shown.serial_bytes = serial_.text().size();
   shown.metrics = finished() ? state_.outcome->metrics : metrics();
-  shown.resources = finished() ? state_.outcome->resources : executor_.resources();
+  shown.resources = finished() ? state_.outcome->resources : resources_of(executor_);
   state_.sample = sample_at(t);
 }
 
@@ -243,7 +252,7 @@ SimTime Agent::wakes_at(SimTime end) const {
 }
 
 bool Agent::exceeds_budget() {
-  state_.exceeded = exceeded_budget(own_.robot->budget, executor_.resources());
+  state_.exceeded = exceeded_budget(own_.robot->budget, resources_of(executor_));
   return !state_.exceeded.empty();
 }
 
@@ -360,9 +369,9 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.time = t;
   outcome.crash = e.crash;
   outcome.divisions_by_zero = e.divisions_by_zero;
-  outcome.lacks = executor_.lacks();
+  if (const exec::HostAccess* const host = executor_.host_access()) outcome.lacks = host->lacks();
   if (detectors_) outcome.detected = detectors_->found(t);
-  outcome.resources = executor_.resources();
+  outcome.resources = resources_of(executor_);
   outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe());
   outcome.events.assign(state_.events.begin(), state_.events.end());
   outcome.serial = serial_.text();

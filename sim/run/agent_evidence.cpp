@@ -13,7 +13,8 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.progress = &progress_;
   e.judge = &judge_;
   e.crash = crash_;
-  e.divisions_by_zero = executor_.divisions_by_zero();
+  if (const exec::HostAccess* const host = executor_.host_access())
+    e.divisions_by_zero = host->divisions_by_zero();
   e.exceeded = state_.exceeded;
   e.int_bits = executor_.int_bits();
   e.board = &board_.spec();

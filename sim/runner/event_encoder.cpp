@@ -19,6 +19,7 @@ EventEncoder::EventEncoder(const wire::RunRequest& request, int agent, const Boa
       agent_(agent),
       board_(board),
       executor_(executor),
+      chip_(executor.chip_access()),
       tell_(std::move(tell)),
       batcher_(wire::comes_in_batches(request) ? batcher : nullptr),
       wants_columns_(request.columns_every_ns > 0),
@@ -27,7 +28,7 @@ EventEncoder::EventEncoder(const wire::RunRequest& request, int agent, const Boa
       hears_pins_(wants_pins_ || wants_columns_),
       quick_inputs_(wants_inputs_ ? batcher_ : nullptr) {
   sample_.agent = agent;
-  const bool has_sources = wants_columns_ && executor.trace_drives();
+  const bool has_sources = wants_columns_ && chip_ && chip_->trace_drives();
   if (wants_pins_ && !has_sources) quick_pins_ = batcher_;
   if (!wants_columns_) return;
   if (batcher_) {
@@ -79,7 +80,7 @@ void EventEncoder::change_pin(Pin pin, const PinDrive& drive, SimTime t) {
     columns_->add_pin(pin, t,
                       wire::pin_level(drive.mode == PinMode::output, drive.mode == PinMode::input_pullup,
                                       drive.pwm, drive.duty, drive.tone_hz),
-                      drive.duty, drive.tone_hz, &executor_.driving(pin, drive));
+                      drive.duty, drive.tone_hz, &driving(pin, drive));
   if (!wants_pins_) return;
   if (batcher_) return batcher_->pin(agent_, t, pin, board_.pins[pin].name, drive, source_of(pin, drive));
   tell_pin(pin, drive, t);
@@ -131,7 +132,7 @@ void EventEncoder::byte_received(std::uint8_t byte, SimTime t) {
 void EventEncoder::byte_sent(std::uint8_t byte, SimTime t) {
   if (request_.io) {
     wire::SerialByte event{t, byte, true, {}};
-    if (request_.source_ns) event.source = executor_.source_of(byte);
+    if (request_.source_ns) event.source = chip_ ? chip_->source_of(byte) : executor_.source();
     if (!request_.source_ns || in_span(t)) tell(std::move(event));
   }
   if (!request_.serial) return;
@@ -139,8 +140,13 @@ void EventEncoder::byte_sent(std::uint8_t byte, SimTime t) {
   if (byte == '\n' || line_.size() >= 256) flush_serial(t);
 }
 
+const exec::SourceLine& EventEncoder::driving(Pin pin, const PinDrive& drive) const {
+  static const exec::SourceLine unknown;
+  return chip_ ? chip_->driving(pin, drive) : unknown;
+}
+
 int EventEncoder::number_of_source(Pin pin, const PinDrive& drive) {
-  const int number = sources_->of(executor_.driving(pin, drive));
+  const int number = sources_->of(driving(pin, drive));
   for (const result::SourceLine& line : sources_->take_new()) batcher_->source(agent_, line);
   return number;
 }

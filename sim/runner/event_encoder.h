@@ -39,6 +39,7 @@ class EventEncoder final : public run::Listener {
 
  private:
   bool in_span(SimTime t) const;
+  const exec::SourceLine& driving(Pin pin, const PinDrive& drive) const;
   int source_of(Pin pin, const PinDrive& drive) { return sources_ ? number_of_source(pin, drive) : 0; }
   int number_of_source(Pin pin, const PinDrive& drive);
   /// Returns whether the batcher accepts an event unchanged. This is the case for most events. This code is
@@ -63,6 +64,7 @@ class EventEncoder final : public run::Listener {
   const int agent_;
   const BoardSpec& board_;
   exec::Executor& executor_;
+  exec::ChipAccess* const chip_;  ///< null on the host
   Tell tell_;
   EventBatcher* const batcher_;  ///< null = events and columns are passed on directly
   const bool wants_columns_, wants_pins_, wants_inputs_;

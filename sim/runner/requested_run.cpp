@@ -136,10 +136,19 @@ void RequestedRun::add(const MakeExecutor& make, wire::AgentRequest asked, const
   member.inputs = inputs_of(map_->sha256, agent.image, *member.robot);
   member.encoder =
       std::make_unique<EventEncoder>(request_, number, board, *member.executor, tell, batcher_.get());
-  if (agent.clock_ns > 0) member.executor->set_clock_start(agent.clock_ns);
-  if (!agent.late.empty()) member.executor->set_lateness(agent.late);
+  if (agent.clock_ns > 0)
+    exec::chip_of(
+        *member.executor,
+        "setting the clock requires an emulated chip; on the host, millis() is wider and never wraps")
+        .set_clock_start(agent.clock_ns);
+  if (!agent.late.empty()) {
+    exec::HostAccess* const host = member.executor->host_access();
+    if (!host) throw InputError("delaying a sketch requires the target host");
+    host->set_lateness(agent.late);
+  }
   if (!request_.counters.empty()) member.executor->count_lines();
-  if (request_.source_ns) member.executor->trace_bytes(request_.source_ns->first, request_.source_ns->second);
+  if (exec::ChipAccess* const chip = member.executor->chip_access(); chip && request_.source_ns)
+    chip->trace_bytes(request_.source_ns->first, request_.source_ns->second);
 
   run::AgentSetup& setup = setup_.agents.emplace_back();
   setup.robot = member.robot;
@@ -160,7 +169,7 @@ void RequestedRun::flush(SimTime t) {
 }
 
 void RequestedRun::debug_with(exec::gdb::Server& server) {
-  executor().debug_with(server);
+  exec::chip_of(executor(), "attaching a debugger requires an emulated chip").debug_with(server);
   debugger_ = &server;
 }
 

@@ -62,7 +62,8 @@ bool is_before(const CauseStep& step, SimTime t) {
 bool is_of_library(const result::SourceLine& line) { return line.file.starts_with("libraries/"); }
 
 exec::CauseFinder& finder_of(const run::Setup& setup) {
-  exec::CauseFinder* const finder = setup.agents.front().executor->find_causes();
+  exec::ChipAccess* const chip = setup.agents.front().executor->chip_access();
+  exec::CauseFinder* const finder = chip ? chip->find_causes() : nullptr;
   if (finder) return *finder;
   throw InputError(
       "tracing the cause of a verdict requires a sketch on the target avr, built with its debug information");

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/exec/chip/chip_executor.h"
+#include "sim/exec/core/detector.h"
 
 namespace robosim::avr {
 class Chip;

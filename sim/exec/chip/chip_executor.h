@@ -15,7 +15,7 @@
 
 namespace robosim::exec {
 
-class ChipExecutor : public Executor {
+class ChipExecutor : public Executor, public ChipAccess {
  public:
   ChipExecutor(const BoardSpec& spec, std::unique_ptr<ChipFirmware> firmware);
 
@@ -30,6 +30,7 @@ class ChipExecutor : public Executor {
   SimTime last_call() const override;
   bool hangs() override;
   int int_bits() const override { return firmware_->int_bits(); }
+  ChipAccess* chip_access() override { return this; }
   std::optional<Resources> resources() const override;
   void set_clock_start(SimTime start) override;
   bool has_boards_eeprom() const override { return firmware_->has_boards_eeprom(); }
@@ -46,7 +47,8 @@ class ChipExecutor : public Executor {
   bool trace_drives() override { return firmware_->trace_drives(); }
   CauseFinder* find_causes() override { return firmware_->find_causes(clocked_); }
   const SourceLine& driving(Pin pin, const PinDrive& drive) override {
-    return chip_ ? chip_->driving(pin, drive) : Executor::driving(pin, drive);
+    static const SourceLine unknown;
+    return chip_ ? chip_->driving(pin, drive) : unknown;
   }
   void trace_bytes(SimTime from, SimTime to) override { tx_provenance_.emplace(from, to); }
   SourceLine source_of(std::uint8_t byte) override {

@@ -2,7 +2,6 @@
 // robot and world.
 #pragma once
 
-#include <any>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,16 +11,10 @@
 #include "sim/base/archive.h"
 #include "sim/base/error.h"
 #include "sim/exec/core/board_probe.h"
-#include "sim/exec/core/cause_finder.h"
-#include "sim/exec/core/detector.h"
-#include "sim/result/lateness.h"
+#include "sim/exec/core/target_access.h"
 #include "sim/result/run_result.h"
 
 namespace robosim::exec {
-
-namespace gdb {
-class Server;
-}
 
 using result::Crash;
 using result::Detected;
@@ -40,9 +33,6 @@ struct Activity {
   SourceLine where;        ///< present place in the sketch
   std::string stopped_by;  ///< "exit(0)" if the firmware stopped itself; else empty
 };
-
-constexpr const char* kCannotBeSaved =
-    "saving a run requires an emulated chip: firmware for the host is a program of this machine";
 
 class Executor {
  public:
@@ -82,24 +72,6 @@ class Executor {
 
   /// Returns the width of the firmware's int in bits.
   virtual int int_bits() const { return 32; }
-  /// Returns the resources used. They are measured on chip targets only, and not for an image built with
-  /// checks.
-  virtual std::optional<Resources> resources() const { return std::nullopt; }
-  /// Returns the places where firmware has divided by zero since the first power-on. Only images for the host
-  /// report them.
-  virtual const std::vector<DivisionByZero>& divisions_by_zero() const {
-    static const std::vector<DivisionByZero> none;
-    return none;
-  }
-  /// Returns the chip features that firmware has used since the first power-on, but that this executor lacks.
-  virtual const std::vector<Lack>& lacks() const {
-    static const std::vector<Lack> none;
-    return none;
-  }
-  /// Turns on the detectors whose findings detected() returns. Call it before the first power-on. `counted`:
-  /// pins on which every edge matters, such as an encoder's.
-  virtual void detect(const std::vector<Pin>& counted) { static_cast<void>(counted); }
-  virtual std::vector<Detected> detected() const { return {}; }
   /// Counts lines for counters(). Call it before the first power-on. On the host, an image built for coverage
   /// always counts.
   virtual void count_lines() {}
@@ -107,25 +79,6 @@ class Executor {
   /// gcov's format (.gcda) for each power cycle and source; other images have none. On a chip, one file has
   /// lines "LINE COUNT FILE" (exec/elf/line_counts.h).
   virtual std::vector<ArchivedFile> counters() { return {}; }
-  /// Returns a copy of all changing state of firmware, chip and board. Throws InputError if that is
-  /// impossible.
-  virtual std::any save() const { throw InputError(kCannotBeSaved); }
-  /// Restores a state that this executor's save() returned. Watchers of the board are not notified.
-  virtual void restore(const std::any& saved) {
-    static_cast<void>(saved);
-    throw InputError(kCannotBeSaved);
-  }
-  /// Sets the value at which millis() starts at the next power-on. Throws InputError if that is impossible.
-  virtual void set_clock_start(SimTime) {
-    throw InputError(
-        "setting the clock requires an emulated chip; on the host, millis() is wider and never wraps");
-  }
-  /// Delays the sketch at these times, in ascending order, as if its code took longer. Takes effect at the
-  /// next power-on. Throws InputError if that is impossible.
-  virtual void set_lateness(const std::vector<Lateness>&) {
-    throw InputError("delaying a sketch requires the target host");
-  }
-
   /// Returns the firmware's present place in the sketch. Watchers of pins may call it during run_until().
   virtual SourceLine source() { return activity().where; }
   /// Returns the place in the sketch itself if source() is in a library. Call it during an instruction or
@@ -133,35 +86,22 @@ class Executor {
   virtual SourceLine sketch_source() { return source(); }
   /// Returns the current call of the API as the sketch would write it; empty if its arguments are unknown.
   virtual std::string call_now() const { return ""; }
-  /// Prepares source_of() for bytes that are sent in this time span. Takes effect at the next power-on.
-  virtual void trace_bytes(SimTime from, SimTime to) { static_cast<void>(from), static_cast<void>(to); }
-  /// Returns the line that printed the byte that is being sent. After trace_bytes(), call it for every byte.
-  virtual SourceLine source_of(std::uint8_t byte) { return static_cast<void>(byte), source(); }
-
-  /// Prepares driving(). Takes effect at the next power-on. Returns false if lines are unknown, or are not
-  /// known while the drive is reported.
-  virtual bool trace_drives() { return false; }
-  /// Returns the line that drives a pin; empty without one. Call it while the drive is reported.
-  virtual const SourceLine& driving(Pin pin, const PinDrive& drive) {
-    static const SourceLine unknown;
-    return static_cast<void>(pin), static_cast<void>(drive), unknown;
-  }
-
-  /// Returns an object that finds the causes of firmware's actions; null if that is impossible. Call it
-  /// before the first power-on. The object is valid as long as this executor.
-  virtual CauseFinder* find_causes() { return nullptr; }
-
   /// Returns whether the firmware uses the board's EEPROM, so that scripts can corrupt and trace it.
   virtual bool has_boards_eeprom() const { return false; }
   /// Makes the firmware's clock too fast by `ppm` parts per million from `t` on, which must be now. The drift
   /// persists through power cycles.
   virtual void set_clock_drift(int ppm, SimTime t) { static_cast<void>(ppm), static_cast<void>(t); }
-  /// Lets a debugger halt the firmware, starting at the next power-on. run_until() does not return while the
-  /// firmware is halted. `server` must outlive the executor's use. Throws InputError if debugging is
-  /// impossible.
-  virtual void debug_with(gdb::Server&) {
-    throw InputError("attaching a debugger requires an emulated chip");
-  }
+
+  /// Returns the capabilities of an emulated chip; null on the host.
+  virtual ChipAccess* chip_access() { return nullptr; }
+  /// Returns the capabilities of firmware for the host; null on a chip.
+  virtual HostAccess* host_access() { return nullptr; }
 };
+
+/// Returns chip_access(). Throws InputError(`otherwise`) on the host.
+inline ChipAccess& chip_of(Executor& executor, const char* otherwise) {
+  if (ChipAccess* const chip = executor.chip_access()) return *chip;
+  throw InputError(otherwise);
+}
 
 }  // namespace robosim::exec

@@ -22,7 +22,7 @@
 
 namespace robosim::exec {
 
-class HostExecutor final : public Executor {
+class HostExecutor final : public Executor, public HostAccess {
  public:
   /// `image` is a file built by robosim_sketch. It is read at every power_on().
   HostExecutor(const BoardSpec& spec, std::filesystem::path image);
@@ -45,6 +45,7 @@ class HostExecutor final : public Executor {
   std::string call_now() const override;
   SimTime last_call() const override;
   bool hangs() override;
+  HostAccess* host_access() override { return this; }
   const std::vector<DivisionByZero>& divisions_by_zero() const override { return divisions_.lines(); }
   const std::vector<Lack>& lacks() const override { return unsupported_features_.all(); }
   std::vector<ArchivedFile> counters() override;

@@ -1,0 +1,71 @@
+// Declares the capabilities that only executors of some targets have. Executor::chip_access() and
+// Executor::host_access() return them.
+#pragma once
+
+#include <any>
+#include <optional>
+#include <vector>
+
+#include "hal/board/board.h"
+#include "sim/exec/core/cause_finder.h"
+#include "sim/result/lateness.h"
+#include "sim/result/run_result.h"
+
+namespace robosim::exec {
+
+namespace gdb {
+class Server;
+}
+
+/// Firmware that runs in an emulated chip.
+class ChipAccess {
+ public:
+  /// Returns a copy of all changing state of firmware, chip and board.
+  virtual std::any save() const = 0;
+  /// Restores a state that save() of this executor returned. Watchers of the board are not notified.
+  virtual void restore(const std::any& saved) = 0;
+  /// Returns the resources used; nothing for an image built with checks.
+  virtual std::optional<result::Resources> resources() const = 0;
+  /// Turns on the detectors whose findings detected() returns. Call it before the first power-on. `counted`:
+  /// pins on which every edge matters, such as an encoder's.
+  virtual void detect(const std::vector<Pin>& counted) = 0;
+  virtual std::vector<result::Detected> detected() const = 0;
+  /// Sets the value at which millis() starts at the next power-on. Throws InputError if the firmware never
+  /// calls millis().
+  virtual void set_clock_start(SimTime start) = 0;
+  /// Lets a debugger halt the firmware, starting at the next power-on. run_until() does not return while the
+  /// firmware is halted. `server` must outlive the executor's use.
+  virtual void debug_with(gdb::Server& server) = 0;
+  /// Returns an object that finds the causes of firmware's actions; null if that is impossible. Call it
+  /// before the first power-on. The object is valid as long as the executor.
+  virtual CauseFinder* find_causes() = 0;
+  /// Prepares driving(). Takes effect at the next power-on. Returns false if lines are unknown, or are not
+  /// known while the drive is reported.
+  virtual bool trace_drives() = 0;
+  /// Returns the line that drives a pin; empty without one. Call it while the drive is reported.
+  virtual const result::SourceLine& driving(Pin pin, const PinDrive& drive) = 0;
+  /// Prepares source_of() for bytes that are sent in this time span. Takes effect at the next power-on.
+  virtual void trace_bytes(SimTime from, SimTime to) = 0;
+  /// Returns the line that printed the byte that is being sent. After trace_bytes(), call it for every byte.
+  virtual result::SourceLine source_of(std::uint8_t byte) = 0;
+
+ protected:
+  ~ChipAccess() = default;
+};
+
+/// Firmware that runs as a program of this machine.
+class HostAccess {
+ public:
+  /// Returns the places where firmware has divided by zero since the first power-on.
+  virtual const std::vector<result::DivisionByZero>& divisions_by_zero() const = 0;
+  /// Returns the chip features that firmware has used since the first power-on, but that the host lacks.
+  virtual const std::vector<result::Lack>& lacks() const = 0;
+  /// Delays the sketch at these times, in ascending order, as if its code took longer. Takes effect at the
+  /// next power-on.
+  virtual void set_lateness(const std::vector<result::Lateness>& lateness) = 0;
+
+ protected:
+  ~HostAccess() = default;
+};
+
+}  // namespace robosim::exec
