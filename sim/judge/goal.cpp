@@ -152,6 +152,37 @@ void Progress::visit_places(const world::Body& body, Events& events) {
   }
 }
 
+void Progress::begin_at(Vec2 position) {
+  origin_ = position;
+  const auto is_nearer = [&](Vec2 a, Vec2 b) { return square(a - position) < square(b - position); };
+  node_ = std::min_element(loop_.begin(), loop_.end(), is_nearer) - loop_.begin();
+  if (2 * node_ > static_cast<std::int64_t>(loop_.size())) node_ -= static_cast<std::int64_t>(loop_.size());
+}
+
+/// Updates node_. Call it once the body has moved by a part of the distance between two nodes.
+void Progress::follow_loop(Vec2 position) {
+  const auto count = static_cast<std::int64_t>(loop_.size());
+  // Begins another lap if the body went round without passing all nodes in order.
+  if (node_ - lap_node_ >= count) lap_node_ += count;
+  if (lap_node_ - node_ >= count) lap_node_ -= count;
+  const auto distance = [&](std::int64_t node) {
+    return square(loop_[static_cast<std::size_t>((node % count + count) % count)] - position);
+  };
+  for (const std::int64_t step : {1, -1})
+    while (distance(node_ + step) < distance(node_)) node_ += step;
+}
+
+/// Returns whether a robot that has passed all nodes in order has also gone round, and did not turn back in
+/// between. If it has, begins the next lap.
+bool Progress::has_gone_round(bool backwards) {
+  const auto count = static_cast<std::int64_t>(loop_.size());
+  const std::int64_t ahead = node_ - lap_node_;
+  // All nodes are passed near the beginning of a lap: the body has then gone round once or not at all.
+  if (2 * (backwards ? -ahead : ahead) < count) return false;
+  lap_node_ += backwards ? -count : count;
+  return true;
+}
+
 Vec2 Progress::loop_point(const Lap& lap, bool backwards) const {
   const std::size_t count = loop_.size();
   return loop_[backwards ? (count - lap.next) % count : lap.next % count];
@@ -162,6 +193,7 @@ bool Progress::advance(Lap& lap, bool backwards, const world::Body& body, SimTim
   while (lap.next <= count && body.covers(loop_point(lap, backwards))) ++lap.next;
   if (lap.next <= count) return false;
   lap.next = 1;
+  if (!has_gone_round(backwards)) return false;
   ++lap.complete;
   laps_s_.push_back(static_cast<double>(t - lap.began) * 1e-9);
   events.push_back(result::LapDone{lap.complete, laps_s_.back()});
@@ -211,7 +243,7 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
   if (goal_.kind == Goal::Kind::still) reached_ = stands_still(body, t);
 
   const Pose& pose = body.pose();
-  if (!origin_) origin_ = pose.position;
+  if (!origin_) begin_at(pose.position);
   if (may_depart(pose)) {
     // Restarts the clock of each lap, unless half of it is done: the body is then returning to the start.
     for (Lap* lap : {&forwards_, &backwards_})
@@ -222,6 +254,7 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
   if (looks) {
     checked_at_ = pose.position;
     checked_heading_ = pose.heading;
+    if (!contest_ && !loop_.empty()) follow_loop(pose.position);
     constexpr double kAway = kDeparture + 2.0 * kCheckEvery;
     is_around_origin_ = square(pose.position - *origin_) < kAway * kAway;
     if (!contest_ && is_far_from_places(pose.position)) return find_nothing();

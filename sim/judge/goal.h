@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,7 @@ namespace robosim::judge {
 struct Goal {
   enum class Kind {
     tour,         ///< all reachable stations visited, then the start's centre covered again
-    laps,         ///< every node of the loop passed in order, `laps` times, either way round
+    laps,         ///< once round the loop, with every node passed in order, `laps` times, either way round
     station,      ///< `station` visited, and at rest there for 0.5 s
     robotrace,    ///< from the start line to the goal line of the map's [race], then at rest between them
     ukmars,       ///< as robotrace, without coming to rest
@@ -123,6 +124,9 @@ class Progress {
   void find_nothing();
   void search_places(const world::Body& body);
   void visit_places(const world::Body& body, Events& events);
+  void begin_at(Vec2 position);
+  void follow_loop(Vec2 position);
+  bool has_gone_round(bool backwards);
   /// Returns the next point of a lap.
   Vec2 loop_point(const Lap& lap, bool backwards) const;
   bool advance(Lap& lap, bool backwards, const world::Body& body, SimTime t, Events& events);
@@ -141,6 +145,10 @@ class Progress {
   int junctions_visited_ = 0;
   std::vector<double> laps_s_;
   Lap forwards_, backwards_;
+  // The loop's node next to the body, counted on without wrapping: after a lap forwards it is higher by the
+  // number of nodes. A robot that turns back goes back here, but not in a Lap.
+  std::int64_t node_ = 0;
+  std::int64_t lap_node_ = 0;  ///< value of node_ at which the present lap began
   int goal_station_ = -1;
   Contest contest_;
   SimTime at_rest_since_ = kNever;

@@ -82,6 +82,49 @@ TEST(Goal, LapsCountEitherWayRoundButOnlyInOrder) {
   EXPECT_EQ(clockwise.progress.laps_s().size(), 2u);
 }
 
+/// Drives a robot over cells of kRing. 0 is the start, and 8 is the start after a lap.
+struct Ring : Course {
+  Ring() : Course(kRing, "laps:9") { visit(1, 1); }
+  /// Drives to a cell, forwards or backwards. Returns the number of laps so far.
+  std::size_t drive(int to) {
+    constexpr std::pair<int, int> kCells[] = {{1, 1}, {2, 1}, {3, 1}, {3, 2}, {3, 3}, {2, 3}, {1, 3}, {1, 2}};
+    while (at != to) {
+      at += at < to ? 1 : -1;
+      const auto [x, y] = kCells[static_cast<std::size_t>((at % 8 + 8) % 8)];
+      visit(x, y);
+    }
+    return progress.laps_s().size();
+  }
+  int at = 0;
+};
+
+TEST(Goal, ARobotThatTurnsBackHalfWayOnBothSidesHasNotGoneRound) {
+  for (const int far : {5, 6, 7}) {
+    Ring to_and_fro;
+    EXPECT_EQ(to_and_fro.drive(far), 0u);
+    EXPECT_EQ(to_and_fro.drive(-far), 0u);
+    EXPECT_EQ(to_and_fro.drive(0), 0u)
+        << "it passed all nodes in order, but turned back " << far << " from 0";
+    EXPECT_EQ(to_and_fro.drive(8), 1u);
+  }
+}
+
+TEST(Goal, ALapCountsAlthoughTheRobotTurnedBackDuringItOrBefore) {
+  Ring in_between;
+  in_between.drive(5);
+  in_between.drive(2);
+  EXPECT_EQ(in_between.drive(8), 1u);
+  EXPECT_EQ(in_between.drive(16), 2u);
+  Ring before;
+  before.drive(-3);
+  EXPECT_EQ(before.drive(7), 0u);
+  EXPECT_EQ(before.drive(8), 1u);
+  Ring both_ways;
+  EXPECT_EQ(both_ways.drive(8), 1u);
+  EXPECT_EQ(both_ways.drive(0), 2u) << "the second lap is the other way round";
+  EXPECT_EQ(both_ways.drive(-8), 3u);
+}
+
 // A square of 1.2 m with round corners. The goal line is 0.5 m before the start line.
 constexpr const char* kRace = R"(+++
 size = ["2 m", "2 m"]
