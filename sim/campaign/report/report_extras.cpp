@@ -75,8 +75,9 @@ fs::path found(const fs::path& named, const fs::path& xml) {
   return named;
 }
 
-/// Repeats the run of a table's row, with the sweep's options.
-std::optional<std::string> made_again(Rerun& again, const SweptRun& run, const launch::RunSettings& each) {
+/// Repeats the run of a row without a command, with the sweep's options.
+std::optional<std::string> made_by_options(Rerun& again, const SweptRun& run,
+                                           const launch::RunSettings& each) {
   launch::RunSettings options = each;
   options.request.seed = run.seed;
   if (launch::is_fleet_file(run.sketch)) {
@@ -99,7 +100,7 @@ std::optional<std::string> made_again(Rerun& again, const SweptRun& run, const l
   return again(launch, run.trace_hash);
 }
 
-/// Repeats the run of a check.
+/// Repeats the run of a command.
 std::optional<std::string> made_again(Rerun& again, const launch::RunSettings& run,
                                       const std::string& trace_hash) {
   return run.fleet.members.empty() ? again(launch_of(run), trace_hash)
@@ -119,7 +120,7 @@ void ReportExtras::add(const RecordingExtract& extract) {
 }
 
 ReportExtras extras_of_runs(const std::vector<SweptRun>& runs, const ReportOptions& options,
-                            const launch::Listener& listener) {
+                            const ReadCommand& read_command, const launch::Listener& listener) {
   ReportExtras extras;
   const std::vector<std::size_t> order = worth_looking_at(runs);
   const std::size_t worst = combinations_of(runs).size();
@@ -131,7 +132,8 @@ ReportExtras extras_of_runs(const std::vector<SweptRun>& runs, const ReportOptio
       break;
     }
     const SweptRun& run = runs[order[k]];
-    const auto made = made_again(again, run, options.each);
+    const auto made = run.command.empty() ? made_by_options(again, run, options.each)
+                                          : made_again(again, read_command(run.command), run.trace_hash);
     if (!made) {
       ++extras.other;
       continue;

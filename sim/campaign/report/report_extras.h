@@ -38,12 +38,12 @@ struct ReportExtras {
   std::map<std::string, std::size_t> places_;  ///< index in `left`, by the map's text
 };
 
+/// Reads the command of a run, as a table or robosim test has stored it. Throws InputError.
+using ReadCommand = std::function<launch::RunSettings(const std::string& command)>;
+
 /// For a table: repeats runs, the worst of each combination first. The worst runs get a replay.
 ReportExtras extras_of_runs(const std::vector<SweptRun>& runs, const ReportOptions& options,
-                            const launch::Listener& listener);
-
-/// Reads the command of a run, as robosim test has written it. Throws InputError.
-using ReadCommand = std::function<launch::RunSettings(const std::string& command)>;
+                            const ReadCommand& read_command, const launch::Listener& listener);
 
 /// For tests, from `file`: repeats failed checks of robosim test, beginning with the first of each sketch,
 /// and adds their replays. C++ tests have saved their own replays.

@@ -11,7 +11,7 @@ namespace robosim::campaign {
 struct ReportOptions {
   std::string out = "report.html";  ///< the page; replays go into a folder next to it
   std::size_t runs = 40;            ///< maximum number of repeated runs
-  launch::RunSettings each;         ///< for a table: the settings that the sweep had
+  launch::RunSettings each;         ///< the settings of the sweep, for a table without commands
 };
 
 }  // namespace robosim::campaign

@@ -55,6 +55,7 @@ std::vector<SweptRun> read_swept_runs(std::string_view text, const std::string& 
     run.verdict = at("verdict");
     run.trace_hash = at("trace_hash");
     run.why = at("why");
+    if (columns.contains("command")) run.command = at("command");
     if (run.verdict == "error") continue;
     const auto figure = [&](const char* name) { return number_of<double>(at(name), name, place); };
     run.time_s = figure("time_s");

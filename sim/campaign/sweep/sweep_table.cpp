@@ -26,7 +26,7 @@ namespace {
 
 enum Column : std::size_t { kSketch, kMap, kRobot, kTarget, kSeed, kVerdict, kTime };
 
-constexpr const char* kScore = "score";
+constexpr const char *kScore = "score", *kCommand = "command";
 
 /// Returns the measurements that have columns of their own, in order. Laps have other columns, and the
 /// score's column follows the stations'. Junctions and recovered energy have no columns, because existing
@@ -49,7 +49,8 @@ std::vector<std::string_view> names_of(Columns columns) {
   std::vector<std::string_view> all{"sketch", "map", "robot", "target", "seed", "verdict"};
   for (const Figure& figure : figure_columns()) all.push_back(figure.name);
   all.insert(all.end(), {"laps", "lap_best_s", "lap_mean_s", "stations", kScore, "stack_bytes_max",
-                         "loop_us_max", "trace_hash", "inputs", "why"});
+                         "loop_us_max", kCommand, "trace_hash", "inputs", "why"});
+  if (columns != Columns::all) std::erase(all, kCommand);
   if (columns == Columns::without_score) std::erase(all, kScore);
   return all;
 }
@@ -57,7 +58,7 @@ std::vector<std::string_view> names_of(Columns columns) {
 /// Returns the columns of a table with this first line, which includes its line feed if it is complete.
 /// Returns nullopt if the line is not a sweep's header.
 std::optional<Columns> columns_of(std::string_view line) {
-  for (const Columns columns : {Columns::all, Columns::without_score})
+  for (const Columns columns : {Columns::all, Columns::without_command, Columns::without_score})
     if (sweep_header(columns).starts_with(line)) return columns;
   return std::nullopt;
 }
@@ -187,7 +188,7 @@ std::string sweep_header(Columns columns) { return fmt::format("{}\n", fmt::join
 
 std::string sweep_row(const Combination& c, const result::RunResult& r, Columns columns) {
   const std::vector<double>& laps = r.metrics.laps_s;
-  std::string measured, best, mean, score, stack, loop;
+  std::string measured, best, mean, score, stack, loop, command;
   for (const Figure& figure : figure_columns())
     measured += fmt::format("{},", fmt::join(figure.values(r), ""));
   if (!laps.empty()) {
@@ -195,16 +196,17 @@ std::string sweep_row(const Combination& c, const result::RunResult& r, Columns 
     mean =
         fmt::format("{}", std::accumulate(laps.begin(), laps.end(), 0.0) / static_cast<double>(laps.size()));
   }
-  if (columns == Columns::all)
+  if (columns == Columns::all) command = field(replay_command(c, r.seed)) + ",";
+  if (columns != Columns::without_score)
     score = std::isnan(r.metrics.score) ? "," : fmt::format("{},", r.metrics.score);
   if (r.resources) {
     stack = std::to_string(r.resources->stack_bytes_max);
     if (r.resources->loops > 0) loop = fmt::format("{}", r.resources->loop_us_max);
   }
   const std::string begin = fmt::format(
-      "{},{},{},{},{},{},{}{},{},{},{},{}{},{},{},{}", field(c.inputs.sketch), field(c.inputs.map),
+      "{},{},{},{},{},{},{}{},{},{},{},{}{},{},{}{},{}", field(c.inputs.sketch), field(c.inputs.map),
       field(c.inputs.robot), c.inputs.target, r.seed, r.verdict, measured, laps.size(), best, mean,
-      r.metrics.stations.size(), score, stack, loop, r.trace_hash, c.fingerprint.text());
+      r.metrics.stations.size(), score, stack, loop, command, r.trace_hash, c.fingerprint.text());
   const std::string why = field(r.why);
   return fmt::format("{}-{},{}\n", begin, seal_of(*csv_fields(begin + "," + why)), why);
 }

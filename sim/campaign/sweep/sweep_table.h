@@ -27,8 +27,9 @@ struct SweepOutcome {
   bool reached() const { return verdict == "reached"; }
 };
 
-/// Older tables have no column for scores, and are resumed without it.
-enum class Columns { all, without_score };
+/// The columns of tables: of today, without the command, and also without the score. An older table is
+/// resumed with its own columns.
+enum class Columns { all, without_command, without_score };
 
 /// Return lines, each with its line feed.
 std::string sweep_header(Columns columns = Columns::all);

@@ -13,10 +13,10 @@ constexpr std::uint64_t kMostRuns = 10'000;
 Command parse_report(const std::vector<std::string>& words) {
   ReportArguments report;
   std::string runs;
-  Options options("report", "make a page from a sweep's table or from test results",
-                  "Shows who passed. Repeats failed runs to show where the line was left. Those of a table "
-                  "need the options that the sweep "
-                  "had.");
+  Options options(
+      "report", "make a page from a sweep's table or from test results",
+      "Shows who passed. Repeats failed runs to show where the line was left. A table of an older "
+      "Robosim lacks their commands: then give the options that the sweep had.");
   options.positional("FILE", report.file,
                      "read this file, which sweep --csv, test --junit or ctest --output-junit wrote",
                      PossibleValues::file());

@@ -42,12 +42,12 @@ int report_command(const ReportArguments& arguments) {
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   terminal::Progress progress(true);
   const launch::Listener listener = listener_of(progress, {false, false});
+  const auto read_command = [&](const std::string& command) {
+    return run_of(command, arguments.each.untrusted);
+  };
   std::string page;
   campaign::ReportExtras extras;
   if (first != text.npos && text[first] == '<') {
-    const auto read_command = [&](const std::string& command) {
-      return run_of(command, arguments.each.untrusted);
-    };
     const std::vector<campaign::JunitCase> cases = campaign::read_junit(text, arguments.file);
     extras = extras_of_cases(cases, arguments.file, arguments, read_command, listener);
     page = junit_page(name, cases, extras);
@@ -55,7 +55,7 @@ int report_command(const ReportArguments& arguments) {
     const std::vector<campaign::SweptRun> runs = read_as(FileKind::table, text, arguments.file, [&] {
       return campaign::read_swept_runs(text, arguments.file);
     });
-    extras = extras_of_runs(runs, arguments, listener);
+    extras = extras_of_runs(runs, arguments, read_command, listener);
     page = sweep_page(name, runs, extras);
   }
   write_file(arguments.out, page);

@@ -58,39 +58,44 @@ TEST(SweepTable, ARowHasTheColumnsOfTheHeaderInOneLine) {
       sweep_header(),
       "sketch,map,robot,target,seed,verdict,time_s,distance_m,cross_track_rms_mm,cross_track_max_mm,"
       "off_line_s,"
-      "collisions,energy_j,laps,lap_best_s,lap_mean_s,stations,score,stack_bytes_max,loop_us_max,trace_hash,"
-      "inputs,why"
+      "collisions,energy_j,laps,lap_best_s,lap_mean_s,stations,score,stack_bytes_max,loop_us_max,command,"
+      "trace_hash,inputs,why"
       "\n");
   EXPECT_EQ(row(plan(), 5, "lost"),
-            "\"My, Sketch\",tight,uno5,host,2,lost,2.5,0,0,0,0,0,0,2,2,3,2,,,,1:ab,"
-            "00000001-00000002-00000003-00000004-f9dce44a,\"It said \"\"no\"\", and stopped.\"\n");
+            "\"My, Sketch\",tight,uno5,host,2,lost,2.5,0,0,0,0,0,0,2,2,3,2,,,,"
+            "\"robosim run 'My, Sketch' --map tight --seed 2\",1:ab,"
+            "00000001-00000002-00000003-00000004-30390502,\"It said \"\"no\"\", and stopped.\"\n");
 }
 
 TEST(SweepTable, ARowHasTheScoreOfACompetition) {
   result::RunResult r = result(1, "reached");
   r.metrics.score = 18.75;
-  EXPECT_THAT(sweep_row(combination("oval"), r), HasSubstr(",2,18.75,,,1:ab,"));
+  EXPECT_THAT(sweep_row(combination("oval"), r), HasSubstr(",2,18.75,,,"));
   const std::string table = sweep_header() + sweep_row(combination("oval"), r);
   EXPECT_EQ(read_sweep_rows(table, "a.csv", plan()).at(0).outcome.score, 18.75);
 }
 
-TEST(SweepTable, OneThatWasBegunBeforeThereWereScoresIsGoneOnWithWithoutThem) {
-  const test::TemporaryFolder folder;
-  const std::filesystem::path file = folder.path() / "a.csv";
+TEST(SweepTable, AnOlderOneIsContinuedWithItsOwnColumns) {
   const SweepPlan p = plan();
-  const auto old_row = [&](std::size_t run) {
-    return sweep_row(p.combination_of(run), result(p.seed_of(run), "reached"), Columns::without_score);
-  };
-  const std::string begun = sweep_header(Columns::without_score) + old_row(0);
-  EXPECT_EQ(sweep_header(Columns::without_score).find("score"), std::string::npos);
-  std::ofstream(file) << begun;
-  std::vector<SweepOutcome> outcomes(p.runs());
-  SweepTable table(file, true, p, outcomes);
-  EXPECT_TRUE(outcomes[0].reached());
-  ASSERT_EQ(table.columns(), Columns::without_score);
-  table.add(1, old_row(1));
-  table.finish();
-  EXPECT_EQ(read_file(file), begun + old_row(1));
+  for (const Columns columns : {Columns::without_command, Columns::without_score}) {
+    const test::TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "a.csv";
+    const auto old_row = [&](std::size_t run) {
+      return sweep_row(p.combination_of(run), result(p.seed_of(run), "reached"), columns);
+    };
+    const std::string begun = sweep_header(columns) + old_row(0);
+    EXPECT_THAT(begun, Not(HasSubstr("command")));
+    EXPECT_THAT(begun, Not(HasSubstr("robosim run")));
+    EXPECT_EQ(begun.find("score") == begun.npos, columns == Columns::without_score);
+    std::ofstream(file) << begun;
+    std::vector<SweepOutcome> outcomes(p.runs());
+    SweepTable table(file, true, p, outcomes);
+    EXPECT_TRUE(outcomes[0].reached());
+    ASSERT_EQ(table.columns(), columns);
+    table.add(1, old_row(1));
+    table.finish();
+    EXPECT_EQ(read_file(file), begun + old_row(1));
+  }
 }
 
 TEST(SweepTable, OnAChipARowHasItsResources) {
@@ -99,7 +104,7 @@ TEST(SweepTable, OnAChipARowHasItsResources) {
   r.resources->stack_bytes_max = 99;
   r.resources->loops = 3;
   r.resources->loop_us_max = 12.5;
-  EXPECT_THAT(sweep_row(combination("oval"), r), HasSubstr(",99,12.5,1:ab,"));
+  EXPECT_THAT(sweep_row(combination("oval"), r), HasSubstr(",99,12.5,"));
 }
 
 TEST(SweepTable, ReadsWhatItWrites) {
