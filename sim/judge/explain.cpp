@@ -267,6 +267,19 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   });
 }
 
+// Returns a text if the motor driver's standby pin was never HIGH, so that its motors stay off.
+std::string sleeping_driver(const Evidence& e) {
+  for (const robot::WiredPin& wired : e.wiring) {
+    const auto pin = static_cast<std::size_t>(wired.pin);
+    if (wired.role != "standby" || pin >= e.went_high.size() || e.went_high[pin]) continue;
+    return fmt::format(
+        "the robot never moved: the standby pin {} of its motor driver {}, and the driver is off "
+        "until this pin is HIGH",
+        number_or_name(e, wired.pin), e.was_output[pin] ? "stayed LOW" : "was never set to OUTPUT");
+  }
+  return "";
+}
+
 // Returns "motor pins 7 and 9 were written HIGH, but never set to OUTPUT"; empty if there are no such pins.
 // Writing HIGH to an input enables its pull-up, which is enough to switch on some motor drivers.
 std::string forgotten_outputs(const Evidence& e) {
@@ -353,11 +366,16 @@ NextStep next_step(const Evidence& e) {
       return {"watch it in slow motion, or record what the sensors saw", NextStep::By::watching};
     return {};
   }
-  if (e.verdict == Verdict::stuck && !e.in_contact)
-    return {
-        fmt::format("the robot never moved: its motors are driven with {:.0f} % and {:.0f} % of full power, "
-                    "which is too little to turn the wheels",
-                    100.0 * std::abs(e.left_command), 100.0 * std::abs(e.right_command))};
+  const double most = std::max(std::abs(e.left_command), std::abs(e.right_command));
+  if (!e.in_contact && most > 0.0 && (e.verdict == Verdict::stuck || most < e.turning_drive))
+    return {fmt::format(
+        "the robot never moved: its motors are driven with {:.0f} % and {:.0f} % of full power, which is too "
+        "little to turn the wheels{}",
+        100.0 * std::abs(e.left_command), 100.0 * std::abs(e.right_command),
+        most < e.turning_drive
+            ? fmt::format("; they turn from {:.0f} % on", std::ceil(100.0 * e.turning_drive))
+            : "")};
+  if (const std::string driver = sleeping_driver(e); !driver.empty()) return {driver};
   std::vector<int> low, never_output;
   for (const robot::WiredPin& wired : e.wiring) {
     if (!turns_wheel(wired)) continue;

@@ -41,6 +41,7 @@ struct Evidence {
   bool in_contact = false;  ///< the body touches an obstruction
   std::string stopped_by = "a wall or the map's edge";  ///< the obstruction that the body touches
   double left_command = 0.0, right_command = 0.0;       ///< motor commands at the end, -1..1
+  double turning_drive = 0.0;                           ///< power from which the wheels turn from rest, 0..1
   SimTime sensors_read = kNever;  ///< last read of a floor sensor by the sketch; kNever = none
   double line_side = 0.0;  ///< m, the line's last position off the robot's middle, positive to the left
   double steered = 0.0;    ///< mean command difference while the line is off-centre; positive = towards it

@@ -27,8 +27,8 @@ struct Situation {
   SimTime t = 0;
   const Pose* pose = nullptr;
   double wheel_travel_m = 0.0;  ///< mean path of both wheels so far
-  bool sees_line = false;       ///< any reflectance sensor's footprint on a line
-  bool driven = false;          ///< a motor is commanded
+  bool sees_line = false;       ///< a line is under a reflectance sensor, or between the outermost two
+  bool driven = false;          ///< a motor is driven (robot::Robot::driven())
   bool lifted = false;          ///< picked up: neither lost nor stuck
   bool toppled = false;         ///< the robot lies on its side
   bool powered = true;

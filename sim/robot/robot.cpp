@@ -226,6 +226,8 @@ Robot::Robot(const Description& description, world::World& world, std::size_t bo
   for (FanPart* fan : impl_->registry.fans) fan->press_on(impl_->body);
   impl_->find_steering();
   command_ = impl_->state.command;
+  for (const Side side : {world::left, world::right})
+    driven_from_[side] = 0.5 * impl_->body.turning_drive(side);
   has_battery_ = impl_->cells.kind;
   has_text_outputs_ = !impl_->registry.text_outputs.empty();
 }
@@ -300,6 +302,22 @@ bool Robot::sees_line() const {
     impl_->state.last_seen = i;
     return true;
   }
+  return false;
+}
+
+bool Robot::straddles_line(double off_m) const {
+  constexpr double kStep = 0.003;  // m, less than the width of any line
+  const auto& sensors = impl_->registry.sensors;
+  if (sensors.size() < 2 || impl_->body.in_hand()) return false;
+  const auto is_left = [](const auto& a, const auto& b) { return a->at().y < b->at().y; };
+  const auto [last, first] = std::minmax_element(sensors.begin(), sensors.end(), is_left);
+  const Vec2 from = (*first)->at(), row = (*last)->at() - from;
+  const double width = length(row);
+  if (off_m > width) return false;
+  const int steps = static_cast<int>(width / kStep) + 1;
+  for (int i = 0; i <= steps; ++i)
+    if (impl_->view.floor->on_line(impl_->body.pose().to_world(from + row * (1.0 * i / steps)), kStep) > 0.0)
+      return true;
   return false;
 }
 

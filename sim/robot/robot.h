@@ -1,6 +1,7 @@
 // A robot: parts, wired to a board's pins, on a body in the world.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -81,6 +82,9 @@ class Robot {
 
   /// Returns whether any reflectance sensor's footprint touches the line, without noise.
   bool sees_line() const;
+  /// Returns whether a line passes between the outermost two reflectance sensors, as under two sensors that
+  /// straddle it. `off_m`: distance from sensor_midpoint() to the nearest line, m.
+  bool straddles_line(double off_m) const;
   /// Returns the mean lateral position of the sensors that touch the line, m to the left of the body's
   /// middle. The weight of a sensor is the share of its footprint on the line. Returns 0 if no footprint
   /// touches the line.
@@ -98,8 +102,11 @@ class Robot {
   bool has_text_outputs() const { return has_text_outputs_; }
   /// Collects the text that the parts report at `t`, the end of a tick.
   void poll_text(SimTime t, std::vector<PartText>& told);
-  /// Returns whether the last tick's commands drive a motor.
-  bool driven() const { return command_[0].drive != 0.0 || command_[1].drive != 0.0; }
+  /// Returns whether the last tick's commands drive a motor with more than half the power that turns its
+  /// wheel from rest. A chip's PWM drives with less at its smallest value: OCR0A = 0 sends pulses of 1/256.
+  bool driven() const {
+    return std::abs(command_[0].drive) > driven_from_[0] || std::abs(command_[1].drive) > driven_from_[1];
+  }
 
   /// Switches the board's supply off or on: parts that share it lose their state.
   void power(bool on, SimTime t);
@@ -172,6 +179,7 @@ class Robot {
 
   std::unique_ptr<Impl> impl_;
   const world::WheelCommand* command_ = nullptr;  // of the last tick, by world::Side
+  double driven_from_[2] = {0.0, 0.0};            // set once, by world::Side
   bool has_battery_ = false, has_text_outputs_ = false;
 };
 

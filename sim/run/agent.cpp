@@ -183,7 +183,7 @@ void Agent::look_to_the_side() {
 // Reads the sensors that are due. Does nothing if called too early.
 void Agent::sample_sensors(SimTime end) {
   const DueChecks& due = checks_at(end);
-  if (due.at_sensors) state_.sees_line = robot_.sees_line();
+  if (due.at_sensors) state_.sees_line = robot_.sees_line() || robot_.straddles_line(state_.cross_track);
   if (state_.sees_line && due.aside) look_to_the_side();
   state_.senses_at = end + due.next * kTick;
 }

@@ -1,4 +1,6 @@
 // Collects the evidence for the sentence that explains a verdict.
+#include <algorithm>
+
 #include "sim/run/agent.h"
 
 namespace robosim::run {
@@ -30,6 +32,7 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.toppled = body_.toppled();
   e.at = body_.pose().position;
   e.left_command = robot_.left_command();
+  e.turning_drive = std::max(body_.turning_drive(world::left), body_.turning_drive(world::right));
   e.right_command = robot_.right_command();
   for (const robot::WiredPin& wired : e.wiring) {
     if (wired.type.rfind("reflectance", 0) != 0 || wired.pin >= board_.spec().pin_count) continue;

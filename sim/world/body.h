@@ -207,6 +207,9 @@ class Body {
     double amps = 0.0, amps_per_volt = 0.0;
   };
   Draw draw(double supply_volts) const;
+  /// Returns the share of full power, 0 to 1 or more, from which the motor turns its wheel from rest with
+  /// the present supply. To turn on the spot, a robot may need more.
+  double turning_drive(Side side) const { return unit_[side].friction[1] / unit_[side].push; }
   /// Blocks a wheel: it does not turn, whatever its motor and the floor do. The motor stalls.
   void block(Side, bool blocked);
   /// Lifts the body: it stays in place and touches nothing. Its wheels turn freely, without rolling

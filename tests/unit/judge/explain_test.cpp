@@ -297,8 +297,28 @@ TEST_F(Explain, MotorsThatAreTooWeakToTurnAreToldWithTheirPower) {
       next(Verdict::stuck),
       "the robot never moved: its motors are driven with 12 % and 10 % of full power, which is too little to "
       "turn the wheels");
+  e.turning_drive = 0.131;
+  for (const Verdict verdict : {Verdict::stuck, Verdict::timeout})
+    EXPECT_THAT(next(verdict),
+                HasSubstr("12 % and 10 % of full power, which is too little to turn the wheels; they "
+                          "turn from 14 % on"));
+  e.left_command = 0.14;
+  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("too little")));
+  e.left_command = e.right_command = 0.0;
   e.wiring.clear();
   EXPECT_EQ(next(Verdict::timeout), "the robot never moved: it has no motors");
+}
+
+TEST_F(Explain, ADriverInStandbyIsNamedInsteadOfItsMotorPins) {
+  e.wiring.push_back({"driver", "tb6612", "standby", 4});
+  EXPECT_EQ(next(Verdict::timeout),
+            "the robot never moved: the standby pin 4 of its motor driver was never set to OUTPUT, and the "
+            "driver is "
+            "off until this pin is HIGH");
+  e.was_output[4] = true;
+  EXPECT_THAT(next(Verdict::timeout), HasSubstr("standby pin 4 of its motor driver stayed LOW"));
+  e.went_high[4] = true;
+  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("standby")));
 }
 
 TEST_F(Explain, ARobotThatNeverMovedIsLookedIntoPinByPin) {

@@ -332,6 +332,26 @@ TEST(Reflectance, TheRobotKnowsWhetherItSeesTheLine) {
   EXPECT_TRUE(bench.robot.sees_line());
 }
 
+TEST(Reflectance, TheRobotKnowsWhetherItStraddlesTheLine) {
+  const auto eye = [](const char* name, const char* pin, int y_mm) {
+    return "[[part]]\ntype = \"reflectance\"\nname = \"" + std::string(name) + "\"\npin = \"" + pin +
+           "\"\nat = [\"0 mm\", \"" + std::to_string(y_mm) + " mm\"]\nfootprint = \"3 mm\"\n";
+  };
+  BenchRobot bench(eye("left", "A0", 30) + eye("right", "A1", -30));
+  const auto straddles = [&](double beside_m) {
+    place_beside_line(bench, beside_m);
+    return bench.robot.straddles_line(beside_m);
+  };
+  EXPECT_TRUE(straddles(0.0));
+  EXPECT_FALSE(bench.robot.sees_line());
+  EXPECT_TRUE(straddles(0.015));
+  EXPECT_FALSE(straddles(0.05));
+  EXPECT_FALSE(straddles(1.0));
+  straddles(0.0);
+  bench.body().lift(true);
+  EXPECT_FALSE(bench.robot.straddles_line(0.0));
+}
+
 constexpr const char* kLamp = "+++\n[[light]]\nlevel = 0.25\n+++\n";
 
 BenchRobot lit_bench(const std::string& keys) {
