@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <optional>
+
+#include "sim/mcu/avr/instruction_table.h"
 
 namespace robosim::detect::avr {
 namespace {
 
+using robosim::avr::Control;
+using robosim::avr::control_of;
 using robosim::avr::Instruction;
 using robosim::avr::Op;
 
@@ -24,22 +27,16 @@ float float_of(std::uint32_t bits) {
   return value;
 }
 
-/// Returns the target of the call at `pc`, in words; nothing for other instructions.
-std::optional<std::uint32_t> target_of(const Instruction& i, std::uint32_t pc) {
-  if (i.op == Op::call) return static_cast<std::uint32_t>(i.k);
-  if (i.op == Op::rcall) return pc + 1 + static_cast<std::uint32_t>(i.k);
-  return std::nullopt;
-}
-
 /// Returns whether the result of the call before word address `pc` is tested for 0, not for its sign.
 bool is_tested_for_zero(const robosim::avr::Cpu& cpu, std::uint32_t pc) {
   bool compared = false;  // the result was compared with 0
   for (const std::uint32_t end = pc + kWordsOfTest; pc < end; pc += cpu.instruction(pc).words) {
     const Instruction& i = cpu.instruction(pc);
     const bool with_zero = (i.a == kResult && i.b == kZero) || (i.a == kZero && i.b == kResult);
-    if (i.op == Op::brbs || i.op == Op::brbc) return compared && i.b == kFlagZ;
+    const Control control = control_of(i.op);
+    if (control == Control::branch) return compared && i.b == kFlagZ;
     if (i.op == Op::cpse && with_zero) return true;
-    if (i.op == Op::cpse || i.op == Op::sbrc || i.op == Op::sbrs || target_of(i, pc)) return false;
+    if (control == Control::skip || control == Control::call) return false;
     compared = compared || (i.op == Op::and_ && i.a == kResult && i.b == kResult) ||
                (i.op == Op::cp && with_zero) || (i.op == Op::cpi && i.a == kResult && i.b == 0);
   }
@@ -53,9 +50,11 @@ FloatEquality::FloatEquality(const RunningProgram& program)
   const auto compares = program.firmware.find("__eqsf2");
   if (!compares) return;
   const robosim::avr::Cpu& cpu = machine_.chip().chip().cpu();
+  const auto words = static_cast<std::uint32_t>(cpu.flash().size() / 2);
   for (std::uint32_t pc = 0; 2 * pc < program.firmware.code_end; pc += cpu.instruction(pc).words) {
     const Instruction& i = cpu.instruction(pc);
-    if (target_of(i, pc) != *compares / 2 || !is_tested_for_zero(cpu, pc + i.words)) continue;
+    if (control_of(i.op) != Control::call || target_of(i, pc, words) != *compares / 2) continue;
+    if (!is_tested_for_zero(cpu, pc + i.words)) continue;
     if (debug_.place(2 * pc).file.empty()) continue;
     comparisons_.push_back({2 * pc});
     program.machine.chip().show(*this, 2 * pc);

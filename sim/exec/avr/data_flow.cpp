@@ -1,70 +1,40 @@
 #include "sim/exec/avr/data_flow.h"
 
+#include "sim/mcu/avr/instruction_table.h"
+
 namespace robosim::exec::avr {
 namespace {
 
+using robosim::avr::Control;
+using robosim::avr::control_of;
 using robosim::avr::Cpu;
 using robosim::avr::Instruction;
 using robosim::avr::Op;
+using robosim::avr::target_of;
 
-bool may_skip(Op op) {
-  return op == Op::cpse || op == Op::sbrc || op == Op::sbrs || op == Op::sbic || op == Op::sbis;
-}
+std::uint32_t words_of(const Cpu& cpu) { return static_cast<std::uint32_t>(cpu.flash().size() / 2); }
 
 }  // namespace
 
-bool is_straight(Op op) {
-  switch (op) {
-    case Op::rjmp:
-    case Op::jmp:
-    case Op::rcall:
-    case Op::call:
-    case Op::ijmp:
-    case Op::icall:
-    case Op::eijmp:
-    case Op::eicall:
-    case Op::ret:
-    case Op::reti:
-    case Op::brbs:
-    case Op::brbc:
-    case Op::cpse:
-    case Op::sbrc:
-    case Op::sbrs:
-    case Op::sbic:
-    case Op::sbis:
-    case Op::sleep:
-    case Op::illegal:
-      return false;
-    default:
-      return true;
-  }
-}
-
-bool is_store_by_pointer(Op op) { return op >= Op::st_x && op <= Op::st_z_dec; }
-
 void add_next(const Cpu& cpu, std::uint32_t pc, bool into_calls, std::vector<std::uint32_t>& next) {
   const Instruction& i = cpu.instruction(pc);
+  const Control control = control_of(i.op);
   const std::uint32_t behind = pc + i.words;
-  if (i.op == Op::jmp || (i.op == Op::call && into_calls)) next.push_back(static_cast<std::uint32_t>(i.k));
-  if (i.op == Op::rjmp || i.op == Op::brbs || i.op == Op::brbc || (i.op == Op::rcall && into_calls))
-    next.push_back(static_cast<std::uint32_t>(static_cast<std::int64_t>(pc) + 1 + i.k));
-  if (may_skip(i.op)) next.push_back(behind + cpu.instruction(behind).words);
-  if (i.op != Op::jmp && i.op != Op::rjmp && i.op != Op::ijmp && i.op != Op::eijmp && i.op != Op::ret &&
-      i.op != Op::reti)
+  if (control == Control::jump || control == Control::branch || (control == Control::call && into_calls))
+    next.push_back(target_of(i, pc, words_of(cpu)));
+  if (control == Control::skip) next.push_back(behind + cpu.instruction(behind).words);
+  if (control != Control::jump && control != Control::indirect_jump && control != Control::returns)
     next.push_back(behind);
 }
 
 std::vector<bool> without_interrupts(const Cpu& cpu, std::uint32_t code_end) {
   std::vector<bool> off(code_end / 2 + 2), entered(off.size());
-  const auto enter = [&](std::int64_t pc) {
-    if (pc >= 0 && pc < static_cast<std::int64_t>(entered.size()))
-      entered[static_cast<std::size_t>(pc)] = true;
-  };
   for (std::uint32_t pc = 0; 2 * pc < code_end; pc += cpu.instruction(pc).words) {
     const Instruction& i = cpu.instruction(pc);
-    if (i.op == Op::jmp || i.op == Op::call) enter(i.k);
-    if (i.op == Op::rjmp || i.op == Op::rcall || i.op == Op::brbs || i.op == Op::brbc)
-      enter(std::int64_t{pc} + 1 + i.k);
+    const Control control = control_of(i.op);
+    if (control != Control::jump && control != Control::branch && control != Control::call) continue;
+    if (const std::uint32_t target = target_of(i, pc, words_of(cpu)); target < entered.size())
+      entered[target] = true;
   }
   bool is_off = false, may_be_skipped = false;
   for (std::uint32_t pc = 0; 2 * pc < code_end; pc += cpu.instruction(pc).words) {
@@ -73,9 +43,9 @@ std::vector<bool> without_interrupts(const Cpu& cpu, std::uint32_t code_end) {
     off[pc] = is_off;
     if (i.op == Op::bclr && i.b == Cpu::kI)
       is_off = !may_be_skipped;
-    else if ((i.op == Op::bset && i.b == Cpu::kI) || i.op == Op::out || !is_straight(i.op))
+    else if ((i.op == Op::bset && i.b == Cpu::kI) || i.op == Op::out || control_of(i.op) != Control::straight)
       is_off = false;
-    may_be_skipped = may_skip(i.op);
+    may_be_skipped = control_of(i.op) == Control::skip;
   }
   return off;
 }

@@ -8,9 +8,6 @@
 
 namespace robosim::exec::avr {
 
-/// Returns whether the following instruction always runs next.
-bool is_straight(robosim::avr::Op op);
-bool is_store_by_pointer(robosim::avr::Op op);
 /// Appends to `next` the addresses at which the processor may continue after the instruction at `pc`.
 /// Computed jumps are not followed. A call continues at the following instruction, and with `into_calls` also
 /// at its target.

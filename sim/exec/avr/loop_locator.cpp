@@ -7,10 +7,13 @@
 
 #include "sim/exec/elf/loop_locator.h"
 #include "sim/mcu/avr/decode.h"
+#include "sim/mcu/avr/instruction_table.h"
 
 namespace robosim::exec::avr {
 namespace {
 
+using robosim::avr::Control;
+using robosim::avr::control_of;
 using robosim::avr::Instruction;
 using robosim::avr::Op;
 
@@ -31,9 +34,9 @@ class Code final : public ChipCode {
     std::vector<std::uint32_t> calls;
     const std::uint32_t begin = function.address, end = begin + function.size;
     for (std::uint32_t pc = 0; pc < std::min(words_, firmware_.code_end / 2); pc += code_[pc].words) {
-      const Op op = code_[pc].op;
+      const Control control = control_of(code_[pc].op);
       const bool within = 2 * pc >= begin && 2 * pc < end;
-      const bool leads = op == Op::call || op == Op::rcall || op == Op::jmp || op == Op::rjmp;
+      const bool leads = control == Control::call || control == Control::jump;
       if (leads && !within && target(pc) == begin / 2) calls.push_back(2 * pc);
     }
     return calls;
@@ -53,44 +56,36 @@ class Code final : public ChipCode {
       };
       const std::uint32_t next = pc + code_[pc].words;
       bool goes_on = true;
-      switch (code_[pc].op) {
-        case Op::jmp:
-        case Op::rjmp:
+      switch (control_of(code_[pc].op)) {
+        case Control::straight:
+          break;
+        case Control::jump:
           step.kind = Step::Kind::jump;
           goes_on = false;
           if (table_jumps_.contains(target(pc))) anywhere.push_back(2 * pc);
           add(target(pc));
           break;
-        case Op::brbs:
-        case Op::brbc:
+        case Control::branch:
           step.kind = Step::Kind::call_or_branch;
           add(target(pc));
           break;
-        case Op::cpse:
-        case Op::sbrc:
-        case Op::sbrs:
-        case Op::sbic:
-        case Op::sbis:
+        case Control::skip:
           step.kind = Step::Kind::call_or_branch;
           if (next < words_) add(next + code_[next].words);
           break;
-        case Op::ijmp:
-        case Op::eijmp:
+        case Control::indirect_jump:
           anywhere.push_back(2 * pc);
           goes_on = false;
           break;
-        case Op::call:
-        case Op::rcall:
-        case Op::icall:
-        case Op::eicall:
+        case Control::call:
+        case Control::indirect_call:
           step.kind = Step::Kind::call_or_branch;
           break;
-        case Op::ret:
-        case Op::reti:
-        case Op::illegal:
+        case Control::returns:
           goes_on = false;
           break;
-        default:
+        case Control::stops:
+          goes_on = code_[pc].op == Op::sleep;
           break;
       }
       if (goes_on) add(next);
@@ -106,9 +101,7 @@ class Code final : public ChipCode {
 
  private:
   std::uint32_t target(std::uint32_t pc) const {
-    const Instruction& i = code_[pc];
-    if (i.op == Op::jmp || i.op == Op::call) return static_cast<std::uint32_t>(i.k);
-    return (pc + 1 + static_cast<std::uint32_t>(i.k)) & (firmware_.chip->flash_bytes / 2 - 1);
+    return robosim::avr::target_of(code_[pc], pc, firmware_.chip->flash_bytes / 2);
   }
 
   const Firmware& firmware_;

@@ -9,12 +9,15 @@
 #include "sim/base/elf/avr_addresses.h"
 #include "sim/exec/avr/data_flow.h"
 #include "sim/exec/avr/demangle.h"
+#include "sim/mcu/avr/instruction_table.h"
 #include "sim/result/detector_names.h"
 
 namespace robosim::exec::avr {
 namespace {
 
 using robosim::avr::Address;
+using robosim::avr::Control;
+using robosim::avr::control_of;
 using robosim::avr::Cpu;
 using robosim::avr::Cycle;
 using robosim::avr::Instruction;
@@ -69,8 +72,9 @@ bool RaceAnalysis::may_write_numbers(int vector) const {
     if (seen[pc]) continue;
     seen[pc] = true;
     const Instruction& i = cpu.instruction(pc);
-    if (is_store_by_pointer(i.op) || i.op == Op::ijmp || i.op == Op::icall || i.op == Op::eijmp ||
-        i.op == Op::eicall || (i.op == Op::sts && touched(i)))
+    const Control control = control_of(i.op);
+    if (robosim::avr::stores_by_pointer(i.op) || control == Control::indirect_jump ||
+        control == Control::indirect_call || (i.op == Op::sts && touched(i)))
       return true;
     add_next(cpu, pc, true, next);
   }
@@ -123,7 +127,7 @@ void RaceAnalysis::add_group(std::uint32_t pc, const DebugInfo& debug) {
   for (std::uint32_t next = pc + first.words; next < pc + kWordsOfAccess;
        next += cpu.instruction(next).words) {
     const Instruction& i = cpu.instruction(next);
-    if (!is_straight(i.op)) return;
+    if (control_of(i.op) != Control::straight) return;
     if (touched(i) != number) continue;
     if (i.op != first.op || i.k == first.k) return;
     if (!is_sketchs(debug, 2 * next) || (first.op == Op::lds && is_read_again(pc, number))) return;
@@ -141,7 +145,7 @@ void RaceAnalysis::add_update(std::uint32_t pc, const DebugInfo& debug) {
   for (std::uint32_t next = pc + first.words; next < pc + kWordsOfAccess;
        next += cpu.instruction(next).words) {
     const Instruction& i = cpu.instruction(next);
-    if (!is_straight(i.op)) return;
+    if (control_of(i.op) != Control::straight) return;
     if (i.op != Op::sts || i.k != first.k) {
       trail.follow(i);
       continue;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/elf/avr_addresses.h"
+#include "sim/mcu/avr/instruction_table.h"
 
 namespace robosim::exec::avr {
 namespace {
@@ -64,9 +65,8 @@ std::vector<std::uint8_t> flash_of(const Firmware& firmware) {
 /// Returns the target of the jump at the reset vector, in words.
 std::uint32_t reset_target(const robosim::avr::Cpu& cpu) {
   const Instruction& first = cpu.instruction(0);
-  if (first.op == Op::jmp) return static_cast<std::uint32_t>(first.k);
-  if (first.op == Op::rjmp) return static_cast<std::uint32_t>(1 + first.k) & (cpu.chip().flash_bytes / 2 - 1);
-  return 0;
+  const bool jumps = robosim::avr::control_of(first.op) == robosim::avr::Control::jump;
+  return jumps ? robosim::avr::target_of(first, 0, cpu.chip().flash_bytes / 2) : 0;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ std::uint32_t extended(std::uint32_t value, int bits) {
 }
 
 /// Returns the target of an unconditional B or of a BL (ARMv7-M ARM, A7.7.12, A7.7.18).
-std::optional<std::uint32_t> target_of(std::uint32_t pc, unsigned first, unsigned second) {
+std::optional<std::uint32_t> jump_target(std::uint32_t pc, unsigned first, unsigned second) {
   const std::uint32_t here = pc + 4;
   if ((first & 0xF800) == 0xE000) return here + extended((first & 0x7FF) << 1, 12);
   if ((first & 0xF800) != 0xF000 || (second & 0x9000) != 0x9000) return std::nullopt;
@@ -34,7 +34,8 @@ class Code final : public ChipCode {
     const std::uint32_t begin = function.address, end = begin + function.size;
     for (std::uint32_t pc = kFlash; pc < firmware_.code_end; pc += 2) {
       const bool within = pc >= begin && pc < end;
-      if (!within && target_of(pc, firmware_.half(pc), firmware_.half(pc + 2)) == begin) calls.push_back(pc);
+      if (!within && jump_target(pc, firmware_.half(pc), firmware_.half(pc + 2)) == begin)
+        calls.push_back(pc);
     }
     return calls;
   }

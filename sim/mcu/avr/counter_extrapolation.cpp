@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hal/board/avr_registers.h"
+#include "sim/mcu/avr/instruction_table.h"
 
 namespace robosim::avr {
 namespace {
@@ -27,7 +28,6 @@ bool is_difference(Op op) {
 }
 bool carries(Op op) { return op == Op::adc || op == Op::sbc || op == Op::sbci || op == Op::cpc; }
 bool has_constant(Op op) { return op == Op::subi || op == Op::sbci || op == Op::cpi; }
-bool is_call(Op op) { return op == Op::rcall || op == Op::call || op == Op::icall; }
 bool only_compares(Op op) { return op == Op::cp || op == Op::cpc || op == Op::cpi; }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "hal/board/avr_registers.h"
 #include "sim/mcu/avr/instruction_effects.h"
+#include "sim/mcu/avr/instruction_table.h"
 
 namespace robosim::avr {
 namespace {
@@ -57,49 +58,33 @@ class HandlerCode {
   bool step(std::uint32_t pc) {
     const Instruction& i = cpu_.instruction(pc);
     const auto behind = pc + i.words;
-    switch (i.op) {
-      case Op::reti:
-        return true;
-      case Op::rjmp:
-      case Op::jmp:
-        open_.push_back(target(i, pc));
-        return true;
-      case Op::brbs:
-      case Op::brbc:
-        open_.push_back(target(i, pc));
-        break;
-      case Op::cpse:
-      case Op::sbrc:
-      case Op::sbrs:
-        if (behind >= seen_.size()) return false;
-        open_.push_back(behind + cpu_.instruction(behind).words);
-        break;
-      case Op::push:
-      case Op::pop:
-        break;
-      case Op::ijmp:
-        return false;
-      default: {
-        const InstructionEffects e = effects_of(i, cpu_);
-        if (e.elsewhere) return false;
-        if (e.memory != InstructionEffects::Memory::none && !touches(i, e)) return false;
-      }
+    const Control control = control_of(i.op);
+    if (i.op == Op::reti) return true;
+    if (control == Control::indirect_jump) return false;
+    if (control == Control::jump || control == Control::branch) {
+      open_.push_back(target_of(i, pc, static_cast<std::uint32_t>(seen_.size())));
+      if (control == Control::jump) return true;
+    } else if (const Location location = row_of(i.op).location;
+               control == Control::skip && location == Location::none) {
+      if (behind >= seen_.size()) return false;
+      open_.push_back(behind + cpu_.instruction(behind).words);
+    } else if (location != Location::stack) {
+      const InstructionEffects e = effects_of(i, cpu_);
+      if (e.elsewhere) return false;
+      if (e.memory != InstructionEffects::Memory::none && !touches(i, e)) return false;
     }
     open_.push_back(behind);
     return true;
   }
 
   bool touches(const Instruction& i, const InstructionEffects& e) {
-    const bool fixed = i.op == Op::lds || i.op == Op::sts || i.op == Op::in || i.op == Op::out;
-    if (!fixed) return false;
+    const InstructionRow& row = row_of(i.op);
+    const bool fixed = row.location == Location::address || row.location == Location::io;
+    if (!fixed || row.control != Control::straight) return false;
     if (e.address == reg::kSreg) return true;
     if (e.address < cpu_.chip().ram_address || e.address >= stores_.size()) return false;
     if (e.memory == InstructionEffects::Memory::store) stores_[e.address] = true;
     return true;
-  }
-
-  static std::uint32_t target(const Instruction& i, std::uint32_t pc) {
-    return static_cast<std::uint32_t>(i.op == Op::jmp ? i.k : static_cast<std::int64_t>(pc) + 1 + i.k);
   }
 
   const Cpu& cpu_;

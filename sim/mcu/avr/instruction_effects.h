@@ -1,5 +1,5 @@
 // Predicts an instruction's accesses before the instruction runs, for observers that follow firmware without
-// executing it. Source: AVR Instruction Set Manual, DS40002198B.
+// executing it. instruction_table.h has the accesses of each operation.
 #pragma once
 
 #include <bit>
@@ -26,6 +26,12 @@ template <typename Visit>
 void each(std::uint32_t registers, Visit visit) {
   for (; registers; registers &= registers - 1) visit(static_cast<unsigned>(std::countr_zero(registers)));
 }
+
+/// Registers that an instruction accesses, one bit each.
+struct RegisterAccess {
+  std::uint32_t reads = 0, writes = 0;
+};
+RegisterAccess registers_of(const Instruction& instruction);
 
 /// Returns the effects of the instruction that `cpu` would run next. Accesses to the addresses of SREG and
 /// the stack pointer count as data memory. The result does not include how calls and pushes change the stack

@@ -4,6 +4,7 @@
 
 #include "sim/base/elf/avr_addresses.h"
 #include "sim/mcu/avr/instruction_effects.h"
+#include "sim/mcu/avr/instruction_table.h"
 
 namespace robosim::exec::avr {
 namespace {
@@ -12,11 +13,10 @@ using robosim::avr::each;
 using robosim::avr::effects_of;
 using robosim::avr::Instruction;
 using robosim::avr::InstructionEffects;
+using robosim::avr::is_call;
 using robosim::avr::Op;
 using Entry = InstructionLog::Entry;
 using Touch = InstructionLog::Touch;
-
-bool is_call(Op op) { return op == Op::call || op == Op::rcall || op == Op::icall || op == Op::eicall; }
 
 }  // namespace
 

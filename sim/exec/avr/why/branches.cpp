@@ -1,21 +1,16 @@
 #include "sim/exec/avr/why/branches.h"
 
-#include <bit>
 #include <set>
 
 #include "sim/exec/avr/why/instruction_log.h"
+#include "sim/mcu/avr/instruction_table.h"
 
 namespace robosim::exec::avr {
 namespace {
 
+using robosim::avr::Control;
+using robosim::avr::control_of;
 using robosim::avr::Instruction;
-using robosim::avr::Op;
-
-bool skips(Op op) {
-  return op == Op::cpse || op == Op::sbrc || op == Op::sbrs || op == Op::sbic || op == Op::sbis;
-}
-
-bool branches(Op op) { return op == Op::brbs || op == Op::brbc; }
 
 }  // namespace
 
@@ -25,41 +20,27 @@ Branches::Branches(const robosim::avr::Cpu& cpu) : cpu_(cpu), writes_(cpu.flash(
 }
 
 bool Branches::is_branch(std::uint32_t pc) const {
-  const Op op = cpu_.instruction(pc).op;
-  return skips(op) || branches(op);
-}
-
-std::uint32_t Branches::led_to(std::uint32_t pc, std::int32_t by) const {
-  const auto words = static_cast<std::uint32_t>(cpu_.flash().size() / 2);
-  return (pc + 1 + static_cast<std::uint32_t>(by)) & (std::bit_ceil(words) - 1);
+  const Control control = control_of(cpu_.instruction(pc).op);
+  return control == Control::skip || control == Control::branch;
 }
 
 std::optional<std::uint32_t> Branches::called_at(std::uint32_t pc) const {
   const Instruction& i = cpu_.instruction(pc);
-  if (i.op != Op::call && i.op != Op::rcall) return std::nullopt;
-  const std::uint32_t called = i.op == Op::call ? static_cast<std::uint32_t>(i.k) : led_to(pc, i.k);
-  return called < cpu_.flash().size() / 2 ? std::optional(called) : std::nullopt;
+  if (control_of(i.op) != Control::call) return std::nullopt;
+  const std::uint32_t called = target_of(i, pc, words());
+  return called < words() ? std::optional(called) : std::nullopt;
 }
 
 std::vector<std::uint32_t> Branches::ways_on(std::uint32_t pc) const {
-  const auto words = static_cast<std::uint32_t>(cpu_.flash().size() / 2);
   const Instruction& i = cpu_.instruction(pc);
+  const Control control = control_of(i.op);
   const std::uint32_t behind = pc + i.words;
-  const auto relative = [&] { return led_to(pc, i.k); };
   std::vector<std::uint32_t> ways;
-  if (branches(i.op)) {
-    ways = {behind, relative()};
-  } else if (skips(i.op)) {
-    ways = {behind};
-    if (behind < words) ways.push_back(behind + cpu_.instruction(behind).words);
-  } else if (i.op == Op::rjmp) {
-    ways = {relative()};
-  } else if (i.op == Op::jmp) {
-    ways = {static_cast<std::uint32_t>(i.k)};
-  } else if (i.op != Op::ret && i.op != Op::reti && i.op != Op::ijmp && i.op != Op::eijmp) {
-    ways = {behind};
-  }
-  std::erase_if(ways, [&](std::uint32_t way) { return way >= words; });
+  if (control != Control::jump && control != Control::indirect_jump && control != Control::returns)
+    ways.push_back(behind);
+  if (control == Control::jump || control == Control::branch) ways.push_back(target_of(i, pc, words()));
+  if (control == Control::skip && behind < words()) ways.push_back(behind + cpu_.instruction(behind).words);
+  std::erase_if(ways, [&](std::uint32_t way) { return way >= words(); });
   return ways;
 }
 

@@ -40,7 +40,7 @@ class Branches {
   const SkippedWrites& skipped_writes(std::uint32_t branch, std::uint32_t next);
 
  private:
-  std::uint32_t led_to(std::uint32_t pc, std::int32_t by) const;
+  std::uint32_t words() const { return static_cast<std::uint32_t>(cpu_.flash().size() / 2); }
   /// Returns the function that is called at `pc`; nothing if no function is called, or if it is unknown.
   std::optional<std::uint32_t> called_at(std::uint32_t pc) const;
   /// Returns the addresses at which execution can continue in the same function; empty after a return, or if

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/mcu/avr/instruction_effects.h"
+#include "sim/mcu/avr/instruction_table.h"
 
 namespace robosim::exec::avr {
 namespace {
@@ -10,13 +11,15 @@ namespace {
 using robosim::avr::Cpu;
 using robosim::avr::Instruction;
 using robosim::avr::InstructionEffects;
+using robosim::avr::InstructionRow;
+using robosim::avr::Location;
 using robosim::avr::Op;
+using robosim::avr::row_of;
 using Entry = InstructionLog::Entry;
 using Touch = InstructionLog::Touch;
 
 // Limits the log to 64 MB. Older entries are dropped.
 constexpr std::size_t kMostEntries = std::size_t{1} << 22;
-constexpr reg::Address kPairZ = 30;
 
 Entry entry_of(const Cpu& cpu, Cycle began) {
   const Instruction& i = cpu.instruction(cpu.pc());
@@ -26,41 +29,27 @@ Entry entry_of(const Cpu& cpu, Cycle began) {
     entry.address = static_cast<std::uint16_t>(address);
     entry.bytes = static_cast<std::uint8_t>(bytes);
   };
-  switch (i.op) {
-    case Op::sbi:
-    case Op::cbi:
-      touches(Touch::store, static_cast<unsigned>(i.k), 1);
-      break;
-    case Op::lpm_0:
-    case Op::lpm:
-    case Op::lpm_inc:
-    case Op::elpm_0:
-    case Op::elpm:
-    case Op::elpm_inc:
-      touches(Touch::flash, cpu.pair(kPairZ), 1);
-      break;
-    default:
-      if (const InstructionEffects effects = effects_of(i, cpu);
-          effects.memory != InstructionEffects::Memory::none)
-        touches(effects.memory == InstructionEffects::Memory::load ? Touch::load : Touch::store,
-                effects.address, effects.bytes);
+  const InstructionRow& row = row_of(i.op);
+  if (row.location == Location::flash) {
+    touches(Touch::flash, cpu.pair(row.pointer), 1);
+  } else if (row.elsewhere && row.location == Location::io) {  // SBI, CBI
+    touches(Touch::store, static_cast<unsigned>(i.k), 1);
+  } else if (const InstructionEffects effects = effects_of(i, cpu);
+             effects.memory != InstructionEffects::Memory::none) {
+    touches(effects.memory == InstructionEffects::Memory::load ? Touch::load : Touch::store, effects.address,
+            effects.bytes);
   }
   return entry;
-}
-
-bool reads_flash(Op op) {
-  return op == Op::lpm_0 || op == Op::lpm || op == Op::lpm_inc || op == Op::elpm_0 || op == Op::elpm ||
-         op == Op::elpm_inc;
 }
 
 }  // namespace
 
 InstructionEffects effects_of_logged(const Instruction& i, const Cpu& cpu) {
   InstructionEffects e = effects_of(i, cpu);
-  if (reads_flash(i.op)) {
-    e.reads = 3u << 30;
-    e.writes = 1u << (i.op == Op::lpm_0 || i.op == Op::elpm_0 ? 0 : i.a);
-    if (i.op == Op::elpm_inc) e.writes |= e.reads;
+  if (row_of(i.op).location == Location::flash) {
+    const robosim::avr::RegisterAccess registers = registers_of(i);
+    e.reads = registers.reads;
+    e.writes = registers.writes;
   }
   return e;
 }
