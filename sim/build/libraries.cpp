@@ -167,8 +167,10 @@ std::vector<fs::path> library_folders(const fs::path& sketch, const std::vector<
   std::vector<fs::path> inner;
   for (const auto& entry : fs::directory_iterator(sketch)) {
     const std::string name = entry.path().filename().string();
-    if (entry.is_directory() && name[0] != '.' && name != "src" && name != "libraries" &&
-        (fs::exists(entry.path() / "library.properties") || fs::exists(entry.path() / (name + ".h"))))
+    std::error_code none;
+    if (entry.is_directory(none) && name[0] != '.' && name != "src" && name != "libraries" &&
+        (fs::exists(entry.path() / "library.properties", none) ||
+         fs::exists(entry.path() / (name + ".h"), none)))
       inner.push_back(entry.path());
   }
   std::sort(inner.begin(), inner.end());

@@ -116,15 +116,20 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
 }
 
 void check_links(const fs::path& folder) {
-  std::error_code error;
+  std::error_code error, none;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    if (!entry->is_symlink(error) || lies_in(entry->path(), folder)) continue;
+    if (!entry->is_symlink(none) || lies_in(entry->path(), folder)) continue;
     throw InputError(
         {entry->path().string()},
         fmt::format("a link to {}, outside of the sketch's folder; --untrusted does not follow it",
-                    fs::read_symlink(entry->path(), error).string()));
+                    fs::read_symlink(entry->path(), none).string()));
   }
+  if (error && fs::exists(folder, none))
+    throw InputError({folder.string()},
+                     fmt::format("not all folders in it can be read ({}); --untrusted requires that, to find "
+                                 "links that lead outside",
+                                 error.message()));
 }
 
 }  // namespace robosim::build

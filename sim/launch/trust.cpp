@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
+
 #include "sim/base/config.h"
 #include "sim/base/file.h"
 #include "sim/base/program_sandbox.h"
@@ -38,8 +40,26 @@ std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const
   return sentences;
 }
 
+namespace {
+
+/// Returns whether a program lies where a build tool puts it, for a sketch in `folder`: in the folder itself,
+/// or in a folder of `build` or `.pio/build`.
+bool is_built_in(const fs::path& image, const fs::path& folder) {
+  std::error_code error;
+  const fs::path real = fs::canonical(image, error), real_folder = fs::canonical(folder, error);
+  if (error || !build::lies_in(image, folder)) return false;
+  const fs::path below = real.lexically_relative(real_folder).parent_path();
+  const auto count = std::distance(below.begin(), below.end());
+  if (below.empty()) return true;
+  auto part = below.begin();
+  if (*part == ".pio" && count > 1) ++part;
+  return *part == "build" && std::distance(part, below.end()) <= 2;
+}
+
+}  // namespace
+
 void check_folder(const SketchChoice& sketch) {
-  if (!sketch.elf_target.empty() && !build::lies_in(sketch.path, sketch.folder))
+  if (!sketch.elf_target.empty() && !is_built_in(sketch.path, sketch.folder))
     throw InputError(
         {sketch.path.string()},
         fmt::format("the files next to the image name {} as the sketch's folder, outside of the image's "

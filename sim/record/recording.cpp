@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <utility>
 
 #include "sim/base/file.h"
@@ -102,7 +103,10 @@ Recording Recording::decode(std::string_view bytes, const std::string& file) {
   std::size_t total = 0;
   std::uint64_t numbers = 0;
   for (std::size_t robot = 0; robot < recording.header_.robot_count(); ++robot) {
+    std::set<std::string> names;
     for (const StreamInfo& stream : recording.header_.of(robot).streams) {
+      if (!names.insert(stream.name).second)
+        refuse(file, "it has two streams of the name " + wire::excerpt(stream.name));
       for (const ColumnInfo& column : stream.columns) {
         if (static_cast<std::size_t>(column.bytes) > recording.body_.size() - total || !(column.scale > 0.0))
           refuse(file, "its column " + column.name + " is longer than the file");

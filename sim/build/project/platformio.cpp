@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr int kMostReferences = 10'000;
 constexpr int kDeepest = 16;  ///< nesting of references and extended sections
 constexpr const char* kEnvironment = "env:";
 
@@ -131,6 +132,12 @@ class Settings {
     if (!value) return std::nullopt;
     if (depth == kDeepest)
       throw InputError({path_.string(), line}, fmt::format("${{{}}} refers to itself", name));
+    if (++references_ > kMostReferences)
+      throw InputError(
+          {path_.string(), line},
+          fmt::format("too many references: expected at most {} of the form ${{…}}, each counted "
+                      "as often as it is inserted",
+                      kMostReferences));
     return filled(*value, in, depth + 1);
   }
 
@@ -154,6 +161,7 @@ class Settings {
   fs::path path_;
   IniFile ini_;
   std::vector<std::string> environments_;
+  mutable int references_ = 0;  ///< number of references so far
 };
 
 void set_board(Project& project, const Settings& settings) {

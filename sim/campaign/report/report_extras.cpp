@@ -31,6 +31,9 @@ class Replays {
       if (kept || (!name.empty() && name.back() != '-')) name += kept ? c : '-';
     }
     if (!names_.insert(name).second) name += fmt::format("-row-{}", number + 1);  // "a b" becomes "a-b", too
+    std::error_code none;
+    if (fs::is_symlink(beside_ / folder_, none))
+      throw InputError({(beside_ / folder_).string()}, "a link: expected a folder for replays");
     fs::create_directories(beside_ / folder_);
     const fs::path file = beside_ / folder_ / (name + ".html");
     write_file(file, record::page_of(recording));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <map>
 
 #include "sim/base/csv.h"
@@ -15,7 +16,8 @@ template <class Number>
 Number number_of(const std::string& text, const char* column, const Place& place) {
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
+  const bool is_finite = std::isfinite(static_cast<double>(value));
+  if (error != std::errc() || end != text.data() + text.size() || !is_finite)
     throw InputError(place, fmt::format("{}: expected a number, got “{}”", column, text.substr(0, 40)));
   return value;
 }

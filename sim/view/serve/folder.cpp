@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <sstream>
+#include <utility>
 
 #include "sim/base/error.h"
 #include "sim/build/sketch.h"
@@ -33,30 +35,50 @@ bool names_robots(const HeldFolder& root, const std::string& file) {
   return false;
 }
 
-// `below`: "." or "./some/folder".
-void look(const HeldFolder& root, const std::string& below, int depth, Choices& choices) {
-  const Descriptor folder = root.open(below, O_RDONLY | O_DIRECTORY);
-  if (!folder.is_open()) return;
-  std::error_code error;
-  const fs::path names = "/proc/self/fd/" + std::to_string(folder.get());
-  for (const fs::directory_entry& entry : fs::directory_iterator(names, error)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(".")) continue;
-    const std::string path = below + "/" + name;
-    const Descriptor found = root.open(path, O_PATH);
+/// Looks for files in a folder and its subfolders.
+class Search {
+ public:
+  Search(const HeldFolder& root, Choices& choices) : root_(root), choices_(choices) {}
+
+  /// `below`: "." or "./some/folder". Visits a folder once, although links may lead to it again.
+  void look(const std::string& below, int depth) {
+    const Descriptor folder = root_.open(below, O_RDONLY | O_DIRECTORY);
     struct stat info {};
-    if (!found.is_open() || ::fstat(found.get(), &info) != 0) continue;
-    if (S_ISDIR(info.st_mode) && depth < kDeepest) look(root, path, depth + 1, choices);
-    if (!S_ISREG(info.st_mode)) continue;
-    const std::string extension = fs::path(name).extension().string();
-    if (extension == ".ino" && (choices.sketches.empty() || choices.sketches.back() != below))
-      choices.sketches.push_back(below);
-    if (is_image(name)) choices.sketches.push_back(path);
-    if (extension == ".toml" && name != "checks.toml")
-      (names_robots(root, path) ? choices.sketches : choices.robots).push_back(path);
-    if (extension == ".map") choices.maps.push_back(path);
+    if (!folder.is_open() || ::fstat(folder.get(), &info) != 0) return;
+    if (!seen_.insert({info.st_dev, info.st_ino}).second) return;
+    std::error_code error;
+    const fs::path names = "/proc/self/fd/" + std::to_string(folder.get());
+    for (const fs::directory_entry& entry : fs::directory_iterator(names, error)) {
+      if (++entries_ > kMostEntries) return;
+      const std::string name = entry.path().filename().string();
+      if (!name.starts_with(".")) take(below, name, depth);
+    }
   }
-}
+
+ private:
+  static constexpr int kMostEntries = 20'000;
+
+  void take(const std::string& below, const std::string& name, int depth) {
+    const std::string path = below + "/" + name;
+    const Descriptor found = root_.open(path, O_PATH);
+    struct stat info {};
+    if (!found.is_open() || ::fstat(found.get(), &info) != 0) return;
+    if (S_ISDIR(info.st_mode) && depth < kDeepest) look(path, depth + 1);
+    if (!S_ISREG(info.st_mode)) return;
+    const std::string extension = fs::path(name).extension().string();
+    if (extension == ".ino" && (choices_.sketches.empty() || choices_.sketches.back() != below))
+      choices_.sketches.push_back(below);
+    if (is_image(name)) choices_.sketches.push_back(path);
+    if (extension == ".toml" && name != "checks.toml")
+      (names_robots(root_, path) ? choices_.sketches : choices_.robots).push_back(path);
+    if (extension == ".map") choices_.maps.push_back(path);
+  }
+
+  const HeldFolder& root_;
+  Choices& choices_;
+  std::set<std::pair<dev_t, ino_t>> seen_;
+  int entries_ = 0;
+};
 
 void finish(std::vector<std::string>& own, const std::vector<std::string>& ours) {
   std::sort(own.begin(), own.end());
@@ -71,7 +93,7 @@ bool is_image(const std::string& name) { return name.ends_with(".hex") || name.e
 
 Choices choices_in(const HeldFolder& folder) {
   Choices choices;
-  look(folder, ".", 1, choices);
+  Search(folder, choices).look(".", 1);
   finish(choices.sketches, build::stock_sketches());
   finish(choices.robots, launch::names_in(launch::stock_robot_folder(), ".toml"));
   finish(choices.maps, launch::names_in(launch::stock_map_folder(), ".map"));

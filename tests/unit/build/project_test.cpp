@@ -2,6 +2,8 @@
 // include only files of its own folder.
 #include "sim/build/project.h"
 
+#include <sys/resource.h>
+
 #include <gmock/gmock.h>
 
 #include "sim/base/program_sandbox.h"
@@ -89,6 +91,20 @@ TEST_F(ProjectTest, FindsALinkThatLeadsOutOfAFolder) {
     std::filesystem::create_symlink(target, folder_ / "club/Robot/src/away");
     EXPECT_THROW(check_links(folder_ / "club/Robot"), InputError) << target;
   }
+}
+
+TEST_F(ProjectTest, AcceptsNoFolderInWhichItCannotLookForLinksEverywhere) {
+  std::string deep = "club/Robot/src";
+  for (int i = 0; i < 100; ++i) deep += "/n";
+  write(deep + "/own.h", "");
+  EXPECT_NO_THROW(check_links(folder_ / "club/Robot"));
+  rlimit files{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &files), 0);
+  rlimit few = files;
+  few.rlim_cur = 60;
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &few), 0);
+  EXPECT_THROW(check_links(folder_ / "club/Robot"), InputError) << "each level needs a descriptor";
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &files), 0);
 }
 
 }  // namespace project_test

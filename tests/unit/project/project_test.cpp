@@ -218,6 +218,13 @@ TEST_F(ProjectTest, WhatPlatformioWouldRefuseIsRefusedWithItsLine) {
   EXPECT_THAT(refusal([&] { platformio("[env:a]\nextends = env:a\n"); }), HasSubstr("in a circle"));
   EXPECT_THAT(refusal([&] { platformio("[env:a]\nboard = ${env:a.board}\n"); }),
               HasSubstr("refers to itself"));
+  std::string many = "[env:a]\nboard = uno\nbuild_flags = ${this.a1}\n";
+  for (int level = 1; level < 15; ++level) {
+    many += "a" + std::to_string(level) + " =";
+    for (int i = 0; i < 10; ++i) many += " ${this.a" + std::to_string(level + 1) + "}";
+    many += "\n";
+  }
+  EXPECT_THAT(refusal([&] { platformio(many + "a15 =\n"); }), HasSubstr("too many references"));
   EXPECT_THAT(refusal([&] { platformio("[env:a]\nboard = uno\nframework = mbed\n"); }),
               HasSubstr("platformio.ini:3: framework: expected arduino, got mbed"));
 }

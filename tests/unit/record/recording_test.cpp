@@ -346,5 +346,14 @@ TEST_F(ARecording, ThatPromisesMoreThanItHoldsIsRefused) {
   EXPECT_THAT(refusal(kRecordingMagic + deflated(all)), HasSubstr("longer than the file"));
 }
 
+TEST_F(ARecording, ThatSplitsTheColumnsOfAStreamIsRefused) {
+  columns.add(wire::Sample{});
+  std::string all = inflated(encoded().substr(std::string(kRecordingMagic).size()), 1 << 20);
+  const std::size_t streams = all.find("\"streams\":[");
+  ASSERT_NE(streams, std::string::npos);
+  all.insert(streams + 11, R"({"name":"samples","count":1,"columns":[]},)");
+  EXPECT_THAT(refusal(kRecordingMagic + deflated(all)), HasSubstr("two streams of the name"));
+}
+
 }  // namespace recording_test
 }  // namespace robosim::record
