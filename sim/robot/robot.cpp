@@ -20,6 +20,8 @@
 namespace robosim::robot {
 namespace {
 
+constexpr double kSmallestPulse = 1.0 / 128.0;  // share of full power; above the 1/256 of an 8-bit timer
+
 template <typename Things>
 std::vector<std::string> list_of(const Things& things) {
   std::vector<std::string> names;
@@ -227,7 +229,7 @@ Robot::Robot(const Description& description, world::World& world, std::size_t bo
   impl_->find_steering();
   command_ = impl_->state.command;
   for (const Side side : {world::left, world::right})
-    driven_from_[side] = 0.5 * impl_->body.turning_drive(side);
+    driven_from_[side] = std::min(0.5 * impl_->body.turning_drive(side), kSmallestPulse);
   has_battery_ = impl_->cells.kind;
   has_text_outputs_ = !impl_->registry.text_outputs.empty();
 }

@@ -102,8 +102,8 @@ class Robot {
   bool has_text_outputs() const { return has_text_outputs_; }
   /// Collects the text that the parts report at `t`, the end of a tick.
   void poll_text(SimTime t, std::vector<PartText>& told);
-  /// Returns whether the last tick's commands drive a motor with more than half the power that turns its
-  /// wheel from rest. A chip's PWM drives with less at its smallest value: OCR0A = 0 sends pulses of 1/256.
+  /// Returns whether the last tick's commands drive a motor. The smallest pulses of a chip's PWM do not count
+  /// (1/256 at OCR0A = 0), unless they reach half the power that turns the wheel from rest.
   bool driven() const {
     return std::abs(command_[0].drive) > driven_from_[0] || std::abs(command_[1].drive) > driven_from_[1];
   }
