@@ -5,6 +5,7 @@
 #include "sim/base/file.h"
 #include "sim/build/messages.h"
 #include "sim/build/process.h"
+#include "sim/build/source.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -40,7 +41,8 @@ bool is_cached(const Toolchain& toolchain, const Unit& unit) {
 std::string unit_key(const Toolchain& toolchain, const Unit& unit) {
   return key_of({"unit", recipe(toolchain), seen_by(toolchain),
                  std::to_string(static_cast<int>(toolchain.registers)), unit.folder.string(), unit.source,
-                 key_of(std::vector<std::string>(unit.includes.begin(), unit.includes.end()))});
+                 key_of(std::vector<std::string>(unit.includes.begin(), unit.includes.end())),
+                 key_of(headers_in(unit.folder))});
 }
 
 Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, const Cache& cache,
@@ -70,6 +72,7 @@ std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
     words.push_back(key_of(*names));
   for (const auto* paths : {&sketch.includes, &folders})
     words.push_back(key_of(std::vector<std::string>(paths->begin(), paths->end())));
+  words.push_back(key_of(headers_in(sketch.folder)));
   return key_of(words);
 }
 

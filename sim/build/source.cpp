@@ -27,6 +27,22 @@ bool is_header(const fs::path& path) {
          extension == ".tpp" || extension == ".inc";
 }
 
+std::vector<std::string> headers_in(const fs::path& folder) {
+  constexpr int kMostFiles = 20'000;
+  std::vector<std::string> headers;
+  std::error_code error;
+  int files = 0;
+  const auto options = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator entry(folder, options, error), end;
+       !error && entry != end && ++files < kMostFiles; entry.increment(error)) {
+    const fs::path& path = entry->path();
+    if (path.filename().string().starts_with('.')) entry.disable_recursion_pending();
+    if (is_header(path)) headers.push_back(path.lexically_relative(folder).string());
+  }
+  std::sort(headers.begin(), headers.end());
+  return headers;
+}
+
 namespace {
 
 bool hidden(const fs::path& path) { return path.filename().string()[0] == '.'; }

@@ -23,6 +23,10 @@ struct Sketch {
 bool is_source(const std::filesystem::path& path);
 bool is_header(const std::filesystem::path& path);
 bool is_ino(const std::filesystem::path& path);
+/// Returns the paths of the headers in a folder and, at any depth, below it, sorted. Skips hidden folders and
+/// those that cannot be read, and ends after 20,000 files. A header that appears may change what a source
+/// includes, or the result of __has_include().
+std::vector<std::string> headers_in(const std::filesystem::path& folder);
 
 /// Reads the folder by the rules of Arduino and of the project. Throws InputError, also for more than 8 MB of
 /// sources.

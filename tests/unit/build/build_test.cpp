@@ -192,5 +192,17 @@ TEST_F(SketchTest, OurOwnSketchesAreFoundByName) {
   EXPECT_EQ(find_sketch(SKETCHES), fs::path(SKETCHES));
 }
 
+TEST_F(SketchTest, AHeaderThatAppearsInASubfolderIsNoticed) {
+  write("S/S.ino", "#if __has_include(\"sub/x.h\")\n#error the sketch sees it\n#endif\n" + kEmptySketch);
+  write("S/more.cpp", "#if __has_include(\"deep/er/y.h\")\n#error the source sees it\n#endif\n");
+  EXPECT_NO_THROW(build_here("S"));
+  write("S/deep/er/y.h", "");
+  EXPECT_THROW(build_here("S"), CompileError);
+  std::filesystem::remove_all(folder_ / "S/deep");
+  EXPECT_NO_THROW(build_here("S"));
+  write("S/sub/x.h", "");
+  EXPECT_THROW(build_here("S"), CompileError);
+}
+
 }  // namespace build_test
 }  // namespace robosim::build
