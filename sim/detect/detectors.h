@@ -1,4 +1,4 @@
-// All detectors of a robot in a run. result/detector_names.h lists them.
+// Makes and feeds all detectors of a robot in a run. result/detector_names.h lists their names.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ class Detectors {
 
   /// Records how often the firmware has started.
   void booted(std::uint64_t times);
-  /// Examines a tick. `asks_floor` is not used.
+  /// Examines a tick. Sets `asks_floor` of `now` itself.
   void look(Steering now);
   /// Returns the findings of the run, which has lasted until `now`.
   std::vector<exec::Detected> found(SimTime now) const;

@@ -1,4 +1,4 @@
-// The base class of detectors that observe firmware through its board, on any target.
+// Declares the base class of detectors that observe firmware through its board, on any target.
 #pragma once
 
 #include "hal/board/robot_port.h"
@@ -11,7 +11,7 @@ namespace robosim::detect {
 
 class FirmwareDetector : public exec::Detector {
  public:
-  /// The firmware has started again, after a power cut or a reset.
+  /// Called when the firmware has started again, after the script switched the power off.
   virtual void powered_on() {}
 };
 

@@ -1,4 +1,4 @@
-// The base class of detectors that examine how a robot steers along its line.
+// Declares the base class of detectors that examine how a robot steers along its line.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace robosim::detect {
 
-/// A tick as these detectors see it.
+/// The input of these detectors: a robot at the end of a tick.
 struct Steering {
   SimTime t = 0;
   SimTime sent_at = -1;     ///< time of Serial's last byte; -1 = none

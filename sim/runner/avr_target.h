@@ -1,4 +1,4 @@
-// The target avr of runner programs, with its detectors.
+// Makes the target avr of runner programs, with its detectors.
 #pragma once
 
 #include "sim/detect/avr/chip_detectors.h"

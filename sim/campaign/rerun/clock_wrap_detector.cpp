@@ -17,6 +17,7 @@
 
 #include "sim/campaign/rerun/line_counts.h"
 #include "sim/launch/client/interrupts.h"
+#include "sim/result/detector_names.h"
 
 namespace robosim::campaign {
 namespace fs = std::filesystem;
@@ -220,7 +221,7 @@ std::vector<result::Detected> detect_clock_wrap(client::Runner& runner, wire::Ru
     if (client::Interrupts::count() > 0) return {};
     const auto place = line_that_differs(runner, request, clock, moment);
     result::Detected seen;
-    seen.detector = "clock_wrap";
+    seen.detector = result::detector("clock_wrap");
     const bool ends_otherwise = wrapped.result.verdict != usual.result.verdict;
     seen.what = fmt::format(
         "when {} goes back to 0, as it does after {}, here at {:.2f} s, the robot behaves differently{}",

@@ -1,4 +1,4 @@
-// Reports calls of analogWrite() on the chip to LostPwm. When the function starts, its arguments are in
+// Collects calls of analogWrite() on the chip in LostPwmCalls. When the function starts, its arguments are in
 // registers (avr-gcc's ABI: the pin in R24, the value in R22 and R23). Not detected: inlined calls, such as
 // the only call in a sketch.
 #pragma once

@@ -1,4 +1,4 @@
-// The base class of detectors that observe the flashed sketch on an AVR.
+// Declares the base class of detectors that observe the flashed sketch on an AVR.
 #pragma once
 
 #include <cstdint>

@@ -23,7 +23,8 @@ namespace avr {
 struct RunningProgram;
 }
 
-/// Makes the detectors of a chip that is about to start (sim/detect/avr). `counted`: see Executor::detect().
+/// Makes the detectors (sim/detect/avr) of a chip that is about to start. `counted`: as in
+/// ChipAccess::detect().
 using MakeChipDetectors = std::function<std::vector<std::unique_ptr<Detector>>(
     const avr::RunningProgram& program, const std::vector<Pin>& counted)>;
 

@@ -1,4 +1,4 @@
-// A program on its chip, from power-on to power-off.
+// Combines a program with the chip that runs it, from power-on to power-off.
 #pragma once
 
 #include "sim/exec/avr/diagnosis.h"

@@ -40,7 +40,7 @@ class RunningChip {
   virtual SourceLine printing(const SourceLine& before) const = 0;
   /// Reports to `bytes` each byte that the firmware prints. `bytes` outlives this chip.
   virtual void trace_bytes(TxProvenance& bytes) = 0;
-  /// See Executor::driving().
+  /// See ChipAccess::driving().
   virtual const SourceLine& driving(Pin pin, const PinDrive& drive) const {
     static const SourceLine unknown;
     return static_cast<void>(pin), static_cast<void>(drive), unknown;
@@ -90,9 +90,9 @@ class ChipFirmware {
   virtual void count_lines() = 0;
   /// Records which lines drive pins, starting at the next power-on. Returns false if that is impossible.
   virtual bool trace_drives() { return false; }
-  /// Turns on the detectors at the next power-on; see Executor::detect().
+  /// Turns on the detectors at the next power-on; see ChipAccess::detect().
   virtual void detect(const std::vector<Pin>& counted) { static_cast<void>(counted); }
-  /// See Executor::find_causes(). `board` outlives this object.
+  /// See ChipAccess::find_causes(). `board` outlives this object.
   virtual CauseFinder* find_causes(ClockedBoard& board) { return static_cast<void>(board), nullptr; }
   /// Returns LineCounts::text(); empty if lines are not counted.
   virtual std::string line_counts() const = 0;

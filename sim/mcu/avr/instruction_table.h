@@ -1,5 +1,5 @@
-// The instruction set as one table: for each operation, how it continues, and its accesses to registers,
-// flags, data memory and flash. Source: AVR Instruction Set Manual, DS40002198B. The effects on values are in
+// Lists the instruction set: for each operation, the next instruction, and the accesses to registers, flags,
+// data memory and flash. Source: AVR Instruction Set Manual, DS40002198B. The effects on values are in
 // cpu_steps.h.
 #pragma once
 

@@ -47,10 +47,19 @@ class InstructionEffectsTest : public testing::Test {
     cpu_.set_sp(kStack);
     cpu_.set_pc(pc);
   }
-  /// Returns whether an access is to RAM, or there is none.
-  static bool is_in_ram(const InstructionEffects& e) {
-    return e.memory == InstructionEffects::Memory::none ||
-           (e.address >= kRam && e.address + e.bytes <= kRamEnd);
+  /// Calls visit(pc, instruction, state, effects) before each instruction, with the chip in a random state.
+  /// Skips instructions that are not followed, or access data memory outside RAM.
+  template <typename Visit>
+  void each_instruction(Visit visit) {
+    for (std::uint32_t pc = 2; pc < kAllWords && !HasFatalFailure(); ++pc) {
+      const Instruction& i = cpu_.instruction(pc);
+      const State state = random_state();
+      set(state, pc);
+      const InstructionEffects e = effects_of(i, cpu_);
+      const bool is_in_ram = e.memory == InstructionEffects::Memory::none ||
+                             (e.address >= kRam && e.address + e.bytes <= kRamEnd);
+      if (!e.elsewhere && is_in_ram) visit(pc, i, state, e);
+    }
   }
 
   Cpu cpu_{kAtmega2560, all_words(), kRamEnd};
@@ -59,80 +68,68 @@ class InstructionEffectsTest : public testing::Test {
 
 TEST_F(InstructionEffectsTest, AreAllThatAnInstructionChanges) {
   int run = 0;
-  for (std::uint32_t pc = 2; pc < kAllWords; ++pc) {
-    const Instruction& i = cpu_.instruction(pc);
-    const State before = random_state();
-    set(before, pc);
-    const InstructionEffects e = effects_of(i, cpu_);
-    if (e.elsewhere || !is_in_ram(e)) continue;
-    const std::vector<std::uint8_t> memory = cpu_.data;
-    cpu_.run(cpu_.cycle() + 1);
-    ++run;
-    std::string extra;
-    for (unsigned reg = 0; reg < 32; ++reg)
-      if (cpu_.data[reg] != before.data[reg] && !(e.writes >> reg & 1)) extra += " r" + std::to_string(reg);
-    if ((cpu_.sreg() ^ before.flags) & ~e.flags_written) extra += " flags";
-    for (Address at = kRam; at < kRamEnd; ++at) {
-      const bool is_stored =
-          e.memory == InstructionEffects::Memory::store && at >= e.address && at < e.address + e.bytes;
-      if (cpu_.data[at] != memory[at] && !is_stored) extra += " memory";
-    }
-    ASSERT_EQ(extra, "") << "word " << std::hex << pc;
-  }
+  each_instruction(
+      [&](std::uint32_t pc, const Instruction&, const State& before, const InstructionEffects& e) {
+        const std::vector<std::uint8_t> memory = cpu_.data;
+        cpu_.run(cpu_.cycle() + 1);
+        ++run;
+        std::string extra;
+        for (unsigned reg = 0; reg < 32; ++reg)
+          if (cpu_.data[reg] != before.data[reg] && !(e.writes >> reg & 1))
+            extra += " r" + std::to_string(reg);
+        if ((cpu_.sreg() ^ before.flags) & ~e.flags_written) extra += " flags";
+        for (Address at = kRam; at < kRamEnd; ++at) {
+          const bool is_stored =
+              e.memory == InstructionEffects::Memory::store && at >= e.address && at < e.address + e.bytes;
+          if (cpu_.data[at] != memory[at] && !is_stored) extra += " memory";
+        }
+        ASSERT_EQ(extra, "") << "word " << std::hex << pc;
+      });
   EXPECT_GT(run, 55'000);
 }
 
 TEST_F(InstructionEffectsTest, AreAllThatItsResultsDependOn) {
-  for (std::uint32_t pc = 2; pc < kAllWords; ++pc) {
-    const Instruction& i = cpu_.instruction(pc);
-    const State before = random_state();
-    set(before, pc);
-    const InstructionEffects e = effects_of(i, cpu_);
-    if (e.elsewhere || !is_in_ram(e)) continue;
-    cpu_.run(cpu_.cycle() + 1);
-    const std::vector<std::uint8_t> data = cpu_.data;
-    const std::uint8_t flags = cpu_.sreg();
-    const std::uint32_t next = cpu_.pc();
-    State other = before;  // differs in all that the instruction does not read
-    for (unsigned reg = 0; reg < 32; ++reg)
-      if (!(e.reads >> reg & 1)) other.data[reg] = static_cast<std::uint8_t>(~other.data[reg]);
-    const std::uint8_t free_flags = static_cast<std::uint8_t>(~e.flags_read & ~Cpu::kI);
-    other.flags ^= free_flags;
-    set(other, pc);
-    cpu_.run(cpu_.cycle() + 1);
-    ASSERT_EQ(cpu_.pc(), next) << "word " << std::hex << pc;
-    for (unsigned reg = 0; reg < 32; ++reg) {
-      if (e.writes >> reg & 1) {
-        ASSERT_EQ(cpu_.data[reg], data[reg]) << "word " << std::hex << pc << " r" << std::dec << reg;
-      }
-    }
-    ASSERT_EQ((cpu_.sreg() ^ flags) & e.flags_written, 0) << "word " << std::hex << pc;
-    for (unsigned byte = 0; e.memory == InstructionEffects::Memory::store && byte < e.bytes; ++byte)
-      ASSERT_EQ(cpu_.data[e.address + byte], data[e.address + byte]) << "word " << std::hex << pc;
-  }
+  each_instruction(
+      [&](std::uint32_t pc, const Instruction&, const State& before, const InstructionEffects& e) {
+        cpu_.run(cpu_.cycle() + 1);
+        const std::vector<std::uint8_t> data = cpu_.data;
+        const std::uint8_t flags = cpu_.sreg();
+        const std::uint32_t next = cpu_.pc();
+        State other = before;  // differs in all that the instruction does not read
+        for (unsigned reg = 0; reg < 32; ++reg)
+          if (!(e.reads >> reg & 1)) other.data[reg] = static_cast<std::uint8_t>(~other.data[reg]);
+        const std::uint8_t free_flags = static_cast<std::uint8_t>(~e.flags_read & ~Cpu::kI);
+        other.flags ^= free_flags;
+        set(other, pc);
+        cpu_.run(cpu_.cycle() + 1);
+        ASSERT_EQ(cpu_.pc(), next) << "word " << std::hex << pc;
+        for (unsigned reg = 0; reg < 32; ++reg) {
+          if (e.writes >> reg & 1) {
+            ASSERT_EQ(cpu_.data[reg], data[reg]) << "word " << std::hex << pc << " r" << std::dec << reg;
+          }
+        }
+        ASSERT_EQ((cpu_.sreg() ^ flags) & e.flags_written, 0) << "word " << std::hex << pc;
+        for (unsigned byte = 0; e.memory == InstructionEffects::Memory::store && byte < e.bytes; ++byte)
+          ASSERT_EQ(cpu_.data[e.address + byte], data[e.address + byte]) << "word " << std::hex << pc;
+      });
 }
 
 TEST_F(InstructionEffectsTest, SayHowTheProcessorContinues) {
-  for (std::uint32_t pc = 0x100; pc < kAllWords; ++pc) {
-    const Instruction& i = cpu_.instruction(pc);
-    const State state = random_state();
-    set(state, pc);
-    const InstructionEffects e = effects_of(i, cpu_);
-    if (e.elsewhere || !is_in_ram(e)) continue;
+  each_instruction([&](std::uint32_t pc, const Instruction& i, const State&, const InstructionEffects&) {
     const Control control = control_of(i.op);
     const std::uint32_t behind = pc + i.words, words = kAtmega2560.flash_bytes / 2;
     if (control == Control::returns || control == Control::indirect_jump || control == Control::indirect_call)
-      continue;
+      return;
     const std::uint32_t target = target_of(i, pc, words);
     const bool has_target =
         control == Control::jump || control == Control::branch || control == Control::call;
-    if (has_target && target >= words) continue;  // JMP beyond the end of flash
+    if (has_target && target >= words) return;  // JMP beyond the end of flash
     cpu_.run(cpu_.cycle() + 1);
     const bool goes_on = control != Control::jump && control != Control::call && cpu_.pc() == behind;
     const bool skips = control == Control::skip && cpu_.pc() == behind + cpu_.instruction(behind).words;
     ASSERT_TRUE(goes_on || skips || (has_target && cpu_.pc() == target))
         << "word " << std::hex << pc << " continues at " << cpu_.pc();
-  }
+  });
 }
 
 }  // namespace instruction_effects_test

@@ -1,6 +1,9 @@
 // Runs a sketch on an AVR that all detectors observe.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "sim/detect/avr/chip_detectors.h"
 #include "tests/unit/exec_avr/fixture.h"
 
@@ -14,6 +17,13 @@ class AvrDetectorTest : public exec::AvrTest {
   AvrDetectorTest() { make_detectors_ = avr::chip_detectors; }
   void before_power_on() override {
     if (watched_) avr_->detect(counted_);
+  }
+
+  /// Returns the findings for a sketch that runs for `duration`.
+  std::vector<Detected> found_in(const std::string& sketch, SimTime duration) {
+    start(sketch);
+    run(duration);
+    return avr_->detected();
   }
 
   bool watched_ = true;

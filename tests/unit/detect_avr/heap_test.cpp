@@ -12,10 +12,9 @@ using testing::SizeIs;
 class HeapTest : public AvrDetectorTest {
  protected:
   std::vector<Detected> seen(const std::string& pass) {
-    start("String text; int n;\nvoid setup() { Serial.begin(115200); }\nvoid loop() {\n" + pass +
-          "\nSerial.println(text.length()); delay(50); }\n");
-    run(6 * kSecond);
-    return avr_->detected();
+    return found_in("String text; int n;\nvoid setup() { Serial.begin(115200); }\nvoid loop() {\n" + pass +
+                        "\nSerial.println(text.length()); delay(50); }\n",
+                    6 * kSecond);
   }
 };
 

@@ -12,10 +12,10 @@ using testing::SizeIs;
 class NestedLoopTest : public AvrDetectorTest {
  protected:
   std::vector<Detected> seen(const std::string& wait) {
-    start("unsigned n;\nvoid setup() { Serial.begin(115200); }\n" + wait +
-          "\nvoid loop() {\n  if (millis() / 200 > n) { Serial.println(++n); wait(); }\n  delay(5);\n}\n");
-    run(2 * kSecond);
-    return avr_->detected();
+    return found_in(
+        "unsigned n;\nvoid setup() { Serial.begin(115200); }\n" + wait +
+            "\nvoid loop() {\n  if (millis() / 200 > n) { Serial.println(++n); wait(); }\n  delay(5);\n}\n",
+        2 * kSecond);
   }
 };
 

@@ -13,10 +13,10 @@ using testing::SizeIs;
 class WatchdogMarginTest : public AvrDetectorTest {
  protected:
   std::vector<Detected> seen(const std::string& pass) {
-    start("#include <avr/wdt.h>\nvoid setup() { wdt_enable(WDTO_250MS); }\nvoid loop() { wdt_reset(); " +
-          pass + " }\n");
-    run(kSecond);
-    return avr_->detected();
+    return found_in(
+        "#include <avr/wdt.h>\nvoid setup() { wdt_enable(WDTO_250MS); }\nvoid loop() { wdt_reset(); " + pass +
+            " }\n",
+        kSecond);
   }
 };
 
