@@ -5,20 +5,33 @@
 namespace robosim::avr {
 namespace {
 
-constexpr std::uint32_t one(unsigned reg) { return std::uint32_t{1} << (reg & 31u); }
-constexpr std::uint32_t two(unsigned reg) { return std::uint32_t{3} << (reg & 31u); }
+/// The registers of an operation. In each number the lower 32 bits are those that it reads, the upper 32 bits
+/// those that it writes.
+struct RegisterMasks {
+  std::uint64_t always = 0;
+  std::uint64_t a = 0, b = 0;  ///< to be shifted by Instruction::a and Instruction::b
+};
 
-std::uint32_t registers_of(std::uint8_t which, const Instruction& i, const InstructionRow& row) {
-  std::uint32_t all = 0;
-  if (which & kRd) all |= one(i.a);
-  if (which & kRr) all |= one(i.b);
-  if (which & kRdPair) all |= two(i.a);
-  if (which & kRrPair) all |= two(i.b);
-  if (which & kR0) all |= one(0);
-  if (which & kR1R0) all |= two(0);
-  if (which & kPointer) all |= two(row.pointer);
-  return all;
+constexpr RegisterMasks masks_of(const InstructionRow& row) {
+  RegisterMasks masks;
+  const auto add = [&](std::uint8_t operands, int place) {
+    const auto if_has = [&](std::uint8_t operand, std::uint64_t mask) {
+      return operands & operand ? mask << place : 0;
+    };
+    masks.a |= if_has(kRd, 1) | if_has(kRdPair, 3);
+    masks.b |= if_has(kRr, 1) | if_has(kRrPair, 3);
+    masks.always |= if_has(kR0, 1) | if_has(kR1R0, 3) | if_has(kPointer, std::uint64_t{3} << row.pointer);
+  };
+  add(row.reads, 0);
+  add(row.writes, 32);
+  return masks;
 }
+
+constexpr auto kMasksByOp = [] {
+  std::array<RegisterMasks, table::kByOp.size()> masks;
+  for (std::size_t i = 0; i < masks.size(); ++i) masks[i] = masks_of(table::kByOp[i]);
+  return masks;
+}();
 
 constexpr std::uint8_t flags_of(std::uint8_t mask, const Instruction& i) {
   return mask == kFlagOfB ? i.b : mask;
@@ -59,9 +72,10 @@ void set_memory(InstructionEffects& e, const Instruction& i, const InstructionRo
 }  // namespace
 
 RegisterAccess registers_of(const Instruction& i) {
-  const InstructionRow& row = row_of(i.op);
+  const RegisterMasks& masks = kMasksByOp[static_cast<std::size_t>(i.op)];
+  const std::uint64_t all = masks.always | (masks.a << (i.a & 31u)) | (masks.b << (i.b & 31u));
   const bool clears = i.op == Op::eor && i.a == i.b;
-  return {clears ? 0 : registers_of(row.reads, i, row), registers_of(row.writes, i, row)};
+  return {clears ? 0 : static_cast<std::uint32_t>(all), static_cast<std::uint32_t>(all >> 32)};
 }
 
 InstructionEffects effects_of(const Instruction& i, const Cpu& cpu) {
