@@ -41,13 +41,16 @@ std::string cell(const JunitCase& one, std::size_t number, const ReportExtras& e
 /// Returns a row for each group, and a column for each check if `columns`.
 std::string groups_table(const std::vector<JunitCase>& cases, const Table& groups, const Table& checks,
                          bool columns, const ReportExtras& extras) {
-  std::string body =
+  const std::string shown = rows_shown(groups.names.size(), kMostRows);
+  std::string body = shown.empty() ? "" : fmt::format("<h2>Names{}</h2>\n", shown);
+  body +=
       "<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th class=\"left\">name</th><th>passed</th>"
       "<th class=\"left\">look at</th>";
   if (columns)
     for (const std::string& name : checks.names) body += fmt::format("<th>{}</th>", markup_text(name));
   body += "<th>time</th></tr>\n";
-  for (const std::string& group : groups.names) {
+  for (std::size_t k = 0; k < std::min(groups.names.size(), kMostRows); ++k) {
+    const std::string& group = groups.names[k];
     const std::vector<std::size_t>& own = groups.of.at(group);
     double time_s = 0.0;
     std::map<std::string, std::size_t> by_name;
@@ -114,13 +117,15 @@ std::string times_of_all(const std::vector<JunitCase>& cases) {
 
 std::string what_failed(const std::vector<JunitCase>& cases, const ReportExtras& extras) {
   std::string failures;
+  std::size_t told = 0;
   for (std::size_t i = 0; i < cases.size(); ++i)
-    if (const JunitCase& one = cases[i]; one.ending == JunitCase::Ending::failed)
+    if (const JunitCase& one = cases[i]; one.ending == JunitCase::Ending::failed && told++ < kMostRows)
       failures += fmt::format(
           "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"why\">{}</td></tr>\n",
           markup_text(one.group), linked(extras, i, markup_text(one.name)), markup_text(one.message));
   if (failures.empty()) return failures;
-  return "<h2>What failed</h2>\n<div class=\"wide\" tabindex=\"0\"><table class=\"list\">\n<tr><th "
+  return fmt::format("<h2>What failed{}</h2>\n", rows_shown(told, kMostRows)) +
+         "<div class=\"wide\" tabindex=\"0\"><table class=\"list\">\n<tr><th "
          "class=\"left\">of</th><th "
          "class=\"left\">check</th><th class=\"left\">why</th></tr>\n" +
          failures + "</table></div>\n";

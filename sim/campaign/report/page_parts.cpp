@@ -80,6 +80,10 @@ std::string page_of(const std::string& title, const std::string& body) {
       markup_text(title), kStyle, body);
 }
 
+std::string rows_shown(std::size_t count, std::size_t most) {
+  return count > most ? fmt::format(", the first {} of {}", most, count) : "";
+}
+
 std::string share_bar(std::size_t good, std::size_t all) {
   return fmt::format(R"(<span class="share"><i style="width:{:.1f}%"></i></span>{}/{})",
                      100.0 * static_cast<double>(good) / static_cast<double>(std::max<std::size_t>(all, 1)),

@@ -9,7 +9,12 @@
 
 namespace robosim::campaign {
 
+inline constexpr std::size_t kMostRows = 5'000, kMostFailures = 200;  ///< rows that a table shows
+
 std::string page_of(const std::string& title, const std::string& body);
+
+/// Returns what a title or sentence adds if a table has `count` rows and shows `most`; else nothing.
+std::string rows_shown(std::size_t count, std::size_t most);
 
 /// Returns a bar with its numbers: "3/4".
 std::string share_bar(std::size_t good, std::size_t all);

@@ -12,8 +12,6 @@
 namespace robosim::campaign {
 namespace {
 
-constexpr std::size_t kMostFailures = 200;
-
 double mean_of(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
@@ -45,7 +43,9 @@ std::string what_is_worst(const SweptRun& run, const std::vector<double>& times)
 
 std::string sweep_page(const std::string& file, const std::vector<SweptRun>& runs,
                        const ReportExtras& extras) {
-  const auto combinations = combinations_of(runs);
+  auto combinations = combinations_of(runs);
+  const std::string shown = rows_shown(combinations.size(), kMostRows);
+  combinations.resize(std::min(combinations.size(), kMostRows));
   std::vector<double> times, errors;
   std::size_t reached = 0;
   for (const SweptRun& run : runs) {
@@ -57,6 +57,7 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
   const double longest_s = std::max(most_of(times), 1e-3), widest_mm = std::max(most_of(errors), 1e-3);
   std::string body = fmt::format("<h1>{}</h1>\n<p>{} runs, {} reached their goal.</p>\n", markup_text(file),
                                  runs.size(), reached);
+  if (!shown.empty()) body += fmt::format("<h2>Combinations{}</h2>\n", shown);
   body += fmt::format(
       "<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th class=\"left\">sketch</th><th "
       "class=\"left\">map</th><th "
@@ -111,7 +112,7 @@ std::string sweep_page(const std::string& file, const std::vector<SweptRun>& run
         "class=\"left\">sketch</th><th "
         "class=\"left\">map</th><th class=\"left\">target</th><th>seed</th><th "
         "class=\"left\">verdict</th><th>time</th><th class=\"left\">why</th></tr>\n{}</table></div>\n",
-        told > kMostFailures ? fmt::format(", the first {} of {}", kMostFailures, told) : "", failures);
+        rows_shown(told, kMostFailures), failures);
   return page_of(file + ": report", body);
 }
 

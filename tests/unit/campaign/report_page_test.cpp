@@ -130,6 +130,21 @@ TEST(AReport, ShowsTheRunThatFailedSoonest) {
   EXPECT_EQ(worst({5, 0}).first, 0u) << "Robosim's own failure has no replay";
 }
 
+TEST(AReport, HasAtMostFiveThousandRowsAndSaysSo) {
+  std::string table = kHeader;
+  std::vector<JunitCase> cases;
+  for (int i = 0; i < 5001; ++i) {
+    table += "S" + std::to_string(i) + ",m,r,host,1,reached,2,5,h,ok\n";
+    cases.push_back({"pupil" + std::to_string(i), "laps", JunitCase::Ending::passed, 0.1, ""});
+  }
+  EXPECT_THAT(sweep_page("runs.csv", read_swept_runs(table, "runs.csv"), {}),
+              AllOf(HasSubstr("5001 runs"), HasSubstr("Combinations, the first 5000 of 5001"),
+                    HasSubstr(">S4999<"), Not(HasSubstr(">S5000<"))));
+  EXPECT_THAT(junit_page("class.xml", cases, {}),
+              AllOf(HasSubstr("Names, the first 5000 of 5001"), HasSubstr(">pupil4999<"),
+                    Not(HasSubstr(">pupil5000<"))));
+}
+
 TEST(AReport, HasARowForEachPupilAndAColumnForEachCheck) {
   using Ending = JunitCase::Ending;
   ReportExtras extras;
