@@ -117,6 +117,13 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
 
 void check_links(const fs::path& folder) {
   std::error_code error, none;
+  const fs::path itself =
+      folder.has_filename() ? folder : folder.parent_path();  // without a slash at the end
+  if (fs::is_symlink(itself, none))
+    throw InputError(
+        {itself.string()},
+        fmt::format("the sketch's folder is a link to {}; with --untrusted, name that folder instead",
+                    fs::read_symlink(itself, none).string()));
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
     if (!entry->is_symlink(none) || lies_in(entry->path(), folder)) continue;

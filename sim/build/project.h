@@ -22,7 +22,7 @@ std::vector<std::filesystem::path> shared_files(const Sketch& sketch, const std:
 /// Returns whether a file, or a link's target, is below `folder`; false if the file does not exist.
 bool lies_in(const std::filesystem::path& file, const std::filesystem::path& folder);
 
-/// Throws InputError for a link in the folder that leads out of the folder.
+/// Throws InputError if a sketch's folder is a link, or contains a link that leads out of the folder.
 void check_links(const std::filesystem::path& folder);
 
 }  // namespace robosim::build

@@ -93,6 +93,14 @@ TEST_F(ProjectTest, FindsALinkThatLeadsOutOfAFolder) {
   }
 }
 
+TEST_F(ProjectTest, FindsThatASketchsFolderIsALink) {
+  std::filesystem::create_directory_symlink("Robot", folder_ / "club/Other");
+  for (const char* name : {"club/Other", "club/Other/"})
+    EXPECT_THROW(check_links(folder_ / name), InputError)
+        << "a pupil is not graded by another's sketch: " << name;
+  EXPECT_NO_THROW(check_links(folder_ / "club/Robot/"));
+}
+
 TEST_F(ProjectTest, AcceptsNoFolderInWhichItCannotLookForLinksEverywhere) {
   std::string deep = "club/Robot/src";
   for (int i = 0; i < 100; ++i) deep += "/n";
