@@ -94,9 +94,13 @@ fs::path reach_of(const fs::path& sketch_folder) {
     return folder == folder.root_path() || (home && is_below(home, folder)) || !is_in_scope(folder);
   };
   const fs::path beside = sketch_folder.parent_path();
-  std::error_code none;
-  for (fs::path folder = sketch_folder; !too_far(folder); folder = folder.parent_path())
-    if (fs::exists(folder / ".git", none)) return is_below(beside, folder) ? folder : beside;
+  const auto is_checkout = [](const fs::path& folder) {
+    std::error_code none;
+    return fs::exists(folder / ".git", none);
+  };
+  if (!is_checkout(sketch_folder))
+    for (fs::path folder = beside; !too_far(folder); folder = folder.parent_path())
+      if (is_checkout(folder)) return folder;
   return too_far(beside) ? sketch_folder : beside;
 }
 

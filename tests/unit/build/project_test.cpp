@@ -63,6 +63,8 @@ TEST_F(ProjectTest, EndsAtTheFolderThatTheSketchStandsInAndBeforeTheHomeOfItsUse
   EXPECT_THAT(shared("club/robots/Robot"), IsEmpty());
   ::setenv("HOME", (folder_ / "club").c_str(), 1);
   EXPECT_THAT(shared("club/Robot"), IsEmpty());
+  write("club/Robot/.git/HEAD", "ref: refs/heads/main\n");
+  EXPECT_THAT(shared("club/Robot"), IsEmpty()) << "a sketch that is a checkout of its own";
 }
 
 TEST_F(ProjectTest, SharesNothingThatIsNoSource) {
