@@ -238,10 +238,9 @@ std::string chip_hint(const Report& report) {
           ? "little memory"
           : fmt::format("{:.4g} KB of memory", static_cast<double>(report.chip_ram_bytes) / 1024.0);
   return fmt::format(
-      "this ran on the target host, which has {}plenty of memory. {} has {}{} and its own timing: run the "
+      "this ran on the target host, with neither the memory nor the timing of the chip. {} has {}{}: run the "
       "sketch there with --target {}.",
-      is_stm32 ? "" : "a 32-bit int and ", chip, is_stm32 ? "" : "a 16-bit int, ", memory,
-      is_stm32 ? "stm32" : "avr");
+      chip, memory, is_stm32 ? "" : " and a 16-bit int", is_stm32 ? "stm32" : "avr");
 }
 
 }  // namespace

@@ -84,15 +84,14 @@ TEST(EndScreen, NamesTheTargetOfTheRobotsChipWhereItRanOnTheHost) {
   EXPECT_THAT(
       end_screen(r, nullptr, 200, Look{}),
       HasSubstr(
-          "The board's chip has a 16-bit int, little memory and its own timing: run the sketch there with "
-          "--target avr."));
+          "The board's chip has little memory and a 16-bit int: run the sketch there with --target avr."));
   r.chip_target = "stm32";
   EXPECT_THAT(end_screen(r, nullptr, 200, Look{}), HasSubstr("run the sketch there with --target stm32."));
   r.chip_target = "avr";
   r.board = "nano";
   r.chip_ram_bytes = 2048;
   EXPECT_THAT(end_screen(r, nullptr, 200, Look{}),
-              HasSubstr("The chip of the board nano has a 16-bit int, 2 KB of memory and its own timing"));
+              HasSubstr("The chip of the board nano has 2 KB of memory and a 16-bit int:"));
   r.target = "stm32";
   EXPECT_THAT(end_screen(r, nullptr, 200, Look{}), Not(HasSubstr("run the sketch there")));
 }
