@@ -8,6 +8,9 @@ namespace {
 
 constexpr double kDriven = 0.02;  // smallest share of the full command that counts as driving
 
+// A line without its end that is older than this at the end of a run is a prompt. A later one is cut off.
+constexpr std::int64_t kSilence_ns = 100'000'000;
+
 bool ends_line(char c) { return c == '\n' || c == '\r'; }
 
 }  // namespace
@@ -93,6 +96,7 @@ History HistoryRecorder::finish(const result::RunResult& result) {
   history_.verdict = result.verdict;
   history_.why = result.why;
   history_.end_ns = static_cast<std::int64_t>(std::llround(result.time_s * 1e9));
+  if (line_open_ && history_.end_ns - history_.lines.back().t_ns < kSilence_ns) history_.lines.pop_back();
   return std::move(history_);
 }
 

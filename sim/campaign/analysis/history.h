@@ -34,8 +34,9 @@ struct Stretch {
 
 struct History {
   std::string target;
-  std::vector<TimedText> places;   ///< in order of time; no place twice in a row
-  std::vector<TimedText> lines;    ///< from the serial port, without line ends; the last may be incomplete
+  std::vector<TimedText> places;  ///< in order of time; no place twice in a row
+  std::vector<TimedText>
+      lines;  ///< from the serial port, without line ends and the line that the end cut off
   std::vector<Stretch> stretches;  ///< consecutive
   std::string verdict;
   std::string why;

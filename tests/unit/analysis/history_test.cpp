@@ -55,11 +55,23 @@ TEST(HistoryTest, PlacesAreToldOnceInARowAndNothingAfterTheLineWasLost) {
   EXPECT_TRUE(history.lost_ns);
 }
 
+TEST(HistoryTest, ALineThatTheEndOfTheRunCutsOffIsNotALine) {
+  for (const auto& [end_s, lines] : {std::pair{2.05, 1}, std::pair{2.15, 2}}) {
+    HistoryRecorder recorder("host", {});
+    recorder.add(wire::Event(wire::SerialText{.t_ns = 2'000'000'000, .text = "one\nready>"}));
+    result::RunResult result;
+    result.time_s = end_s;
+    EXPECT_EQ(recorder.finish(result).lines.size(), static_cast<std::size_t>(lines)) << "a prompt stays";
+  }
+}
+
 TEST(HistoryTest, LinesEndAtLineFeedsOrCarriageReturnsAndTheLastMayBeUnfinished) {
   HistoryRecorder recorder("host", {});
+  result::RunResult result;
+  result.time_s = 1.0;
   recorder.add(wire::Event(wire::SerialText{.t_ns = 1, .text = "one\r\ntw"}));
   recorder.add(wire::Event(wire::SerialText{.t_ns = 2, .text = "o\nthr"}));
-  const History history = recorder.finish({});
+  const History history = recorder.finish(result);
   EXPECT_THAT(texts(history.lines), ElementsAre("one", "two", "thr"));
   EXPECT_EQ(history.lines[1].t_ns, 2) << "when it was complete";
 }
