@@ -41,6 +41,19 @@ ExitStatus exit_status(Verdict verdict) {
   }
 }
 
+bool Judge::stuck_in_contact(const Situation& now) {
+  const Vec2 moved = now.pose->position - pushed_from_.position;
+  const bool drives = now.driven || now.t - last_driven_ <= kPulsePause;
+  const bool goes_on = touches_ && drives && !now.lifted && dot(moved, moved) < kSamePlace * kSamePlace &&
+                       dot(now.pose->heading, pushed_from_.heading) > kPushedTurnCosine;
+  touches_ = true;
+  if (!goes_on) {
+    pushed_from_ = *now.pose;
+    pushed_at_ = now.t;
+  }
+  return pushes_ = now.t - pushed_at_ >= kPushedAfter;
+}
+
 std::optional<Verdict> Judge::verdict(Situation now, bool is_lost, bool is_stuck) {
   if (now.toppled) return Verdict::toppled;
   if (is_lost) return Verdict::lost;

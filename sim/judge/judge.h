@@ -15,6 +15,9 @@ constexpr double kLostAfter = 1.0;                     ///< m of wheel travel wi
 constexpr SimTime kStuckAfter = 3 * kSecond;           ///< of driving without moving
 constexpr double kStuckMove = 1e-3;                    ///< m
 constexpr double kStuckTurnSine = 0.0174524064372835;  ///< sin 1 degree
+constexpr SimTime kPushedAfter = 5 * kSecond;          ///< of driving against an obstruction
+constexpr double kPushedTurnCosine =
+    0.8660254037844386;             ///< cos 30 degrees; a robot that turns more frees itself
 constexpr double kSamePlace = 0.1;  ///< m, radius within which a robot counts as being in one place
 constexpr SimTime kSilentAfter = 2 * kSecond;  ///< without an API call
 /// A motor still counts as driven during pauses of up to this length between pulses.
@@ -29,6 +32,7 @@ struct Situation {
   double wheel_travel_m = 0.0;  ///< mean path of both wheels so far
   bool sees_line = false;       ///< a line is under a reflectance sensor, or between the outermost two
   bool driven = false;          ///< a motor is driven (robot::Robot::driven())
+  bool in_contact = false;      ///< the body touches an obstruction
   bool lifted = false;          ///< picked up: neither lost nor stuck
   bool toppled = false;         ///< the robot lies on its side
   bool powered = true;
@@ -56,9 +60,12 @@ class Judge {
     Vec2 position;
   };
   const std::optional<Seen>& line_last_seen() const { return line_seen_; }
-  /// Returns the time since which the robot has been driven without moving by kStuckMove or turning by a
-  /// degree.
-  SimTime stuck_since() const { return anchored_at_; }
+  /// Returns the time since which a stuck robot has been driven without moving by kStuckMove or turning by a
+  /// degree, or has been pushing.
+  SimTime stuck_since() const { return pushes_ ? pushed_at_ : anchored_at_; }
+  /// Returns whether the robot is stuck because it has pushed against an obstruction for kPushedAfter, without
+  /// leaving its place or turning by 30 degrees.
+  bool pushes() const { return pushes_; }
   /// Return when the axle arrived at its present place, and that place.
   SimTime in_one_place_since() const { return place_since_; }
   Vec2 place() const { return place_; }
@@ -72,6 +79,7 @@ class Judge {
  private:
   bool lost(const Situation& now);
   bool stuck(const Situation& now);
+  bool stuck_in_contact(const Situation& now);
   /// Accepts the situation by value, so that it stays in registers.
   static std::optional<Verdict> verdict(Situation now, bool is_lost, bool is_stuck);
 
@@ -81,6 +89,9 @@ class Judge {
   SimTime last_driven_ = -2 * kDrivePause, driven_since_ = 0;
   SimTime anchored_at_ = 0;
   Pose anchor_;
+  bool touches_ = false, pushes_ = false;
+  SimTime pushed_at_ = 0;
+  Pose pushed_from_;
   SimTime place_since_ = 0;
   Vec2 place_;
 };
@@ -113,7 +124,10 @@ class Judge {
     place_ = now.pose->position;
     place_since_ = now.t;
   }
-  return now.t - anchored_at_ >= kStuckAfter;
+  if (now.t - anchored_at_ >= kStuckAfter) return true;
+  if (now.in_contact) [[unlikely]]
+    return stuck_in_contact(now);
+  return touches_ = false;
 }
 
 }  // namespace robosim::judge

@@ -266,6 +266,7 @@ inline std::optional<judge::Verdict> Agent::verdict_at(SimTime end) {
                        body_.wheel_travel(),
                        state_.sees_line,
                        robot_.driven(),
+                       body_.in_contact(),
                        body_.in_hand(),
                        body_.toppled() != world::Toppled::no,
                        powered,

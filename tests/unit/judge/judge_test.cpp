@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace robosim::judge {
 namespace judge_test {
 
@@ -50,6 +52,27 @@ TEST(Judge, CallsItLostAfterOneMetreOfWheelTravelWithoutALine) {
   EXPECT_NEAR(d.now.wheel_travel_m, 2.0, 0.0015);
   ASSERT_TRUE(d.judge.line_last_seen());
   EXPECT_EQ(d.judge.line_last_seen()->at, kSecond);
+}
+
+TEST(Judge, CallsARobotStuckThatCreepsAlongWhatItPushesAgainst) {
+  const auto ends = [](double mm_per_s, double degrees_per_s, bool touches, bool driven) {
+    Driver d;
+    d.now.in_contact = touches;
+    d.now.driven = driven;
+    double angle = 0.0;
+    return d.run(20 * kSecond, [&] {
+      d.call();
+      d.pose.position.y += mm_per_s * 1e-6;
+      angle += degrees_per_s * 1e-3 * 0.0174532925;
+      d.pose.heading = {std::cos(angle), std::sin(angle)};
+      d.now.driven = driven && d.now.t % (100 * kMillisecond) < 50 * kMillisecond;  // pulses
+    });
+  };
+  EXPECT_EQ(ends(10.0, 2.0, true, true), Verdict::stuck);
+  EXPECT_EQ(ends(30.0, 2.0, true, true), std::nullopt) << "it follows the wall";
+  EXPECT_EQ(ends(10.0, 10.0, true, true), std::nullopt) << "it turns away";
+  EXPECT_EQ(ends(10.0, 2.0, false, true), std::nullopt) << "nothing is there";
+  EXPECT_EQ(ends(10.0, 2.0, true, false), std::nullopt) << "something else moves it";
 }
 
 TEST(Judge, HasNotSeenALineWhereARobotHasNoSensorsForIt) {
