@@ -39,10 +39,15 @@ __attribute__((always_inline)) inline void note_question(const char* name, Pin p
   if (!in_handler()) note_arguments(name, pin, arguments, first, 0);
 }
 
-/// Records which input the sketch reads, even if other calls occur between two reads.
+/// Records the start of a conversion of an analog input.
+inline void note_conversion() {
+  if (!in_handler()) state.reads.add(InputReads::kAnalog);
+}
+
+/// Records a digital read of a pin.
 inline void note_read(Pin pin) {
   if (in_handler()) return;
-  state.read_pin = pin;
+  state.reads.add(pin);
   state.read_at = state.now;
 }
 

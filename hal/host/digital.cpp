@@ -111,6 +111,7 @@ ROBOSIM_FREQUENT int analogRead(uint8_t pin) {
   if (pin >= PIN_A0) pin -= PIN_A0;
   const int channel = pin & kLastChannel;
   host::note_call("analogRead", static_cast<robosim::Pin>(elsewhere ? number : PIN_A0 + channel), 1, pin);
+  host::note_conversion();
   const uint8_t before = host::adc.multiplexer();
   host::adc.set_multiplexer(static_cast<uint8_t>(reference << 6 | channel));
   host::spend(cost::kAnalogRead);

@@ -15,12 +15,13 @@
 #include <stdint.h>
 
 #include "hal/board/firmware_port.h"
+#include "hal/board/input_reads.h"
 
 namespace robosim {
 namespace host {
 
 /// Version of these declarations. Increment it with every change. An image of another version is rejected.
-constexpr uint32_t kImageVersion = 16;
+constexpr uint32_t kImageVersion = 17;
 
 /// An input that reaches the chip from outside, whether or not firmware is reading.
 struct Input {
@@ -132,8 +133,8 @@ struct FirmwareState {
   const void* place = nullptr;       ///< return address in the last basic block, or of the last API call
   SimTime last_call = 0;             ///< time of the last API call outside interrupt handlers
   ApiCall call;                      ///< that call
-  Pin read_pin = kNoPin;             ///< pin of the last digital read outside interrupt handlers
-  SimTime read_at = 0;               ///< time of that read
+  InputReads reads;                  ///< last reads of inputs by the API
+  SimTime read_at = 0;               ///< time of the last digital read outside interrupt handlers
   bool waiting = false;              ///< an API call is waiting (delay(), a full Serial buffer, …)
   bool polls = false;                ///< at a yield: firmware repeats the same round until `wake`,
   bool polls_by_calls = false;       ///< and the round calls the API

@@ -38,16 +38,14 @@ std::string pin_name(const Evidence& e, Pin pin) {
   return fmt::format("pin {} (nothing is wired to it)", name);
 }
 
-// Returns whether the sketch's last call was a read of a pin.
-bool is_at_read(const exec::Activity& a) {
-  return a.call.rfind("digitalRead", 0) == 0 || a.call.rfind("pulseIn", 0) == 0;
-}
+bool is_at(const exec::Activity& a, std::string_view function) { return a.call.rfind(function, 0) == 0; }
 
-// Returns the pin for which the sketch seems to wait: the pin that it read last, if it does nothing else.
+// Returns the pin for which the sketch seems to wait: the only input that it has read lately. A robot that
+// has moved may read one input as it drives; its sketch must be at that read.
 Pin awaited_pin(const Evidence& e) {
-  if (is_at_read(e.activity)) return e.activity.pin;
+  if (is_at(e.activity, "pulseIn")) return e.activity.pin;
   const bool drives = e.left_command != 0.0 || e.right_command != 0.0;
-  return e.moved || drives ? kNoPin : e.activity.polled;
+  return is_at(e.activity, "digitalRead") || (!e.moved && !drives) ? e.activity.polled : kNoPin;
 }
 
 bool drives(const Evidence& e) { return e.moved && e.judge->drives(e.t); }
@@ -68,10 +66,14 @@ std::string waiting(const Evidence& e) {
                        place.empty() ? "" : ", and was last", place);
   }
   const Pin pin = awaited_pin(e);
-  if (pin != kNoPin)
-    return fmt::format("; the sketch keeps reading {} with digitalRead({}){}, and finds it {}",
-                       pin_name(e, pin), number_or_name(e, pin), is_at_read(a) ? place_of(a.where) : "",
-                       e.pin_level ? "HIGH" : "LOW");
+  if (pin != kNoPin) {
+    const bool by_call = is_at(a, "digitalRead"), by_pulse = is_at(a, "pulseIn");
+    const std::string call = by_call    ? fmt::format(" with digitalRead({})", number_or_name(e, pin))
+                             : by_pulse ? " with pulseIn()"
+                                        : "";
+    return fmt::format("; the sketch keeps reading {}{}{}, and finds it {}", pin_name(e, pin), call,
+                       by_call || by_pulse ? place_of(a.where) : "", e.pin_level ? "HIGH" : "LOW");
+  }
   if (drives_in_one_place(e)) return "";
   if (a.call.empty()) return a.where.file.empty() ? "" : "; the sketch was" + place_of(a.where);
   return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
@@ -210,6 +212,10 @@ std::string sentence(const Evidence& e) {
     }
     case Verdict::stuck: {
       const std::string left = left_line(e, e.judge->stuck_since());
+      if (e.judge->pushes())
+        return fmt::format(
+            "The robot {}is stuck: for 5 s it has pushed against {}, and has moved less than 10 cm ({}).",
+            left.empty() ? "" : left + ", and ", e.stopped_by, done);
       return fmt::format(
           "The robot {}is stuck: for 3 s its motors were driven, but it neither moved 1 mm nor turned 1 "
           "degree{} ({}).",

@@ -30,6 +30,11 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   /// Return the board's pin that the firmware read last (kNoPin = none yet), and the cycle of that read.
   Pin last_read() const;
   Cycle last_read_at() const { return chip_->pins().last_read_at(); }
+  /// Returns InputReads::only_pin() with the board's numbers.
+  Pin only_read() const {
+    const Pin pin = chip_->pins().reads().only_pin();
+    return pin == kNoPin ? kNoPin : board_pin(pin);
+  }
 
   /// All state that changes while the chip runs.
   struct State {

@@ -238,8 +238,8 @@ Activity Diagnosis::activity() const {
   else if (const std::string call = api_call_now(); !call.empty())
     activity.call = call;
   const Cycle second = machine_.chip().clock_hz();
-  if (machine_.adapter().last_read() != kNoPin && chip.cycle() - machine_.adapter().last_read_at() <= second)
-    activity.polled = machine_.adapter().last_read();
+  if (chip.cycle() - machine_.adapter().last_read_at() <= second)
+    activity.polled = machine_.adapter().only_read();
   activity.where = where_now();
   activity.stopped_by = stopped_by();
   return activity;

@@ -29,7 +29,7 @@ struct Activity {
   SimTime last_call = 0;   ///< time of the last API call (on a chip: of the last I/O outside handlers)
   std::string call;        ///< the call as the sketch would write it: "digitalRead(2)"
   Pin pin = kNoPin;        ///< pin of the call
-  Pin polled = kNoPin;     ///< pin of the last digitalRead() if that was within the last second
+  Pin polled = kNoPin;     ///< the only input that was read lately (InputReads), within the last second
   SourceLine where;        ///< present place in the sketch
   std::string stopped_by;  ///< "exit(0)" if the firmware stopped itself; else empty
 };

@@ -397,7 +397,7 @@ Activity HostExecutor::activity() {
   const host::FirmwareState& state = instance_->state();
   activity.call = text_of(state.call);
   activity.pin = state.call.pin;
-  if (reached_ - clocked_.to_world(state.read_at) <= kSecond) activity.polled = state.read_pin;
+  if (reached_ - clocked_.to_world(state.read_at) <= kSecond) activity.polled = state.reads.only_pin();
   activity.where = crash_ ? crash_->where : instance_->place();
   if (state.stopped_by) activity.stopped_by = state.stopped_by;
   return activity;

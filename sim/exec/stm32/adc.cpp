@@ -77,6 +77,7 @@ void Adc::begin(Group group, Cycle at) {
 }
 
 void Adc::start_regular(Cycle at) {
+  link_.note_read(InputReads::kAnalog);
   state_.status |= kStrt;
   state_.left =
       state_.control1 & kDiscEn ? static_cast<int>(state_.control1 >> 13 & 7) + 1 : regular_length();

@@ -43,6 +43,7 @@ Bus::Bus(ClockedBoard& board, FlashMemory& memory, SimTime began)
   snapshots.add(link_.clock);
   snapshots.add(link_.nvic);
   snapshots.add(link_.reset_cause);
+  snapshots.add(link_.reads);
   snapshots.add(link_.listened_to);
   snapshots.add(link_.map);
   snapshots.add_memory({ram_.data(), kRamBytes});

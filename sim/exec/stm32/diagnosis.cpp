@@ -155,8 +155,7 @@ Activity Diagnosis::activity() const {
   if (activity.call.starts_with("digitalRead") || activity.call.starts_with("pulseIn"))
     activity.pin = ports.last_read();
   const Clock& clock = machine_.bus().link().clock;
-  if (ports.last_read() != kNoPin && clock.now - ports.last_read_at() <= clock.hz())
-    activity.polled = ports.last_read();
+  if (clock.now - ports.last_read_at() <= clock.hz()) activity.polled = machine_.bus().link().reads.only_pin();
   activity.where = where_now();
   activity.stopped_by = stopped_by();
   return activity;

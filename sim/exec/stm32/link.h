@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "hal/board/input_reads.h"
 #include "sim/base/snapshot_registry.h"
 #include "sim/exec/core/clocked_board.h"
 #include "sim/exec/stm32/clock.h"
@@ -36,10 +37,15 @@ struct Link {
   Nvic nvic{};
   Reset reset_cause = Reset::none;  ///< cause of the reset that is due
   Signals listened_to = 0;          ///< signals with a listener
+  InputReads reads{};               ///< of firmware, with numbers of the board's pins
   std::function<void(Signals)> signal{};
   std::uint32_t map = 0;  ///< AFIO_MAPR
   /// Called when the set of pins that peripherals watch has changed.
   std::function<void()> watch_changed{};
+  /// Adds a read of a pin, InputReads::kAnalog or kSeveral.
+  void note_read(Pin read) {
+    if (!nvic.in_handler()) reads.add(read);
+  }
   std::function<bool(ChipPin)> pin_level{};
   /// Called when the peripheral that owns a pin begins to drive it differently.
   std::function<void(ChipPin)> pin_changed{};

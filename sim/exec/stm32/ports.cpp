@@ -102,6 +102,7 @@ Pin Ports::note_read(ChipPin pin) {
 bool Ports::read_input(ChipPin pin) {
   const Pin number = note_read(pin);
   if (number == kNoPin) return false;
+  link_.note_read(number);
   return makes_pwm(pin) ? pulse_(pin).level : link_.board.read_level(number, link_.clock.time());
 }
 
@@ -157,11 +158,15 @@ std::uint32_t Ports::read(Address address) {
       return port.output;
     case kIdr: {
       std::uint32_t levels = 0;
+      Pin read = kNoPin;
       for (int bit = 0; bit < kBits; ++bit)
-        if (const Pin pin = note_read({number, bit});
-            pin != kNoPin && (makes_pwm({number, bit}) ? pulse_({number, bit}).level
-                                                       : link_.board.read_along(pin, link_.clock.time())))
-          levels |= 1u << bit;
+        if (const Pin pin = note_read({number, bit}); pin != kNoPin) {
+          read = read == kNoPin ? pin : InputReads::kSeveral;
+          if (makes_pwm({number, bit}) ? pulse_({number, bit}).level
+                                       : link_.board.read_along(pin, link_.clock.time()))
+            levels |= 1u << bit;
+        }
+      if (read != kNoPin) link_.note_read(read);
       return levels;
     }
     default:

@@ -90,7 +90,10 @@ void Adc::write_control(Address address, std::uint8_t value) {
       state_.origin = state_.charges_since = core_.now();
       state_.first = true;
     }
-    if (value & kAdsc && !state_.converting) start(edge_after(core_.now()));
+    if (value & kAdsc && !state_.converting) {
+      pins_.note_conversion();
+      start(edge_after(core_.now()));
+    }
   }
   core_.triggers.await(trigger());
   request();

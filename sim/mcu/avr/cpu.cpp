@@ -383,6 +383,23 @@ std::uint8_t Cpu::bits_read(std::uint32_t pc) const {
   return next.b == reads.a && replaced ? data[next.a] : kAllBits;
 }
 
+std::uint8_t Cpu::bits_tested(std::uint32_t pc) const {
+  const std::uint8_t bits = bits_read(pc);
+  if (bits != kAllBits) return bits;
+  const Instruction& reads = instruction(pc);
+  std::uint32_t at = pc + reads.words;
+  unsigned value = reads.a;
+  if (const Instruction& copy = instruction(at); copy.op == Op::mov && copy.b == value) {
+    value = copy.a;
+    at += copy.words;
+  }
+  const Instruction& test = instruction(at);
+  const bool skips = test.op == Op::sbrc || test.op == Op::sbrs;
+  if ((skips || test.op == Op::andi) && test.a == value) return test.b;
+  if (test.op != Op::and_ || test.a == test.b) return kAllBits;
+  return test.a == value ? data[test.b] : test.b == value ? data[test.a] : kAllBits;
+}
+
 std::vector<std::uint32_t> Cpu::last_jumps() const {
   std::vector<std::uint32_t> jumps;
   for (std::uint32_t i = state.jump_count; i-- > 0 && jumps.size() < state.jumps.size();)

@@ -125,6 +125,9 @@ class Cpu {
   /// Returns the relevant bits of the I/O register that the instruction at `pc` reads. The other bits are
   /// discarded by this instruction or the next one. Returns kAllBits if the relevant bits are unknown.
   std::uint8_t bits_read(std::uint32_t pc) const;
+  /// Returns the bits that the instructions after a read test first. Unlike with bits_read(), firmware may
+  /// use other bits later.
+  std::uint8_t bits_tested(std::uint32_t pc) const;
   static constexpr std::uint8_t kAllBits = 0xFF;
 
   /// Registers uint8_t Owner::Method(Address) as the read hook.

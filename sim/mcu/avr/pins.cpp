@@ -147,6 +147,8 @@ std::uint8_t Pins::read_pins(Address address) {
   const bool settled = now >= port.changed_at + kSynchroniserCycles;
   const std::uint8_t latch_then = settled ? core_.at(latch_register(number)) : port.latch_before;
   const std::uint8_t output_then = settled ? core_.at(direction_register(number)) : port.direction_before;
+  const std::uint8_t tested = core_.cpu.bits_tested(core_.cpu.last_pc());
+  Pin read = kNoPin;
   for (int bit = 0; bit < 8; ++bit) {
     const std::uint8_t mask = mask_of(bit);
     const int pin = pin_at_[static_cast<std::size_t>(number)][static_cast<std::size_t>(bit)];
@@ -163,9 +165,11 @@ std::uint8_t Pins::read_pins(Address address) {
                                      : core_.environment.level(pin, pull_up, now);
       state_.last_read = pin;
       state_.last_read_at = now;
+      if (tested & mask) read = read == kNoPin ? static_cast<Pin>(pin) : InputReads::kSeveral;
     }
     port.seen = static_cast<std::uint8_t>(level ? port.seen | mask : port.seen & ~mask);
   }
+  if (read != kNoPin) note(read);
   core_.at(address) = port.seen;
   return port.seen;
 }

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/board/input_reads.h"
 #include "sim/mcu/avr/core.h"
 
 namespace robosim::avr {
@@ -84,6 +85,10 @@ class Pins final : public Peripheral {
   /// Return the last pin whose input an instruction has read (-1 = none yet), and the cycle of that read.
   int last_read() const { return state_.last_read; }
   Cycle last_read_at() const { return state_.last_read_at; }
+  /// Returns the last reads of inputs, with numbers of this chip's pins.
+  const InputReads& reads() const { return state_.reads; }
+  /// Records that firmware has started the conversion of an analog input.
+  void note_conversion() { note(InputReads::kAnalog); }
 
   /// Returns the pin at a bit of the port with this letter; -1 = none.
   int at(char port, int bit) const;
@@ -116,9 +121,13 @@ class Pins final : public Peripheral {
     bool some_off = false;        ///< a bit of DIDRn is set
     int last_read = -1;
     Cycle last_read_at = 0;
+    InputReads reads;
   };
 
   std::uint8_t read_pins(Address address);
+  void note(Pin read) {
+    if (core_.cpu.open_handlers() == 0) state_.reads.add(read);
+  }
   ReadForecast forecast(Address address, std::uint8_t bits);
   void write_control(Address address, std::uint8_t value);
   void write_digital_off(Address address, std::uint8_t value);

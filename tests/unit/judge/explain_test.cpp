@@ -74,7 +74,7 @@ TEST_F(Explain, EveryVerdictIsASentenceOfItsOwn) {
 
 TEST_F(Explain, ATimeoutSaysWhatIsMissingAndWhatTheSketchWaitsFor) {
   e.activity.call = "digitalRead(4)";
-  e.activity.pin = 4;
+  e.activity.pin = e.activity.polled = 4;
   e.activity.where = {"loop", "My.ino", 9};
   e.pin_level = true;
   EXPECT_EQ(why(Verdict::timeout),
@@ -140,7 +140,7 @@ TEST_F(Explain, ThePlaceOfAReadIsNotThatOfWhatTheSketchDidAfterIt) {
   e.activity.polled = 4;
   e.activity.call = "digitalWrite(12, 0)";
   e.activity.where = {"latch_tx", "AFMotor.cpp", 64};
-  EXPECT_THAT(why(Verdict::timeout), HasSubstr(" with digitalRead(4), and finds it LOW."));
+  EXPECT_THAT(why(Verdict::timeout), HasSubstr("keeps reading pin 4 (button \"start\"), and finds it LOW."));
 }
 
 TEST_F(Explain, ASketchThatDrivesItsMotorsWaitsForNoPinThatItLooksAt) {
@@ -151,10 +151,24 @@ TEST_F(Explain, ASketchThatDrivesItsMotorsWaitsForNoPinThatItLooksAt) {
   EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("waits for")));
 }
 
+TEST_F(Explain, ASketchThatReadsSeveralInputsWaitsForNone) {
+  e.activity.call = "digitalRead(4)";
+  e.activity.pin = 4;
+  e.activity.where = {"loop", "My.ino", 9};
+  EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in digitalRead(4) in loop, My.ino:9."));
+  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("waits for")));
+}
+
+TEST_F(Explain, ASketchInPulseInWaitsForItsPin) {
+  e.activity.call = "pulseIn(4, 1)";
+  e.activity.pin = 4;
+  EXPECT_THAT(why(Verdict::timeout), HasSubstr("keeps reading pin 4 (button \"start\") with pulseIn(), and"));
+}
+
 TEST_F(Explain, AnalogPinsHaveTheirNames) {
   e.board = find_board("uno");
   e.activity.call = "digitalRead(15)";
-  e.activity.pin = 15;
+  e.activity.pin = e.activity.polled = 15;
   EXPECT_THAT(why(Verdict::timeout),
               HasSubstr("keeps reading pin A1 (nothing is wired to it) with digitalRead(A1)"));
 }

@@ -1,0 +1,31 @@
+// Stores which inputs firmware has read last, for a verdict on firmware that waits for an input.
+//
+// C++14, no standard library: firmware images include this header, too.
+#pragma once
+
+#include "hal/board/board.h"
+
+namespace robosim {
+
+/// The last eight reads of inputs outside interrupt handlers.
+class InputReads {
+ public:
+  static constexpr Pin kAnalog = 254;   ///< stands for a conversion of an analog input
+  static constexpr Pin kSeveral = 253;  ///< stands for a read of several pins of a port
+
+  /// Adds a read of a pin, kAnalog or kSeveral.
+  void add(Pin read) { reads_ = reads_ << 8 | read; }
+  /// Returns the pin if all reads were of one pin alone; else kNoPin.
+  Pin only_pin() const {
+    const auto last = static_cast<Pin>(reads_ & 0xFF);
+    if (last == kAnalog || last == kSeveral) return kNoPin;
+    for (uint64_t earlier = reads_ >> 8; earlier != 0; earlier >>= 8)
+      if ((earlier & 0xFF) != last && (earlier & 0xFF) != kNoPin) return kNoPin;
+    return last;
+  }
+
+ private:
+  uint64_t reads_ = ~uint64_t{0};  ///< one byte for each read, the last one lowest; kNoPin = none yet
+};
+
+}  // namespace robosim
