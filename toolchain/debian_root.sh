@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# toolchain/debian_root.sh RELEASE [STEP...]: tests this checkout's HEAD in a fresh minimal root of a Debian release
-# (bookworm, trixie), as on a newly installed machine. By default, runs all steps, in this order:
+# toolchain/debian_root.sh RELEASE [STEP...]: tests this checkout's HEAD in a fresh root file system of a Debian
+# release (bookworm, trixie), as on a newly installed machine. By default, runs all steps, in this order:
 #
 #   run       as root: the README's first command, which installs missing packages and builds
 #   samples   as root: the checks of every sample, on the targets that they name
@@ -34,8 +34,7 @@ root=$here/build/roots/$release
 logs=$root/var/log/robosim
 
 # Runs a command in the root. Mounts devices, /proc and /tmp only for this command. Changes the root of the
-# mount namespace. A chroot, which changes only the root of the process, would not suffice: the kernel does
-# not allow user namespaces in it.
+# mount namespace. A chroot would not suffice, because the kernel does not allow user namespaces in a chroot.
 inside() {  # FOLDER COMMAND...
   unshare --mount --pid --fork --kill-child bash -euc '
     mount --bind "$0" "$0"

@@ -71,7 +71,8 @@ no_packages() {
   fail "apt-get could not install these (is there a network?): ${missing[*]}"
 }
 
-# It is enough if one server answers, because the existing lists of the other servers may be new enough.
+# Ignores errors if at least one server answers, because the existing lists of the other servers may be new
+# enough.
 apt apt-get update -o Acquire::Retries=0 >"$log" 2>&1 || :
 if ! grep -qE '^(Get|Hit):' "$log"; then
   tail -n 15 "$log" >&2

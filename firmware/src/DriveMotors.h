@@ -18,8 +18,8 @@
 //
 //   duty = smallest + (255 - smallest) * speed / 255
 //
-// Speed 0 shorts the motor, which brakes it. (An L298N brakes only a fast motor, because of its own voltage
-// drop.)
+// Speed 0 shorts the motor, which brakes it. (An L298N brakes only a fast motor, because of the voltage drop
+// in the driver.)
 //
 // If a motor runs the wrong way, swap its two wires, swap its two pins here, or call setReversed(true).
 //

@@ -6,7 +6,7 @@
 //   PushButton.h       start and stop             debounced, never waits
 //   PathFollower.h     lines with junctions       three digital sensors, left or right branch first
 //   WheelEncoders.h    distance of each wheel     one channel per wheel, by interrupts
-//   LineWalker.h       from landmark to landmark  five analog sensors and encoders; drives nav/
+//   LineWalker.h       from landmark to landmark  five analog sensors and encoders; for nav/
 //   ShiftRegisters.h   more outputs               a chain of 74HC595
 //   ClockedReceiver.h  messages by radio          clock, data and enable, by interrupts
 //
@@ -18,8 +18,9 @@
 //   nav/Navigator.h     drives to any node        plans around obstacles, with nav/NextPlanners.h
 //   nav/Plan.h          seven planners            from breadth-first search to Dijkstra's algorithm
 //
-// No function waits, with two exceptions: LineWalker's functions return when the robot has arrived. Reading
-// analog sensors takes a few hundred microseconds, RC sensors up to 2.5 ms. No function allocates memory.
+// No function waits, with two exceptions. LineWalker's functions return only after the robot has arrived.
+// Reading sensors takes a few hundred microseconds (analog) or up to 2.5 ms (RC). No function allocates
+// memory.
 #ifndef LINEKIT_H
 #define LINEKIT_H
 

@@ -28,10 +28,10 @@
 // in thousandths of the distance between two sensors. 0 is the middle of the array, negative left, positive
 // right. Five sensors return -2000 to 2000.
 //
-// If no sensor detects the line, position() is the end of the array nearest to its last position. A robot
-// that has run off the line therefore turns back. If the last position was more than one sensor away from
-// both ends, the robot cannot have run off: this is a gap in the line. position() is then 0, so the robot
-// crosses the gap without swerving.
+// If no sensor detects the line, position() is the end of the array nearest to the line's last position. A
+// robot that has run off the line therefore turns back. If the last position was more than one sensor away
+// from both ends, the robot cannot have run off: this is a gap in the line. position() is then 0, so the
+// robot crosses the gap without swerving.
 //
 // The sums have 32 bits: with five sensors sum(value * place) reaches millions, and an int on an Uno is
 // limited to 32,767.
@@ -70,8 +70,8 @@ class LineSensors {
   /// Sets the range of one sensor.
   void setRange(uint8_t sensor, uint16_t floor, uint16_t line);
 
-  /// Discards the range, so that calibrate() starts again. `line_reads_high` is true if the line gives the
-  /// larger readings.
+  /// Discards the range, so that calibrate() starts again. Pass true as `line_reads_high` if the line gives
+  /// larger readings than the floor.
   void startCalibration(bool line_reads_high = true);
   /// Reads once and widens each sensor's range to include its reading. Call it many times while all sensors
   /// cross the line.

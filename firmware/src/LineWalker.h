@@ -5,7 +5,7 @@
 //                            |
 //                    [L]-----+-----[R]  the axle
 //
-// Every 5 ms the robot reads its sensors, adds up the rotation of its wheels, and drives on:
+// Every 5 ms the robot reads its sensors, adds up the rotation of its wheels, and controls its motors:
 //
 //   - Steering. e is the distance of the line to the right of the middle sensor (mm). The robot turns at
 //     w = steering * e (rad/s, clockwise). This returns the sensors to the line with the time constant
@@ -33,7 +33,7 @@
 // less than 0.15 rad decays with ds / 150 mm. Differences between the wheels therefore do not accumulate.
 // When the robot leaves a landmark along a line, the coordinate across the line is set to the landmark's.
 //
-// follow(), leave() and begin() return when they are done.
+// follow(), leave() and begin() return after the robot has finished the motion.
 //
 // To adapt the walker to another robot, override some of the settings below. They are constants, so that they
 // take no memory:
@@ -145,7 +145,7 @@ class LineWalkerOf {
   bool blocked_ = false;
   bool from_line_ = false;  ///< the robot began in the middle of a line, and has met no landmark yet
   nav::Heading start_heading_ = 0;
-  // Kind and position of the last landmark or corner. If blocked nearby, the robot backs up onto it.
+  // Kind and position of the last landmark or corner. If blocked nearby, the robot backs up onto that place.
   Passed passed_ = Passed::nothing;
   float passed_at_ = 0;
   nav::Heading passed_heading_ = 0;  ///< heading on arrival at the corner
@@ -154,7 +154,7 @@ class LineWalkerOf {
   bool returned_ = false;  ///< the robot has backed up onto the landmark or corner
   bool deaf_ = false;      ///< the robot turns away from an obstacle: the bumper is ignored
   uint8_t arms_ = 0;       ///< arms of the junction
-  uint8_t still_ = 0;      ///< number of steps without a count
+  uint8_t still_ = 0;      ///< number of successive steps without an encoder count
 };
 
 /// The walker with the settings above, for the robot uno5.

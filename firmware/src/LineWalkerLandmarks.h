@@ -171,7 +171,7 @@ typename LineWalkerOf<S>::Met LineWalkerOf<S>::cross() {
 template <class S>
 void LineWalkerOf<S>::leave(nav::Turn turn) {
   due_us_ = micros();
-  deaf_ = returned_ || passed_ == Passed::nothing;  // after `blocked`
+  deaf_ = returned_ || passed_ == Passed::nothing;  // true after `blocked`
   if (returned_ && passed_ == Passed::corner)
     turn = nav::turnBetween(heading_, nav::opposite(passed_heading_));
   const float angle =

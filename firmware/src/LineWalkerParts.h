@@ -17,10 +17,10 @@ static constexpr float kCreepFrom = 3;        // distance from the end of a roll
 static constexpr float kEndMm = 12;           // distance without a line after which the line may have ended
 static constexpr float kSideMm = 150;         // search distance for a line lost to a side, mm
 static constexpr float kBackUpMm = 35;
-static constexpr float kNearMm = 40;  // a blocked robot backs up onto a place within sensors_ahead + kNearMm
+static constexpr float kNearMm = 40;  // a blocked robot backs up to a landmark within sensors_ahead + kNearMm
 static constexpr float kLoopNear = 100, kLoopLeast = 500;  // tolerance and minimum length of a loop, mm
 static constexpr int16_t kTurnLead = 300;  // a turn brakes this near the array's middle, 0.001 pitches
-// An arm is present from this sum of all sensor values on. A line alone gives 2100, or 2700 at 38 degrees.
+// If the sensor values add up to this, an arm is present. A line alone gives 2100, or 2700 at 38 degrees.
 static constexpr uint16_t kLineAndArm = 2700;
 static constexpr uint16_t kClearMs = 500;  // time with a free bumper before the robot continues
 static constexpr uint8_t kStillSteps = 4;
@@ -45,7 +45,7 @@ inline float least(float a, float b) { return a < b ? a : b; }
 inline float limited(float x, float most) { return x > most ? most : x < -most ? -most : x; }
 
 inline int16_t dutyOf(float speed, float duty) {
-  if ((speed >= 0 && duty < 0) || (speed <= 0 && duty > 0)) return 0;  // never against the requested way
+  if ((speed >= 0 && duty < 0) || (speed <= 0 && duty > 0)) return 0;  // never drive in the wrong direction
   return static_cast<int16_t>(limited(duty, 255));
 }
 

@@ -10,11 +10,11 @@
 // On lines without closed loops this rule visits every station and returns to the start, however the lines
 // branch. It needs no memory at all. With the right hand everything is mirrored.
 //
-// Following the edge. The middle sensor is the hand: it detects the line's edge on the preferred side. If
-// the sensor is dark, the robot steers away from the line; if it is white, back to the line. So the robot
-// runs along the edge in a fine zigzag. The longer the reading stays the same, the further the robot turns.
-// With the middle sensor on this edge, the sensor on the preferred side is farthest from the line. If that
-// sensor gets dark, it has found a branch and nothing else.
+// Following the edge. The middle sensor is the hand: it detects the line's edge on the preferred side. If the
+// sensor is dark, the robot steers away from the line. If the sensor is white, the robot steers back to the
+// line. So the robot runs along the edge in a fine zigzag. The longer the reading stays the same, the further
+// the robot turns. With the middle sensor on this edge, the sensor on the preferred side is farthest from the
+// line. If that sensor gets dark, it has found a branch and nothing else.
 //
 // Turning. The sensors are ahead of the axle. After detecting a branch, the robot must roll on until its axle
 // is over the branch. Without encoders it cannot measure the distance directly. It uses the branch that it
@@ -62,7 +62,7 @@ class PathFollower {
     int16_t counter = 130;       ///< reverse speed to stop; 0 relies on the motors' brakes
     uint8_t stop_ms = 50;        ///< duration of braking before a turn ...
     uint8_t settle_ms = 25;      ///< ... and at the end of a turn
-    uint16_t leave_ms = 280;     ///< in a turn: until then, a line can only be the line of arrival
+    uint16_t leave_ms = 280;     ///< time in a turn before which any line found is the line of arrival
     uint8_t noise_ms = 8;        ///< shorter signals are ignored
     uint8_t end_tenths = 12;     ///< distance without a line after which the line has ended
     uint8_t past_tenths = 4;     ///< from there until the axle is over the line's end
@@ -81,7 +81,8 @@ class PathFollower {
   int16_t leftSpeed() const { return left_speed_; }
   int16_t rightSpeed() const { return right_speed_; }
   State state() const { return state_; }
-  /// Return the number of branches taken, and of line ends (or bends to the other side) at which it turned.
+  /// Return the number of branches taken, and of line ends (or bends to the other side) at which the robot
+  /// turned.
   uint16_t branches() const { return branches_; }
   uint16_t ends() const { return ends_; }
   /// Returns the time for one line's width, as measured at the last branch, in ms.
@@ -97,7 +98,7 @@ class PathFollower {
   void settle();
 
   void enter(State state);
-  /// `turn` > 0 turns to the preferred side.
+  /// Sets the speeds of both wheels. `turn` > 0 turns to the preferred side.
   void drive(int16_t speed, int16_t turn);
   uint16_t since() const { return static_cast<uint16_t>(now_ - entered_); }
   /// Returns the time for a number of tenths of a width.
@@ -114,10 +115,10 @@ class PathFollower {
   bool armed_ = false;      ///< the near sensor has been off the line at least once since this line began
   bool off_line_ = false;   ///< in a turn to a branch: the middle sensor has left the line of arrival
   uint32_t now_ = 0;
-  uint32_t entered_ = 0;     ///< when state_ began
+  uint32_t entered_ = 0;     ///< time at which state_ began, in ms
   uint16_t step_ = 0;        ///< ms since the last update
-  uint16_t near_ms_ = 0;     ///< how long the near sensor has been dark
-  uint16_t nothing_ms_ = 0;  ///< how long neither the middle nor the far sensor has detected a line
+  uint16_t near_ms_ = 0;     ///< time for which the near sensor has been dark
+  uint16_t nothing_ms_ = 0;  ///< time for which neither the middle nor the far sensor has detected a line
   int16_t left_speed_ = 0, right_speed_ = 0;
   uint16_t branches_ = 0, ends_ = 0;
 };

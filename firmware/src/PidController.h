@@ -12,7 +12,8 @@
 //
 // Two details that a textbook formula omits and a robot needs:
 // - Wind-up. While the output is at its limit, the integral must not grow further in that direction.
-//   Otherwise the robot turns long after the error is gone. The integral waits (conditional integration).
+//   Otherwise the robot turns long after the error is gone. So the integral stays constant at the limit
+//   (conditional integration).
 // - The first call has no previous error, so it has no derivative. Call reset() whenever control starts
 //   again.
 //

@@ -1,9 +1,9 @@
-// The Arduino API of the host target: names, types and macros of the AVR core 1.8.7, so that a sketch
-// compiles as for an Uno. Print, Stream, String and IPAddress are the genuine core's sources, staged next to
-// this header.
+// Declares the Arduino API for the targets host and stm32. Names, types and macros equal those of the AVR
+// core 1.8.7, so that a sketch for an Uno compiles without changes. Print, Stream, String and IPAddress are
+// not declared here: the build adds these sources of the genuine core.
 //
-// Functions are documented at https://docs.arduino.cc/language-reference. hal/host defines their cost in
-// simulated time.
+// Functions are documented at https://docs.arduino.cc/language-reference. On the target host, each call takes
+// simulated time (hal/host/costs.h).
 #pragma once
 #ifndef Arduino_h
 #define Arduino_h
@@ -42,12 +42,12 @@
 #define FALLING 2
 #define RISING 3
 
-// analogReference
+// Values for analogReference()
 #define EXTERNAL 0
 #define DEFAULT 1
 #define INTERNAL 3
 
-// Macros, as in the AVR core, so their arguments may be evaluated twice.
+// These are macros, as in the AVR core, so an argument may be evaluated twice.
 #undef abs
 #define min(a, b) ((a) < (b) ? (a) : (b))
 #define max(a, b) ((a) > (b) ? (a) : (b))

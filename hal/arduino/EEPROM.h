@@ -1,6 +1,6 @@
 // The EEPROM library: stores bytes that survive power-off. It has the API of the AVR core's library.
 //
-//   EEPROM.put(0, gains);   // any plain type; writes only bytes that differ
+//   EEPROM.put(0, gains);   // accepts any plain type; writes only bytes that differ
 //   EEPROM.get(0, gains);
 //   EEPROM[10] = 7;         // one byte
 #pragma once
@@ -11,7 +11,7 @@
 #include <avr/io.h>
 #include <inttypes.h>
 
-/// References one byte of EEPROM by its address.
+/// Refers to one byte of EEPROM by its address.
 struct EERef {
   EERef(const int address) : index(address) {}
 
@@ -45,7 +45,7 @@ struct EERef {
     --*this;
     return before;
   }
-  /// Writes only if the value differs.
+  /// Writes `value` only if the stored byte differs.
   EERef& update(uint8_t value) { return **this != value ? *this = value : *this; }
 
   int index;

@@ -1,5 +1,5 @@
-// The serial port, with the API of the AVR core. Bytes leave through the simulated UART at its baud rate.
-// Both buffers have 64 bytes, as on an Uno.
+// Declares the serial port, with the API of the AVR core. The UART sends and receives bytes at its baud rate.
+// The transmit buffer and the receive buffer have 64 bytes each, as on an Uno.
 #pragma once
 #ifndef HardwareSerial_h
 #define HardwareSerial_h
@@ -11,7 +11,7 @@
 #define SERIAL_TX_BUFFER_SIZE 64
 #define SERIAL_RX_BUFFER_SIZE 64
 
-// Serial.begin(baud, config): the bits of UCSR0C (datasheet 19.10.4).
+// Values of `config` in Serial.begin(baud, config): the bits of UCSR0C (data sheet DS40002061B, 20.11.4).
 #define SERIAL_5N1 0x00
 #define SERIAL_6N1 0x02
 #define SERIAL_7N1 0x04
@@ -39,7 +39,7 @@
 
 class HardwareSerial : public Stream {
  public:
-  /// Creates a port; `connected` means connected to the computer, as only Serial is.
+  /// Creates a port. `connected`: the port is connected to the computer, which is true only for Serial.
   explicit HardwareSerial(bool connected = true) : connected_(connected) {}
   void begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint8_t config);
@@ -77,7 +77,8 @@ extern HardwareSerial Serial3;
 #define HAVE_HWSERIAL3
 #endif
 
-/// Handles received bytes, if the sketch defines it. Called after each loop() if unread bytes are available.
+/// Handles received bytes. A sketch may define this function. It is called after each loop(), if unread bytes
+/// are available.
 extern void serialEvent() __attribute__((weak));
 extern void serialEventRun() __attribute__((weak));
 

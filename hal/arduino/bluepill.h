@@ -1,5 +1,7 @@
-// Names that Blue Pill sketches use and an Uno lacks, for every target: the chip's pins as in STM32duino, and
-// the resolution of analog values. PA13 and PA14 belong to the debugger, PB2 is BOOT1.
+// Declares names that sketches for a Blue Pill use, but that the core of an Uno does not have. These are the
+// chip's pin names of STM32duino, and functions for the resolution of analog values. The targets host and
+// stm32 include this header. PA13, PA14 and PB2 are missing: the debugger uses PA13 and PA14, and PB2 is
+// BOOT1.
 #pragma once
 
 #include <stdint.h>
@@ -51,10 +53,11 @@
 extern "C" {
 #endif
 
-/// Makes analogRead return 0 to 2^bits - 1, for 1 to 16 bits; the default is 10. The STM32F103's converter
-/// has 12 bits, and the host's has 10. Further bits are zero.
+/// Makes analogRead return values from 0 to 2^bits - 1. `bits` is 1 to 16; the default is 10. The STM32F103's
+/// converter has 12 bits, and the host's has 10. If `bits` is larger, the lowest bits of a result are zero.
 void analogReadResolution(int bits);
-/// Makes analogWrite accept 0 to 2^bits - 1, for 1 to 16 bits; the default is 8. PWM keeps its 256 steps.
+/// Makes analogWrite accept values from 0 to 2^bits - 1. `bits` is 1 to 16; the default is 8. The resolution
+/// of PWM itself stays at 8 bits.
 void analogWriteResolution(int bits);
 
 #ifdef __cplusplus

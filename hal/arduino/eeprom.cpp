@@ -1,7 +1,8 @@
+// Implements avr-libc's EEPROM functions.
 #include <avr/eeprom.h>
 
 extern "C" {
-// The bounds of the section of EEMEM variables, set by the linker; null without such variables.
+// The bounds of the linker section that contains the EEMEM variables; null if there are no such variables.
 extern const uint8_t __start_robosim_eeprom[] __attribute__((weak, visibility("hidden")));
 extern const uint8_t __stop_robosim_eeprom[] __attribute__((weak, visibility("hidden")));
 }

@@ -1,11 +1,11 @@
-// Converts numbers to text: avr-libc's itoa, ltoa, utoa and ultoa, dtostrf, dtostre.
+// Converts numbers to text: implements avr-libc's itoa, ltoa, utoa, ultoa, dtostrf and dtostre.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 extern "C" {
 
-/// Formats one double exactly (glibc); `format` is like "%.3f".
+/// Formats a double with exact digits (glibc). `format` is "%.3f" or similar.
 int strfromd(char* text, size_t size, const char* format, double value);
 
 char* ultoa(unsigned long value, char* text, int radix) {

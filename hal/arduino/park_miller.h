@@ -1,11 +1,12 @@
-// avr-libc's random number generator, the same on every target.
+// avr-libc's random number generator, for the targets host and stm32.
 #pragma once
 
 #include <stdint.h>
 
 namespace robosim_hal {
 
-/// Sets a seed x to 7^5 x mod (2^31 - 1), by Schrage's method (Park & Miller, CACM 31(10), 1988). Returns it.
+/// Replaces the seed x by 7^5 x mod (2^31 - 1), and returns the new seed. Computes the product by Schrage's
+/// method (Park & Miller, CACM 31(10), 1988).
 inline long next_random(unsigned long& seed) {
   auto x = static_cast<int32_t>(seed);
   if (x == 0) x = 123459876;

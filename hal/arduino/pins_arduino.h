@@ -1,5 +1,6 @@
-// Defines the pins on the host. The build passes their numbers and functions from the BoardSpec
-// (sim/build/compile.cpp). Ports and timers are those of an Uno, whose registers cover pins 0 to 19.
+// Defines a board's pins on the host. The build (sim/build/compile.cpp) passes the pins' numbers and
+// functions as macros, from the BoardSpec. Ports and timers are those of an Uno, whose registers cover pins 0
+// to 19.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h
@@ -79,7 +80,8 @@ static const uint8_t SCL = PIN_WIRE_SCL;
 #define digitalPinToInterrupt(p) ROBOSIM_INTERRUPT_OF(p)
 #endif
 
-// Ports are numbered as in the AVR core: B = 2, C = 3, D = 4. Pins 0..7 are port D, 8..13 B, 14..19 C.
+// Ports are numbered as in the AVR core: B = 2, C = 3, D = 4. Pins 0..7 belong to port D, pins 8..13 to port
+// B, and pins 14..19 to port C.
 #define digitalPinToPort(p) ((p) < 8 ? 4 : ((p) < 14 ? 2 : ((p) < 20 ? 3 : NOT_A_PORT)))
 #define digitalPinToBitMask(p) (_BV((p) < 8 ? (p) : ((p) < 14 ? (p)-8 : (p)-14)))
 #define analogInPinToBit(p) (p)

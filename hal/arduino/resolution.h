@@ -1,5 +1,5 @@
-// The resolutions set by analogReadResolution and analogWriteResolution (bluepill.h), for cores that have
-// these functions.
+// Stores the resolutions that analogReadResolution and analogWriteResolution (bluepill.h) set, for the
+// implementations of analogRead and analogWrite.
 #pragma once
 
 namespace robosim_hal {

@@ -1,3 +1,4 @@
+// Implements avr-libc's clock.
 #include <time.h>
 
 namespace {

@@ -1,5 +1,5 @@
-// Formats like avr-libc's default vfprintf: integers, characters and strings; a floating-point conversion
-// prints "?". The sketch has no stdout, so printf and puts only count characters.
+// Formats integers, characters and strings like avr-libc's default vfprintf. A floating-point conversion
+// prints "?". The sketch has no stdout, so printf and puts print nothing.
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -36,7 +36,7 @@ struct Conversion {
   bool left = false, plus = false, space = false, alternate = false, zero = false;
   int width = 0;
   int precision = -1;
-  int longs = 0;  ///< number of `l`; negative: number of `h`
+  int longs = 0;  ///< number of `l` modifiers; a negative value counts `h` modifiers
 };
 
 void put_text(Output& out, const Conversion& conversion, const char* text, size_t length) {

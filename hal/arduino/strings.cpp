@@ -1,4 +1,4 @@
-// Functions of avr-libc's <string.h> that the host's C library may lack.
+// Implements functions of avr-libc's <string.h> that the host's C library may lack.
 #include <string.h>
 
 extern "C" {

@@ -1,8 +1,9 @@
-/* The handlers of gcc's UndefinedBehaviorSanitizer for an AVR. A sketch built with checks calls them when a
- * check fails. A handler executes an instruction that no AVR has, so the emulator stops. The emulator then
- * examines the check: the handler's arguments (data and values) are still in the registers r25 to r20.
+/* The handlers of gcc's UndefinedBehaviorSanitizer for an AVR. A sketch that is built with checks
+ * (--sanitize) calls a handler when a check fails. The handler executes an instruction that no AVR has, so
+ * the emulator stops. The emulator then examines the check. The handler's arguments (data and values) are
+ * still in the registers r25 to r20.
  *
- * The file is compiled with the genuine core. Only images built with checks contain it. */
+ * The build compiles this file together with the genuine core. Only images with checks contain the code. */
 #include <stdint.h>
 
 #define ROBOSIM_STOP __asm__ volatile(".word 0x00FE")
@@ -20,7 +21,7 @@ ROBOSIM_HANDLER(out_of_bounds)
 
 struct Type {
   uint16_t kind;
-  uint16_t info; /* of an integer: 2 * log2(bits), + 1 if signed */
+  uint16_t info; /* for an integer type: 2 * log2(bits), + 1 if signed */
 };
 
 struct ShiftData {
@@ -38,7 +39,7 @@ __attribute__((naked, used, externally_visible)) void __ubsan_handle_shift_out_o
 static unsigned bits(const struct Type* type) { return 1u << (type->info >> 1); }
 
 /* gcc defines the result of << for negative numbers, and for bits that are shifted out at the top. So only
- * the shift distance can be invalid. */
+ * the shift distance can be invalid, and this handler ignores all other failures. */
 __attribute__((used, externally_visible)) void __ubsan_handle_shift_out_of_bounds(
     const struct ShiftData* data, uintptr_t value, uintptr_t distance) {
   /* A value wider than a pointer is passed by its address. */

@@ -1,6 +1,7 @@
-// The ATmega2560 of an Arduino Mega 2560. Source: data sheet 2549Q; each group names its section.
+// Describes the ATmega2560 of an Arduino Mega 2560. Source: data sheet 2549Q; comments give its sections.
 //
-// PB7 is OC0A and OC1C. Here it is only OC0A, as in Arduino's core.
+// On the chip, PB7 is the output OC0A of timer 0 and the output OC1C of timer 1. In this table PB7 is only
+// OC0A, as in Arduino's core.
 #pragma once
 
 #include "hal/board/chip_spec.h"
@@ -14,7 +15,7 @@ constexpr PortSpec kPorts[] = {{'A', 0x20},  {'B', 0x23},  {'C', 0x26}, {'D', 0x
                                {'J', 0x103}, {'K', 0x106}, {'L', 0x109}};
 constexpr int8_t kA = 0, kB = 1, kC = 2, kD = 3, kE = 4, kF = 5, kG = 6, kH = 7, kJ = 8, kK = 9, kL = 10;
 
-// 1 and 13.3: the pins. Timers are given by index.
+// 1 and 13.3: the pins. Timers are given by their index in kTimers.
 constexpr ChipPin kPins[] = {
     // name, port, bit, ADC, timer, output, INT, PCINT, T, ICP
     {"PA0", kA, 0, -1, -1, 0, -1, -1, -1, -1}, {"PA1", kA, 1, -1, -1, 0, -1, -1, -1, -1},
@@ -64,7 +65,7 @@ constexpr ChipPin kPins[] = {
 
 constexpr uint16_t kPrr0 = 0x64, kPrr1 = 0x65;  // 11.10.2, 11.10.3
 
-// 16, 17 and 20; vectors: table 14-1
+// 16, 17 and 20: the timers; vectors: table 14-1
 constexpr TimerSpec timer16(uint8_t number, uint32_t control, uint8_t vector, uint16_t reduction) {
   const auto at = [control](int offset) { return static_cast<uint16_t>(control + offset); };
   return {number,
@@ -90,7 +91,7 @@ constexpr TimerSpec kTimers[] = {
     timer16(5, 0x120, 47, kPrr1),
 };
 
-// section 22
+// 22: the USARTs
 constexpr UartSpec kUarts[] = {{0, 0xC0, 0xC4, 0xC6, 25, "PE0", "PE1", kPrr0, 1},
                                {1, 0xC8, 0xCC, 0xCE, 36, "PD2", "PD3", kPrr1, 0},
                                {2, 0xD0, 0xD4, 0xD6, 51, "PH0", "PH1", kPrr1, 1},

@@ -1,4 +1,5 @@
-// The ATmega328P of an Uno, Nano and Pro Mini. Source: data sheet DS40002061B; each group names its section.
+// Describes the ATmega328P of an Uno, Nano and Pro Mini. Source: data sheet DS40002061B; comments give its
+// sections.
 #pragma once
 
 #include "hal/board/chip_spec.h"
@@ -10,7 +11,7 @@ namespace atmega328p {
 constexpr PortSpec kPorts[] = {{'B', 0x23}, {'C', 0x26}, {'D', 0x29}};
 constexpr int8_t kB = 0, kC = 1, kD = 2;
 
-// 5: the pins. Timers are given by index.
+// 5: the pins. Timers are given by their index in kTimers.
 constexpr ChipPin kPins[] = {
     // name, port, bit, ADC, timer, output, INT, PCINT, T, ICP
     {"PB0", kB, 0, -1, -1, 0, -1, 0, -1, 1},   {"PB1", kB, 1, -1, 1, 0, -1, 1, -1, -1},
@@ -26,14 +27,14 @@ constexpr ChipPin kPins[] = {
     {"ADC6", -1, 0, 6, -1, 0, -1, -1, -1, -1}, {"ADC7", -1, 0, 7, -1, 0, -1, -1, -1, -1},
 };
 
-// 15, 16 and 18; vectors: table 12-6; PRR: 10.11.3
+// 15, 16 and 18: the timers; vectors: table 12-6; PRR: 10.11.3
 constexpr TimerSpec kTimers[] = {
     {0, 8, 0x44, 0x46, {0x47, 0x48}, 0, 0x6E, {0, 1, 8, 64, 256, 1024, 0, 0}, 14, 0x35, false, 0x64, 5},
     {1, 16, 0x80, 0x84, {0x88, 0x8A}, 0x86, 0x6F, {0, 1, 8, 64, 256, 1024, 0, 0}, 11, 0x36, false, 0x64, 3},
     {2, 8, 0xB0, 0xB2, {0xB3, 0xB4}, 0, 0x70, {0, 1, 8, 32, 64, 128, 256, 1024}, 7, 0x37, true, 0x64, 6},
 };
 
-// section 20
+// 20: the USART
 constexpr UartSpec kUarts[] = {{0, 0xC0, 0xC4, 0xC6, 18, "PD0", "PD1", 0x64, 1}};
 
 }  // namespace atmega328p

@@ -1,7 +1,8 @@
-// The ATmega32U4 of an Arduino Leonardo and Micro. Source: data sheet 7766J; each group names its section.
+// Describes the ATmega32U4 of an Arduino Leonardo and Micro. Source: data sheet 7766J; comments give its
+// sections.
 //
-// A pin with two timers belongs to one of them, as in Arduino's core: PB7 is OC0A (not OC1C), PB6 OC1B (not
-// OC4B), PC6 OC3A.
+// On the chip, some pins are outputs of two timers. In this table each pin has only one timer, as in
+// Arduino's core: PB7 is OC0A (not OC1C), PB6 is OC1B (not OC4B), and PC6 is OC3A.
 #pragma once
 
 #include "hal/board/chip_spec.h"
@@ -13,7 +14,7 @@ namespace atmega32u4 {
 constexpr PortSpec kPorts[] = {{'B', 0x23}, {'C', 0x26}, {'D', 0x29}, {'E', 0x2C}, {'F', 0x2F}};
 constexpr int8_t kB = 0, kC = 1, kD = 2, kE = 3, kF = 4;
 
-// 1 and 10.3: the pins. Timers are given by index.
+// 1 and 10.3: the pins. Timers are given by their index in kTimers.
 constexpr ChipPin kPins[] = {
     // name, port, bit, ADC, timer, output, INT, PCINT, T, ICP
     {"PB0", kB, 0, -1, -1, 0, -1, 0, -1, -1},  {"PB1", kB, 1, -1, -1, 0, -1, 1, -1, -1},
@@ -33,7 +34,7 @@ constexpr ChipPin kPins[] = {
 
 constexpr uint16_t kPrr0 = 0x64, kPrr1 = 0x65;  // 7.9.2, 7.9.3
 
-// 13, 14 and 15; vectors: table 9-1
+// 13, 14 and 15: the timers; vectors: table 9-1
 constexpr TimerSpec timer16(uint8_t number, uint32_t control, uint8_t vector, uint16_t reduction) {
   const auto at = [control](int offset) { return static_cast<uint16_t>(control + offset); };
   return {number,
@@ -57,7 +58,7 @@ constexpr TimerSpec kTimers[] = {
     {4, kHighSpeedBits, 0xC0, 0xBE, {0xCF, 0xD0}, 0, 0x72, {}, 38, 0x39, false, kPrr1, 4},
 };
 
-// section 18
+// 18: the USART
 constexpr UartSpec kUarts[] = {{1, 0xC8, 0xCC, 0xCE, 25, "PD2", "PD3", kPrr1, 0}};
 
 }  // namespace atmega32u4
@@ -79,7 +80,7 @@ constexpr ChipSpec kAtmega32u4 = {
     .return_address_bytes = 2,  // 4.6
     .vectors = 43,              // table 9-1
     .external_vector = 1,
-    .external_count = 7,  // without INT4 and INT5
+    .external_count = 7,  // INT4 and INT5 do not exist
     .change_vector = 9,
     .change_count = 1,
     .watchdog_vector = 12,
@@ -97,7 +98,7 @@ constexpr ChipSpec kAtmega32u4 = {
             .bandgap_volts = 1.1,
             .bandgap_channel = 0x1E,
             .vector = 29,
-            .triggers = {0, 28, 1, 21, 23, 18, 20, 16},  // table 24-6, without those of timer 4
+            .triggers = {0, 28, 1, 21, 23, 18, 20, 16},  // table 24-6, without triggers by timer 4
             .reduction = atmega32u4::kPrr0,
             .reduction_bit = 0,
             .references = {0.0, 0.0, 0.0, 2.56},  // table 24-3

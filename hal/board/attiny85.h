@@ -1,7 +1,8 @@
-// The ATtiny85 of a Digispark and a Gemma. Source: data sheet 2586Q; each group names its section.
+// Describes the ATtiny85 of a Digispark and a Gemma. Source: data sheet 2586Q; comments give its sections.
 //
-// Not modelled: the USI (15), and features that only timer 1 has (sim/mcu/avr/timer_pll.cpp). PB1 is OC0B and
-// OC1A. Here it is only OC0B, as in Arduino's core.
+// Not modelled: the USI (15), and some features of timer 1 (listed in sim/mcu/avr/timer_pll.cpp). On the
+// chip, PB1 is the output OC0B of timer 0 and the output OC1A of timer 1. In this table PB1 is only OC0B, as
+// in Arduino's core.
 #pragma once
 
 #include "hal/board/chip_spec.h"
@@ -12,7 +13,8 @@ namespace attiny85 {
 // 24: the register summary
 constexpr PortSpec kPorts[] = {{'B', 0x36}};
 
-// 1 and 10.2: the pins. PB5 is the reset input unless a fuse disables that. Timers are given by index.
+// 1 and 10.2: the pins. By default PB5 is the reset input; a fuse makes it an ordinary pin. Timers are given
+// by their index in kTimers.
 constexpr ChipPin kPins[] = {
     // name, port, bit, ADC, timer, output, INT, PCINT, T, ICP
     {"PB0", 0, 0, -1, 0, 0, -1, 0, -1, -1}, {"PB1", 0, 1, -1, 0, 1, -1, 1, -1, -1},
@@ -22,7 +24,7 @@ constexpr ChipPin kPins[] = {
 
 constexpr uint16_t kPrr = 0x40;  // 7.5.2
 
-// 11 and 12; vectors: table 9-1
+// 11 and 12: the timers; vectors: table 9-1
 constexpr TimerSpec timer0() {
   TimerSpec timer = {0,    8,     0x4A, 0x52, {0x49, 0x48}, 0, 0x59, {0, 1, 8, 64, 256, 1024, 0, 0}, 10,
                      0x58, false, kPrr, 2};

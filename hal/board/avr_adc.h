@@ -1,10 +1,10 @@
-// Registers of an AVR's analog-digital converter (ATmega328P, data sheet DS40002061B, chapter 24). The host
-// target and the emulated chip share them. avr_adc_sample.h samples a board's pins.
+// Decodes the registers of an AVR's analog-to-digital converter (ATmega328P, data sheet DS40002061B, chapter
+// 24), for the target host and for the emulated chip. avr_adc_sample.h samples a board's pins.
 //
-// A conversion takes 13 ADC clocks, and samples after 1.5 clocks. The first one after switching on takes 12
-// clocks more, and samples 12 clocks later (table 24-1). The references are the supply (selected by AVCC, and
-// by the unwired AREF) and the bandgap. The temperature sensor and the differential channels of some chips
-// read 0.
+// A conversion takes 13 ADC clocks, and samples its input after 1.5 clocks. The first conversion after the
+// ADC is enabled takes 25 clocks, and samples after 13.5 clocks (table 24-1). A reference is either the
+// supply or the bandgap. AVCC selects the supply, and so does AREF, because the pin AREF is not wired. The
+// temperature sensor, and the differential channels that some chips have, read 0.
 #pragma once
 
 #include <stdint.h>
@@ -14,27 +14,29 @@
 namespace robosim {
 namespace avr {
 
-/// Returns the processor cycles per ADC clock that ADCSRA selects (table 24-5).
+/// Returns the number of processor cycles per ADC clock that ADCSRA selects (table 24-5).
 constexpr int adc_prescaler(uint8_t control) { return (control & 7) == 0 ? 2 : 1 << (control & 7); }
 
-/// Return the ADC half clocks from a conversion's start to its sample, and the ADC clocks to its end.
+/// Return the duration from a conversion's start to its sample (in half ADC clocks) or to its end (in ADC
+/// clocks).
 constexpr int adc_half_clocks_to_sample(bool first) { return first ? 27 : 3; }
 constexpr int adc_clocks(bool first) { return first ? 25 : 13; }
 
-/// Returns the bits MUX of ADMUX and, if present, MUX5 of ADCSRB: table 24-4.
+/// Returns the selected input: the bits MUX of ADMUX and, if the chip has it, the bit MUX5 of ADCSRB (table
+/// 24-4).
 constexpr int adc_selection(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b) {
   return (multiplexer & adc.multiplexer_bits) | (control_b & adc.high_channels ? 0x20 : 0);
 }
 
-/// Returns the single-ended analog input that `selection` connects, or -1. MUX5 selects
-/// inputs from 8 on.
+/// Returns the number of the single-ended analog input that `selection` connects, or -1 for any other input.
+/// MUX5 selects inputs from 8 on.
 constexpr int adc_channel(const AdcSpec& adc, int selection) {
   return (selection & 0x18) != 0 || (selection & 7) + (selection & 0x20 ? 8 : 0) >= adc.pins
              ? -1
              : (selection & 7) + (selection & 0x20 ? 8 : 0);
 }
 
-/// Returns the bits REFS of ADMUX: table 24-3.
+/// Returns the bits REFS of ADMUX (table 24-3), which are an index of AdcSpec::references.
 constexpr int adc_reference(const AdcSpec& adc, uint8_t multiplexer) {
   return (multiplexer >> 6) + (multiplexer & adc.reference_bit ? 4 : 0);
 }
@@ -46,7 +48,7 @@ constexpr double adc_reference_volts(const AdcSpec& adc, uint8_t multiplexer, do
              : supply_volts;
 }
 
-/// Returns the code of a voltage: 1024 times its share of the reference, rounded down, 0 to 1023 (24.7).
+/// Returns the result of converting a voltage: 1024 volts / reference, rounded down, from 0 to 1023 (24.7).
 constexpr uint16_t adc_code(double volts, double reference_volts) {
   return volts / reference_volts * 1024.0 <= 0.0 ? uint16_t{0}
          : volts / reference_volts * 1024.0 >= 1023.0
@@ -54,15 +56,16 @@ constexpr uint16_t adc_code(double volts, double reference_volts) {
              : static_cast<uint16_t>(volts / reference_volts * 1024.0);
 }
 
-/// Returns ADCH and ADCL together, adjusted as ADMUX selects (24.9.3).
+/// Returns the 16 bits of ADCH and ADCL. The result is left-adjusted if ADLAR is set in ADMUX (24.9.3).
 constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
   return multiplexer & 0x20 ? static_cast<uint16_t>(code << 6) : code;
 }
 
-/// Returns the code of the input that ADMUX and ADCSRB select. `pin_volts(channel)` returns the volts at an
-/// analog input, scaled as if the supply were nominal. If the reference is the supply, its nominal value is
-/// therefore used: a drop cancels. For a constant reference they are multiplied by `supply_share()`. `held`
-/// receives the volts on the converter's capacitor, scaled like those of `pin_volts`.
+/// Returns the conversion result for the input that ADMUX and ADCSRB select. `pin_volts(channel)` returns the
+/// voltage of an analog input, scaled as if the supply were nominal. With the supply as reference, a drop of
+/// the supply therefore cancels. With a constant reference, the voltage is multiplied by `supply_share()`,
+/// the supply's share of its nominal value. `held` receives the voltage on the converter's capacitor, scaled
+/// like that of `pin_volts`.
 template <typename SupplyShare, typename PinVolts>
 uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,
                     SupplyShare supply_share, PinVolts pin_volts, double& held) {

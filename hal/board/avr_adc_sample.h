@@ -8,9 +8,9 @@
 namespace robosim {
 namespace avr {
 
-/// Samples the channel that ADMUX has selected since `from`. `wired(pin)` returns the pin number to which a
-/// pin's wires are connected. `held` is the voltage of the converter's capacitor, which the sample updates.
-/// The pin is read at `t`, which is `late` before the sample.
+/// Returns the conversion result for the channel that ADMUX has selected since `from`. `wired(pin)` returns
+/// the pin number under which a pin's wires are stored. `held` is the voltage on the converter's capacitor;
+/// the sample updates this voltage. The chip samples at `t` + `late`, but the pin is read at `t`.
 template <typename Wired>
 uint16_t adc_sample(FirmwarePort& board, const BoardSpec& spec, const AdcSpec& adc, uint8_t multiplexer,
                     double& held, SimTime from, SimTime t, SimTime late, Wired wired) {

@@ -1,4 +1,4 @@
-// Addresses of registers in data memory (data sheet DS40002061B, chapter 36), for the host target and the
+// Addresses of registers in data memory (data sheet DS40002061B, chapter 36), for the target host and the
 // emulated chip. These registers have the same address in every ATmega. A ChipSpec stores the addresses of
 // ports, timers and UARTs.
 #pragma once
@@ -21,7 +21,7 @@ constexpr Address kPcmsk0 = 0x6B, kPcmsk1 = 0x6C, kPcmsk2 = 0x6D;
 constexpr Address kAdcL = 0x78, kAdcH = 0x79, kAdcsra = 0x7A, kAdcsrb = 0x7B, kAdmux = 0x7C, kDidr2 = 0x7D,
                   kDidr0 = 0x7E, kDidr1 = 0x7F;
 
-constexpr Address kFirstIo = 0x20;  ///< below are the 32 registers of the processor
+constexpr Address kFirstIo = 0x20;  ///< lower addresses are the 32 registers of the processor
 
 }  // namespace reg
 }  // namespace avr

@@ -1,13 +1,13 @@
-// Registers of an AVR's timers: how they count, and how they drive their pins (ATmega328P, data sheet
-// DS40002061B: timer 0 in chapter 15, timer 1 in 16, timer 2 in 18). The host target and the emulated chip
-// share them.
+// Decodes the registers of an AVR's timers: how a timer counts, and how it drives its pins (ATmega328P, data
+// sheet DS40002061B: timer 0 in chapter 15, timer 1 in 16, timer 2 in 18). The target host and the emulated
+// chip use these functions.
 //
 //   tick                `prescaler` cycles of the processor
 //   period              TOP + 1 ticks, or 2 TOP if the timer counts up and down (phase correct)
 //   fast PWM            high for OCR + 1 of TOP + 1 ticks
 //   phase correct PWM   high for OCR of TOP ticks
 //   COM = 1             toggles at each match: high half the time, one match per period. In PWM modes,
-//                       only OCnA toggles, and only if TOP is OCRnA, or ICRn in a mode with a
+//                       only OCnA can toggle: if TOP is OCRnA, or if TOP is ICRn in a mode with a
 //                       single slope
 #pragma once
 
@@ -19,8 +19,9 @@
 namespace robosim {
 namespace avr {
 
-/// Returns the prescaler by TCCRnB (tables 15-9, 16-5, 18-9); 0 if the timer is stopped or counts an external
-/// clock. For an ATtiny85's timer 1 `control_b` has the bits CS13 to CS10 (2586Q, table 12-5).
+/// Returns the prescaler that TCCRnB selects (tables 15-9, 16-5, 18-9). Returns 0 if the timer is stopped or
+/// counts an external clock. For an ATtiny85's timer 1, `control_b` has the bits CS13 to CS10 (2586Q, table
+/// 12-5).
 constexpr int32_t prescaler(const TimerSpec& timer, uint8_t control_b) {
   return !timer.top ? timer.prescalers[control_b & 7] : (control_b & 0xF) ? 1 << ((control_b & 0xF) - 1) : 0;
 }
@@ -31,16 +32,16 @@ struct Counting {
   enum class Top : uint8_t { fixed, compare_a, capture };  ///< source of TOP
 
   Kind kind = Kind::normal;
-  bool dual_slope = false;  ///< up and down: phase correct, phase and frequency correct
+  bool dual_slope = false;  ///< counts up and down: phase correct, phase and frequency correct
   Top top = Top::fixed;
   uint16_t fixed_top = 0xFF;       ///< the value of TOP if `top` is `fixed`
   bool frequency_correct = false;  ///< with dual slope: OCRnx is updated at BOTTOM, not at TOP
-  bool short_pulse = false;        ///< with fast PWM: high for OCR ticks, or always if OCR is TOP
+  bool short_pulse = false;        ///< with fast PWM: high for OCR ticks, not OCR + 1; always if OCR is TOP
 };
 
-/// Returns the mode that WGM in TCCRnA and TCCRnB selects: tables 15-8, 16-4, 18-8. Reserved modes count as
-/// normal. Modes of an ATtiny85's timer 1 (data sheet 2586Q, 12.2 and 12.3): 0 normal, 2 cleared on a match
-/// with OCR1C, 3 PWM up to OCR1C.
+/// Returns the mode that WGM in TCCRnA and TCCRnB selects (tables 15-8, 16-4, 18-8). Reserved modes count as
+/// normal mode. An ATtiny85's timer 1 has other modes (data sheet 2586Q, 12.2 and 12.3): mode 0 is normal.
+/// Mode 2 clears on a match with OCR1C. Mode 3 is PWM up to OCR1C.
 constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t control_b) {
   using Kind = Counting::Kind;
   using Top = Counting::Top;
@@ -89,11 +90,11 @@ constexpr int64_t period_of(const Counting& how, int64_t top) {
   return !how.dual_slope ? top + 1 : top > 0 ? 2 * top : 1;
 }
 
-/// Returns COM of channel 0 (A), 1 (B) or 2 (C) in TCCRnA; 0 if the pin belongs to the port.
+/// Returns the bits COM of channel 0 (A), 1 (B) or 2 (C) in TCCRnA. 0 means that the port drives the pin.
 constexpr uint8_t connection(uint8_t control_a, int channel) { return control_a >> (6 - 2 * channel) & 3; }
 
-/// Returns whether COM of a channel connects its pin, if DDRx makes the pin an output. In PWM modes, COM = 1
-/// connects only OCnA, and only in some modes (see above).
+/// Returns whether a timer drives a channel's pin when DDRx makes the pin an output. In PWM modes, COM = 1
+/// connects only OCnA, and only in some modes (see the table above).
 constexpr bool drives_pin(const Counting& how, uint8_t com, int channel) {
   return com != 1 ? com != 0
                   : how.kind != Counting::Kind::pwm ||
@@ -109,7 +110,7 @@ constexpr bool pwm_level(const Counting& how, int64_t top, uint16_t compare, uin
   return high != (com == 3);
 }
 
-/// Returns how a timer drives the pin of a channel that is connected by `com` (1 to 3); `compare` is that
+/// Returns how a timer drives the pin of a channel whose bits COM are `com` (1 to 3). `compare` is the
 /// channel's OCRnx. Tables 15-2 to 15-7, 16-1 to 16-3, 18-2 to 18-7.
 inline PinDrive timer_drive(const Counting& how, int32_t prescaler, int64_t top, uint16_t compare,
                             uint8_t com, int64_t clock_hz) {

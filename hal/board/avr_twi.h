@@ -1,5 +1,5 @@
-// An AVR's two-wire interface as bus master (ATmega328P, data sheet DS40002061B, chapter 21). The host target
-// and the emulated chip share it.
+// Models an AVR's two-wire interface as bus master (ATmega328P, data sheet DS40002061B, chapter 21), for the
+// target host and for the emulated chip.
 //
 //   step     takes   TWSR afterwards
 //   START    T       0x08; 0x10 if repeated
@@ -9,8 +9,8 @@
 //                    data received: 0x50, or 0x58 if the master does not acknowledge it (TWEA)
 //   STOP     T       TWINT stays 0; TWSTO reads 0 again
 //
-// T = 16 + 2 TWBR 4^TWPS cycles, the duration of one bit (21.5.2). Writing 1 to TWINT starts a step, and
-// TWINT is set again at its end. TWSR reads 0xF8 meanwhile.
+// T = 16 + 2 TWBR 4^TWPS cycles, the duration of one bit (21.5.2). Writing 1 to TWINT clears TWINT and starts
+// a step. During the step, TWSR reads 0xF8. At its end, TWINT is set, except after STOP.
 //
 // Not modelled: other masters, and devices that hold the clock low.
 #pragma once
@@ -30,11 +30,11 @@ enum : uint8_t {
   kTwen = 0x04,
   kTwie = 0x01
 };
-constexpr uint8_t kTwpsMask = 0x03;  ///< of TWSR; the other bits are the status
+constexpr uint8_t kTwpsMask = 0x03;  ///< the bits TWPS of TWSR; the other bits are the status
 constexpr uint8_t kNoTwiStatus = 0xF8;
 constexpr uint8_t kTwdrAtReset = 0xFF, kTwarAtReset = 0xFE;
 
-/// Returns the duration of a bit in cycles.
+/// Returns the duration of a bit, in processor cycles, for the registers TWBR and TWSR.
 constexpr int64_t twi_bit(uint8_t rate, uint8_t status) {
   return 16 + 2 * (static_cast<int64_t>(rate) << 2 * (status & kTwpsMask));
 }
@@ -46,7 +46,7 @@ class TwiMaster {
   uint8_t status() const { return status_; }
   Step step() const { return step_; }
 
-  /// Begins the step that TWCR = `control` selects when TWINT is cleared, and returns the step.
+  /// Begins the step that TWCR (`control`) selects, and returns the step. Call it when TWINT is cleared.
   Step begin(uint8_t control) {
     before_ = status_;
     status_ = kNoTwiStatus;
@@ -54,10 +54,10 @@ class TwiMaster {
     if (control & kTwsta) return step_ = Step::start;
     return step_ = transfers() ? Step::byte : Step::none;
   }
-  /// Returns the step's length in bits.
+  /// Returns the duration of the present step, in bits.
   int bits() const { return step_ == Step::byte ? 9 : 1; }
-  /// Completes the step, and returns whether that sets TWINT. `bus` has two_wire_address(), _write(), _read()
-  /// and _stop() (FirmwarePort).
+  /// Completes the step, and returns whether TWINT is then set. `bus` has the functions two_wire_address(),
+  /// two_wire_write(), two_wire_read() and two_wire_stop() of FirmwarePort.
   template <typename Bus, typename Time>
   bool end(Bus& bus, uint8_t& control, uint8_t& data, Time at) {
     const Step done = step_;
@@ -107,7 +107,7 @@ class TwiMaster {
 
   uint8_t status_ = kNoTwiStatus, before_ = kNoTwiStatus;
   Step step_ = Step::none;
-  bool owns_bus_ = false;  ///< START was sent, and no STOP since
+  bool owns_bus_ = false;  ///< a START was sent, and no STOP after it
 };
 
 }  // namespace avr

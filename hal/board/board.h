@@ -4,11 +4,12 @@
 //                                       one board
 //
 // The executor (host, AVR, STM32) acts for the firmware: it drives pins and reads them, always with the exact
-// time (firmware_port.h). The robot's parts provide the values and observe changes (robot_port.h). Neither
-// side accesses the other's interface, and there is no other connection. No function of either interface
-// blocks or uses the wall clock. This header has the types that both interfaces share.
+// time (firmware_port.h). The robot's parts provide the values that firmware reads, and observe how firmware
+// drives pins (robot_port.h). Each side uses only its own interface, and the two sides have no other
+// connection. No function of these interfaces blocks or uses the wall clock. This header defines the types
+// that both interfaces share.
 //
-// C++14, no standard library: firmware images include these headers, too.
+// These headers use C++14 without the standard library, because firmware images include them, too.
 #pragma once
 
 #include <stdint.h>
@@ -17,25 +18,27 @@
 
 namespace robosim {
 
-/// A pin by its Arduino number (`5`, `A0` = 14 on an Uno). board_spec.h has the names.
+/// The Arduino number of a pin: 5 for `5`, 14 for `A0` on an Uno. board_spec.h has the names.
 using Pin = uint8_t;
 
 /// Marks a pin as not wired.
 constexpr Pin kNoPin = 255;
 
-/// Upper bound of Arduino pin numbers over all boards. Numbers from here on are a robot's other wires.
+/// An upper bound of the Arduino pin numbers of all boards. Numbers from kMaxPins on denote outputs of the
+/// robot's shift registers and PWM drivers (sim/robot/netlist.h).
 constexpr int kMaxPins = 100;
 
 enum class PinMode : uint8_t { input, input_pullup, output };
 
-/// How the microcontroller drives one pin. All zero is the state after a reset: input, no pull-up.
+/// Describes how the microcontroller drives one pin. The default is the state after a reset: an input without
+/// pull-up.
 struct PinDrive {
   PinMode mode = PinMode::input;
-  bool level = false;      ///< output latch; meaningful for `output` without PWM
+  bool level = false;      ///< level of the output latch; meaningful only for `output` without PWM
   bool pwm = false;        ///< a timer drives the pin: `duty` is valid, `level` is not
-  double duty = 0.0;       ///< fraction of time high, 0..1; equals `level` if `pwm` is false
-  uint32_t tone_hz = 0;    ///< square wave by tone(), in Hz; 0 = none
-  uint32_t period_us = 0;  ///< period of PWM; 0 = unknown
+  double duty = 0.0;       ///< share of the time in which the pin is high, 0..1; equals `level` without PWM
+  uint32_t tone_hz = 0;    ///< square wave of tone() or of a timer's toggle mode, in Hz; 0 = none
+  uint32_t period_us = 0;  ///< period of PWM, in us; 0 = unknown
 };
 
 inline bool operator==(const PinDrive& a, const PinDrive& b) {

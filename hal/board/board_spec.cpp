@@ -19,7 +19,7 @@ constexpr bool equal(const char* a, const char* b) {
 struct PinEntry {
   const char* name;
   const char* chip_name;
-  int8_t interrupt;  ///< for attachInterrupt
+  int8_t interrupt;  ///< interrupt number for attachInterrupt; -1 = none
 };
 
 template <int kCount>
@@ -28,8 +28,8 @@ struct PinTable {
   static constexpr uint8_t kSize = kCount;
 };
 
-/// Builds a board's table of pins. Does not compile if the chip lacks a name. `core_timer` is the index of
-/// the timer that the core reserves.
+/// Builds a board's table of pins. An entry with an unknown chip pin causes a compile error. `core_timer` is
+/// the index of a timer that the core reserves, so the pins of that timer have no PWM.
 template <int kCount>
 constexpr PinTable<kCount> pins_of(const ChipSpec& chip, const PinEntry (&entries)[kCount],
                                    int core_timer = -1) {
@@ -37,7 +37,7 @@ constexpr PinTable<kCount> pins_of(const ChipSpec& chip, const PinEntry (&entrie
   for (int i = 0; i < kCount; ++i) {
     const ChipPin* pin = chip.pins;
     while (!equal(pin->name, entries[i].chip_name)) ++pin;
-    int first = 0;  // if a pin has several numbers, the lowest has PWM, as in Arduino's tables
+    int first = 0;  // of several numbers of a pin, only the lowest has PWM, as in Arduino
     while (!equal(entries[first].chip_name, entries[i].chip_name)) ++first;
     table.pins[i] = {entries[i].name,
                      entries[i].chip_name,
@@ -50,7 +50,8 @@ constexpr PinTable<kCount> pins_of(const ChipSpec& chip, const PinEntry (&entrie
   return table;
 }
 
-// variants/eightanaloginputs/pins_arduino.h. The Uno has the same chip in a package without ADC6 and ADC7.
+// Source: variants/eightanaloginputs/pins_arduino.h. The Uno uses only the first 20 entries, because its
+// chip's package does not have ADC6 and ADC7.
 constexpr PinEntry kNanoEntries[] = {
     {"D0", "PD0", -1},  {"D1", "PD1", -1},  {"D2", "PD2", 0},   {"D3", "PD3", 1},   {"D4", "PD4", -1},
     {"D5", "PD5", -1},  {"D6", "PD6", -1},  {"D7", "PD7", -1},  {"D8", "PB0", -1},  {"D9", "PB1", -1},
@@ -61,7 +62,7 @@ constexpr PinEntry kNanoEntries[] = {
 constexpr auto kNanoPins = pins_of(kAtmega328p, kNanoEntries);
 constexpr uint8_t kUnoPinCount = 20;
 
-// variants/mega/pins_arduino.h
+// Source: variants/mega/pins_arduino.h
 constexpr PinEntry kMegaEntries[] = {
     {"D0", "PE0", -1},  {"D1", "PE1", -1},  {"D2", "PE4", 0},   {"D3", "PE5", 1},   {"D4", "PG5", -1},
     {"D5", "PE3", -1},  {"D6", "PH3", -1},  {"D7", "PH4", -1},  {"D8", "PH5", -1},  {"D9", "PH6", -1},
@@ -79,8 +80,8 @@ constexpr PinEntry kMegaEntries[] = {
     {"A11", "PK3", -1}, {"A12", "PK4", -1}, {"A13", "PK5", -1}, {"A14", "PK6", -1}, {"A15", "PK7", -1}};
 constexpr auto kMegaPins = pins_of(kAtmega2560, kMegaEntries);
 
-// variants/leonardo/pins_arduino.h: A6 to A11 are second names of 4, 6, 8, 9, 10 and 12. D17 and D30 are the
-// LEDs RX and TX.
+// Source: variants/leonardo/pins_arduino.h. A6 to A11 are second names of the pins 4, 6, 8, 9, 10 and 12. D17
+// and D30 are the LEDs RX and TX.
 constexpr PinEntry kLeonardoEntries[] = {
     {"D0", "PD2", 2},   {"D1", "PD3", 3},   {"D2", "PD1", 1},   {"D3", "PD0", 0},   {"D4", "PD4", -1},
     {"D5", "PC6", -1},  {"D6", "PD7", -1},  {"D7", "PE6", 4},   {"D8", "PB4", -1},  {"D9", "PB5", -1},
@@ -91,16 +92,17 @@ constexpr PinEntry kLeonardoEntries[] = {
     {"D30", "PD5", -1}};
 constexpr auto kLeonardoPins = pins_of(kAtmega32u4, kLeonardoEntries);
 
-// variants/gemma/pins_arduino.h: A0 to A3 are second names of 5, 2, 4 and 3. Pin 5 is the reset input unless
-// a fuse disables that.
+// Source: variants/gemma/pins_arduino.h. A0 to A3 are second names of the pins 5, 2, 4 and 3. By default, pin
+// 5 is the reset input; a fuse makes it an ordinary pin.
 constexpr PinEntry kTinyEntries[] = {
     {"D0", "PB0", -1}, {"D1", "PB1", -1}, {"D2", "PB2", 0},  {"D3", "PB3", -1}, {"D4", "PB4", -1},
     {"D5", "PB5", -1}, {"A0", "PB5", -1}, {"A1", "PB2", -1}, {"A2", "PB4", -1}, {"A3", "PB3", -1}};
 constexpr auto kTinyPins = pins_of(kAttiny85, kTinyEntries);
 
 // Pins of the STM32F103C8. Numbers 0 to 19 have the functions of an Uno's pins: 0 and 1 are USART1, PWM is on
-// 3, 5, 6, 9, 10 and 11, and A0 to A5 are analog. No two pins of 0 to 8 share an interrupt line. The
-// remaining pins follow. The core uses TIM2 to end a sleep (hal/stm32/clock.h).
+// 3, 5, 6, 9, 10 and 11, and A0 to A5 are analog. Among the pins 0 to 8, no two pins share an interrupt line.
+// The remaining pins of the chip follow. Pins of TIM2 have no PWM, because the core uses TIM2 to end a sleep
+// (hal/stm32/clock.h).
 constexpr PinEntry kBluePillEntries[] = {
     {"D0", "PA10", 0},   {"D1", "PA9", 1},    {"D2", "PB12", 2},  {"D3", "PA8", 3},    {"D4", "PB13", 4},
     {"D5", "PB6", 5},    {"D6", "PB7", 6},    {"D7", "PB14", 7},  {"D8", "PB15", 8},   {"D9", "PB8", 9},
@@ -112,8 +114,9 @@ constexpr PinEntry kBluePillEntries[] = {
 };
 constexpr auto kBluePillPins = pins_of(kStm32f103c8, kBluePillEntries, stm32f103c8::kTim2);
 
-// Sources: the genuine core's boards.txt and the boards' circuit diagrams. The Uno has a diode (0.7 V) before
-// its NCP1117 regulator (1.1 V). The fuses hold the chip in reset below 2.7 V (BODLEVEL 101).
+// Sources of all boards: the genuine core's boards.txt and the boards' circuit diagrams. The Uno has a diode
+// (0.7 V) before its NCP1117 regulator (1.1 V). By its fuses, the chip is in reset below 2.7 V (BODLEVEL
+// 101).
 constexpr BoardSpec kUno = {
     .name = "uno",
     .fqbn = "arduino:avr:uno",
@@ -232,8 +235,9 @@ constexpr BoardSpec leonardo(const char* name, const char* fqbn, const char* pla
   return board;
 }
 
-// Boards with an ATtiny85. avrdude cannot write to them by a serial port, because they have no boot loader,
-// or one of another kind. A fuse sets the chip's reset threshold of 2.7 V, as on the other boards.
+// Boards with an ATtiny85. avrdude cannot write to these boards by a serial port. They have no boot loader,
+// or a boot loader without a serial port. A fuse sets the chip's reset threshold of 2.7 V, as on the other
+// boards.
 constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* platformio, const char* macro,
                              uint32_t clock_hz, double supply_volts, uint32_t flash_bytes) {
   BoardSpec board = kUno;
@@ -259,9 +263,10 @@ constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* pla
   return board;
 }
 
-// The Blue Pill at 72 MHz by its crystal, or at 8 MHz as after a reset. The last 4 KB of flash store the
-// EEPROM. The regulator is assumed to equal the Uno's. The chip has no brown-out detector, but a
-// power-down reset at 1.88 V, 1.80 to 1.96 V (DS5319, embedded reset and power control block, V POR/PDR).
+// The Blue Pill, at 72 MHz by its crystal, or at 8 MHz as after a reset. The last 4 KB of flash store the
+// emulated EEPROM. The regulator's voltage drop is assumed to equal the Uno's. The chip does not have a
+// brown-out detector, but a power-down reset at 1.88 V (1.80 to 1.96 V; DS5319, embedded reset and power
+// control block, V POR/PDR).
 constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
   return {
       .name = name,
@@ -290,8 +295,8 @@ constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
   };
 }
 
-// The first board of a target is the target's default. The first board of an FQBN is the one that Arduino
-// selects without options.
+// The first board of each target is the target's default. If several boards share an FQBN, the first of them
+// is the board that Arduino selects without options.
 constexpr BoardSpec kBoards[] = {
     kUno,
     nano(),

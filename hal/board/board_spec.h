@@ -1,5 +1,6 @@
-// Boards and their pins, as data. To add a board, add one entry in board_spec.cpp, and a table of its pins
-// unless another board has the same. A variant of a board lists only the differences.
+// Describes boards and their pins as data. To add a board, add an entry to kBoards in board_spec.cpp. Also
+// add a table of its pins, if no other board has the same pins. A variant of a board lists only the
+// differences.
 #pragma once
 
 #include <stdint.h>
@@ -14,9 +15,9 @@ struct PinSpec {
   const char* name;       ///< Arduino's name: "D5", "A0"
   const char* chip_name;  ///< the chip's name: "PD5"
   int8_t analog_channel;  ///< ADC channel; -1 = no analog input
-  bool pwm;               ///< analogWrite gives hardware PWM
-  int8_t interrupt;       ///< number for attachInterrupt; -1 = none
-  bool digital;           ///< false: analog input only (A6, A7 of a Nano)
+  bool pwm;               ///< analogWrite produces hardware PWM
+  int8_t interrupt;       ///< interrupt number for attachInterrupt; -1 = none
+  bool digital;           ///< false: the pin is only an analog input (A6, A7 of a Nano)
   ChipPin chip_pin;       ///< the pin's other functions on the chip
 };
 
@@ -32,39 +33,40 @@ struct BoardSpec {
   uint8_t led_builtin;
   double supply_volts;  ///< VCC and the ADC's default reference
   uint32_t clock_hz;
-  uint16_t adc_steps;     ///< codes are 0 .. adc_steps-1; analogRead's range
-  uint32_t flash_bytes;   ///< for the sketch, without the boot loader
+  uint16_t adc_steps;     ///< analogRead returns 0 .. adc_steps-1
+  uint32_t flash_bytes;   ///< flash for the sketch, without the boot loader
   uint32_t ram_bytes;     ///< RAM of the chip
-  uint16_t eeprom_bytes;  ///< of the chip's EEPROM, or of the EEPROM that the core emulates in flash
+  uint16_t eeprom_bytes;  ///< size of the chip's EEPROM, or of the EEPROM that the core emulates in flash
 
-  double regulator_drop_volts;  ///< between battery and supply, including the diode before the regulator
+  double regulator_drop_volts;  ///< drop from battery to supply, including the diode before the regulator
   double brown_out_volts;       ///< a lower supply holds the chip in reset
 
-  /// The board whose registers, timers and speed a sketch finds on the target host; null = this board.
+  /// The board whose registers, timers and clock the target host simulates for this board; null = this board.
   const BoardSpec* host_model;
-  const char* variant;    ///< the folder of its pins in the genuine core; null = Robosim's own core
-  const char* pin_names;  ///< Robosim's header with further names of pins, on the target host; null = none
-  const char* upload_protocol;   ///< avrdude's programmer; null = avrdude cannot write to the board
+  const char* variant;    ///< the folder of the board's pins in the genuine core; null = Robosim's own core
+  const char* pin_names;  ///< a header of Robosim with more pin names, for the target host; null = none
+  const char* upload_protocol;   ///< avrdude's programmer name; null = avrdude cannot write to the board
   uint32_t upload_baud;          ///< the boot loader's baud rate
   uint32_t upload_baud_old;      ///< the baud rate of older boards' boot loader; 0 = upload_baud
   bool upload_by_touch = false;  ///< the boot loader starts when the port is opened with 1200 baud and closed
 
-  uint8_t serial_line = 0;            ///< line to the computer: a UART's index; for USB the number of UARTs
-  const char* usb_product = nullptr;  ///< the core's name of the product, if the chip has USB
-  uint16_t usb_id = 0;                ///< product id; the vendor id is 0x2341, Arduino
+  uint8_t serial_line = 0;            ///< line to the computer: index of a UART; for USB, the number of UARTs
+  const char* usb_product = nullptr;  ///< the product's name in the core, if the chip has USB
+  uint16_t usb_id = 0;                ///< USB product id; the vendor id is 0x2341, Arduino
 };
 
 /// Returns the board called `name`, or null if it does not exist. board_at lists the names.
 const BoardSpec* find_board(const char* name);
-/// Returns the board with a number, counted from 0, or null past the last board.
+/// Returns the board at the index `number`, or null if there are fewer boards.
 const BoardSpec* board_at(int number);
-/// Returns a pin by any of its usual names: "5", "D5", "A0", "PD5" (case does not matter). kNoPin if the
-/// board has no such pin.
+/// Returns a pin by any of its usual names: "5", "D5", "A0", "PD5" (case does not matter). Returns kNoPin if
+/// the board does not have the pin.
 Pin find_pin(const BoardSpec& board, const char* name);
 /// Returns the highest number of a digital pin.
 Pin last_digital_pin(const BoardSpec& board);
 
-/// Returns the lowest number of the same chip pin. Wires use this number: a Leonardo's A6 is its pin 4.
+/// Returns the lowest number of the chip pin that has the number `pin`. Wires are stored under the lowest
+/// number: a Leonardo's A6, number 24, is also its pin 4.
 inline Pin first_number(const BoardSpec& board, Pin pin) {
   const ChipPin& place = board.pins[pin].chip_pin;
   for (Pin first = 0; first < pin; ++first) {

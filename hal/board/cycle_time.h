@@ -27,7 +27,7 @@ class CycleTime {
  private:
   static constexpr int64_t common(int64_t a, int64_t b) { return b == 0 ? a : common(b, a % b); }
 
-  // A cycle takes nanos_ / cycles_ ns, in lowest terms: 125 / 2 at 16 MHz.
+  // A cycle takes nanos_ / cycles_ ns. The fraction is in lowest terms: 125 / 2 at 16 MHz.
   int64_t nanos_;
   int64_t cycles_;
 };

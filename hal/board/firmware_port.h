@@ -1,4 +1,5 @@
-// The firmware's view of the board. Executors call this interface; host images call it through executors.
+// The firmware's view of the board. Executors call this interface. On the target host, the firmware's image
+// calls it, too.
 #pragma once
 
 #include "hal/board/board.h"
@@ -10,32 +11,33 @@ class FirmwarePort {
   virtual const BoardSpec& spec() const = 0;
   /// Changes how `pin` is driven. Watchers are called if the drive has changed.
   virtual void set_drive(Pin pin, const PinDrive& drive, SimTime t) = 0;
-  /// Returns the result of a digital read of `pin`: the level of its source. An output returns its own level;
-  /// an unconnected pin is high with a pull-up and low without.
+  /// Returns the result of a digital read of `pin`. An input pin has the level of its source, and an output
+  /// pin has the level that it drives. An unconnected input is high with a pull-up and low without a pull-up.
   virtual bool read_level(Pin pin, SimTime t) = 0;
-  /// Reads a pin as part of its whole port. The firmware may or may not use this pin's level.
+  /// Returns the level of `pin`, for a read of the complete port. The firmware may or may not use this pin's
+  /// level.
   virtual bool read_along(Pin pin, SimTime t) = 0;
-  /// Returns the volts on `pin` at the moment when the ADC samples it. An unconnected pin is at 0 V or the
-  /// supply, as for read_level().
+  /// Returns the voltage on `pin` at the moment when the ADC samples the pin. An unconnected pin is at 0 V or
+  /// at the supply voltage, as for read_level().
   virtual double read_volts(Pin pin, SimTime t) = 0;
-  /// Returns the volts on the capacitor of an AVR's ADC (adc_capacitor.h). The capacitor had `before` volts,
-  /// and the pin has charged it since `from`.
+  /// Returns the voltage on the capacitor of an AVR's ADC (adc_capacitor.h). The capacitor had `before` volts
+  /// at the time `from`; the pin has charged it since then.
   virtual double convert(Pin pin, double /*before*/, SimTime /*from*/, SimTime t) {
     return read_volts(pin, t);
   }
-  /// Returns the board's supply as a share of spec().supply_volts. Volts on pins are returned divided by this
-  /// share. A reference that equals the supply then counts as nominal.
+  /// Returns the board's supply voltage as a share of spec().supply_volts. read_volts() and convert() return
+  /// voltages divided by this share. Callers can therefore use the nominal supply voltage as reference.
   virtual double supply_share() { return 1.0; }
   virtual void send_byte(uint8_t byte, SimTime t) = 0;
-  /// Sends a START and an address byte on the two-wire bus (I2C), which end at `t`. The byte has a seven-bit
-  /// address, and 1 in the lowest bit if the device is to send. Returns whether a device answers.
+  /// Sends a START and an address byte on the two-wire bus (I2C). The byte ends at `t`. Its upper seven bits
+  /// are the address. Its lowest bit is 1 if the device shall send. Returns whether a device answers.
   virtual bool two_wire_address(uint8_t address, SimTime t) = 0;
   /// Sends a byte to the device, and returns whether the device acknowledges it.
   virtual bool two_wire_write(uint8_t byte, SimTime t) = 0;
   /// Returns a byte from the device, or 0xFF without a device.
   virtual uint8_t two_wire_read(SimTime t) = 0;
   virtual void two_wire_stop(SimTime t) = 0;
-  /// Returns the EEPROM's spec().eeprom_bytes bytes, which survive power cycles; 0xFF when new.
+  /// Returns the spec().eeprom_bytes bytes of the EEPROM, which survive power cycles. New bytes are 0xFF.
   virtual uint8_t* eeprom() = 0;
   /// Begins to write a byte of EEPROM; `address` is below spec().eeprom_bytes.
   virtual void write_eeprom(uint16_t address, uint8_t value, SimTime t) = 0;

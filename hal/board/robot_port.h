@@ -5,16 +5,16 @@
 
 namespace robosim {
 
-/// A signal that the robot puts on a pin. Reads by firmware call a source with a time inside the current
-/// tick. The source extrapolates from the world's state at the tick's start.
+/// A signal that the robot puts on a pin. When firmware reads the pin, the source receives a time inside the
+/// current tick. The source extrapolates from the world's state at the tick's start.
 class PinSource {
  public:
-  /// Returns the voltage against ground, in volts. May consume a sample of noise.
+  /// Returns the voltage against ground, in volts. The call may consume a sample of noise.
   virtual double volts(SimTime t) = 0;
-  /// Returns the logic level. May consume a sample of noise.
+  /// Returns the logic level. The call may consume a sample of noise.
   virtual bool level(SimTime t) = 0;
-  /// Returns the time until which (exclusive) level() stays as at `t`, for any number of reads. This requires
-  /// that the pin's drive and the world stay the same. `t` = no guarantee.
+  /// Returns the time before which level() returns the same value as at `t`, for any number of reads. The
+  /// guarantee holds while the pin's drive and the world do not change. `t` = no guarantee.
   virtual SimTime same_until(SimTime t) { return t; }
   /// Returns the constant resistance through which the source charges an ADC's capacitor; 0 = negligible.
   virtual double source_ohms() const { return 0.0; }
@@ -42,7 +42,7 @@ class SerialWatcher {
   ~SerialWatcher() = default;
 };
 
-/// Receives every byte of EEPROM when its writing begins; writing takes kEepromWriteTime.
+/// Receives every byte of EEPROM at the beginning of its write. A write takes kEepromWriteTime.
 class EepromWatcher {
  public:
   virtual void eeprom_written(uint16_t address, uint8_t before, uint8_t value, SimTime t) = 0;
@@ -54,8 +54,8 @@ class EepromWatcher {
 /// Receives every conversion of a pin by an AVR's ADC.
 class AdcWatcher {
  public:
-  /// Receives a conversion for which the capacitor was still `volts` away from the pin's voltage; positive =
-  /// above the pin's voltage.
+  /// Receives a conversion. `volts` is the voltage of the capacitor minus the voltage of the pin. It is 0 if
+  /// the capacitor was charged completely.
   virtual void converted(Pin pin, double volts, SimTime t) = 0;
 
  protected:
@@ -63,7 +63,7 @@ class AdcWatcher {
 };
 
 /// Receives every input of the microcontroller: values that firmware reads from a pin, edges that reach an
-/// interrupt, bytes that reach the UART. The calls are nearly, but not always, in order of time.
+/// interrupt, bytes that reach the UART. The calls are usually, but not always, in order of time.
 class InputWatcher {
  public:
   virtual void level_seen(Pin pin, bool level, SimTime t) = 0;
@@ -77,13 +77,14 @@ class InputWatcher {
 /// A device on the two-wire bus. Addresses have seven bits.
 class TwoWireDevice {
  public:
-  /// Returns whether the device answers to `address`. If so, it is selected from now on.
+  /// Returns whether the device answers to `address`. A device that answers is selected from now on. `reads`:
+  /// the device shall send.
   virtual bool address(uint8_t address, bool reads, SimTime t) = 0;
   /// Receives a byte, and returns whether the device acknowledges it.
   virtual bool write(uint8_t byte, SimTime t) = 0;
   /// Returns the next byte that the device sends.
   virtual uint8_t read(SimTime t) = 0;
-  /// Ends the selection, by a STOP or by the START of another transfer.
+  /// Ends the selection of the device, because of a STOP or the START of another transfer.
   virtual void stop(SimTime) {}
 
  protected:
@@ -94,31 +95,35 @@ class RobotPort {
  public:
   virtual const BoardSpec& spec() const = 0;
   virtual const PinDrive& drive(Pin pin) const = 0;
-  /// Connects a source, one per pin. The source must outlive the board's use of it.
+  /// Connects a source to `pin`. A pin has at most one source. The source must exist as long as the board.
   virtual void connect(Pin pin, PinSource& source) = 0;
-  /// Connects a device. If several have the same address, the first answers.
+  /// Connects a device to the two-wire bus. If several devices have the same address, the first one answers.
   virtual void connect(TwoWireDevice& device) = 0;
-  /// Makes the board's supply follow `share` (of the nominal supply). `share` must outlive the board's use.
+  /// Connects the board's supply: `share` is always the present share of the nominal supply voltage. The
+  /// variable must exist as long as the board.
   virtual void feed(const double& /*share*/) {}
-  /// Adds a watcher. Several watchers of a pin are called in the order in which they were added.
+  /// Adds a watcher of a pin's drive. Several watchers of a pin are called in the order in which they were
+  /// added.
   virtual void watch(Pin pin, PinWatcher& watcher) = 0;
   virtual void watch_serial(SerialWatcher& watcher) = 0;
-  /// Adds a watcher. Several watchers are called in the order in which they were added.
+  /// Adds a watcher of the EEPROM. Several watchers are called in the order in which they were added.
   virtual void watch_eeprom(EepromWatcher& watcher) = 0;
-  /// Sets the only watcher. Boards whose ADC is modelled without a capacitor never call it.
+  /// Sets the only watcher of the ADC. Boards whose ADC is modelled without a capacitor never call the
+  /// watcher.
   virtual void watch_adc(AdcWatcher& /*watcher*/) {}
-  /// Sets the only watcher, which does not influence the run.
+  /// Sets the only watcher of inputs. The watcher must not influence the run.
   virtual void watch_inputs(InputWatcher& watcher) = 0;
-  /// Schedules an edge: `pin` has `level` from `at` on, a time within the next tick. Interrupts and emulators
-  /// that poll detect the edge. The pin's source must return the same level. Per pin, times must not
-  /// decrease. There is no edge if the pin already has that level.
+  /// Schedules an edge: `pin` has `level` from `at` on, a time within the next tick. The executor receives
+  /// the edge if wants_edges() is true for the pin. From `at` on, the pin's source must return `level`. The
+  /// times of a pin's edges must not decrease. If the pin already has `level`, the call has no effect.
   virtual void schedule_edge(Pin pin, bool level, SimTime at) = 0;
-  /// Returns whether an edge on `pin` would be noticed without a read (an interrupt is attached, or a chip's
-  /// input register must follow). Sources that are costly to evaluate call this first.
+  /// Returns whether an edge on `pin` has an effect without a read by firmware: an interrupt is attached, or
+  /// the input register of an emulated chip must follow the pin. Costly sources call this function first.
   virtual bool wants_edges(Pin pin) const = 0;
-  /// Returns whether wants_edges() is true for any pin. Called once a tick.
+  /// Returns whether wants_edges() is true for any pin. The simulation calls this function once a tick.
   virtual bool wants_any_edges() const = 0;
-  /// Delivers a byte to the UART. Queued bytes arrive at the firmware's baud rate.
+  /// Sends a byte to the UART at the time `at`. Several bytes arrive one after another, at the firmware's
+  /// baud rate.
   virtual void receive_byte(uint8_t byte, SimTime at) = 0;
 
  protected:

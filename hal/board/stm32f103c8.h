@@ -1,5 +1,5 @@
-// The STM32F103C8 of a Blue Pill. Sources: data sheet DS5319, reference manual RM0008 rev. 21; each group
-// names its section of RM0008. Other registers are in hal/stm32/addresses.h.
+// Describes the STM32F103C8 of a Blue Pill. Sources: data sheet DS5319, reference manual RM0008 rev. 21;
+// numbers in comments are sections of RM0008. hal/stm32/addresses.h has the other registers.
 #pragma once
 
 #include "hal/board/chip_spec.h"
@@ -19,7 +19,8 @@ constexpr ChipPin pin(const char* name, int8_t port, uint8_t bit, int8_t analog_
   return {name, port, bit, analog_channel, timer, output, static_cast<int8_t>(bit), -1, -1, -1};
 }
 
-// DS5319, table 5: functions as assigned after a reset. PA13 and PA14 belong to the debugger, PB2 is BOOT1.
+// DS5319, table 5: the pins' functions after a reset. PA13, PA14 and PB2 are missing: the debugger uses PA13
+// and PA14, and PB2 is BOOT1.
 constexpr ChipPin kPins[] = {
     pin("PA0", kA, 0, 0, kTim2, 0),
     pin("PA1", kA, 1, 1, kTim2, 1),
@@ -58,7 +59,7 @@ constexpr ChipPin kPins[] = {
 constexpr TimerSpec timer(uint8_t number, uint32_t address, uint8_t vector) {
   return {number, 16, address, 0, {}, 0, 0, {}, vector};
 }
-// 14 and 15; interrupts: table 63
+// 14 and 15: the timers; interrupts: table 63
 constexpr TimerSpec kTimers[] = {
     timer(1, 0x40012C00, 25),
     timer(2, 0x40000000, 28),
@@ -66,7 +67,7 @@ constexpr TimerSpec kTimers[] = {
     timer(4, 0x40000800, 30),
 };
 
-// 27; interrupts: table 63. The core uses only the first USART.
+// 27: the USARTs; interrupts: table 63. The core uses only the first USART.
 constexpr UartSpec kUarts[] = {{1, 0x40013800, 0, 0, 37, "PA10", "PA9"},
                                {2, 0x40004400, 0, 0, 38, "PA3", "PA2"},
                                {3, 0x40004800, 0, 0, 39, "PB11", "PB10"}};

@@ -1,5 +1,5 @@
-// The steps of a register access, for code that learns the written value only after the access begins
-// (register_memory.cpp).
+// Divides a register access into steps, for code that receives the written value only after the beginning of
+// the access (register_memory.cpp).
 #pragma once
 
 #include <stdint.h>
@@ -9,7 +9,8 @@
 namespace robosim {
 namespace host {
 
-/// Records the access at `place` in the sketch, spends its time, serves due work, and updates all flags.
+/// Begins an access by the code at the address `place`. Records the access, spends its time, serves due
+/// interrupts, and updates all flags.
 void begin_access(robosim_register address, int bytes, const void* place);
 /// Returns the value that a read of 1 or 2 bytes yields. Call it after begin_access().
 uint16_t register_value(robosim_register address, int bytes);

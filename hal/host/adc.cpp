@@ -54,7 +54,7 @@ void Adc::look_for_trigger() const {
 
 void Adc::set_control(uint8_t value) {
   sync();
-  const uint8_t flag = value & kFlag ? 0 : control_ & kFlag;  // writing a one clears it
+  const uint8_t flag = value & kFlag ? 0 : control_ & kFlag;  // writing a one clears the flag
   if (value & kEnable && !(control_ & kEnable)) {
     clock_began_ = charges_since_ = state.now;
     first_ = First::by_sketch;

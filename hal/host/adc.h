@@ -1,5 +1,5 @@
-// The analog-to-digital converter (datasheet, chapter 24). hal/board/avr_adc.h explains its
-// registers.
+// Models the analog-to-digital converter on the host (data sheet, chapter 24). hal/board/avr_adc.h explains
+// its registers.
 #pragma once
 
 #include <stdint.h>
@@ -22,42 +22,44 @@ class Adc {
   /// Returns the result in the format of the register ADC: left-adjusted if ADLAR is set.
   uint16_t data() const;
 
-  /// Samples the selected channel `late` after now. Pass 0 for analogRead(), which waits by itself.
+  /// Returns the conversion result of the selected channel. The pin is read now, but the chip samples `late`
+  /// later. Pass 0 for analogRead(), which waits until the time of the sample.
   uint16_t sample(SimTime late);
-  /// Connects the converter's capacitor to the selected channel from now on. Call it when the selection
-  /// changes and after a conversion.
+  /// Connects the converter's capacitor to the selected channel from now on. Call this function when the
+  /// selection changes and after a conversion.
   void charge() { charges_since_ = state.now; }
   /// Returns the conversion result for a voltage at the selected reference.
   uint16_t code_of(double volts) const;
   /// Returns the duration of one ADC clock.
   SimTime clock() const { return cycles(avr::adc_prescaler(control_)); }
-  /// Returns when a conversion that is requested now begins: at the next ADC clock.
+  /// Returns the time at which a conversion that is requested now begins: the next ADC clock.
   SimTime next_start() const { return next_start(clock()); }
   SimTime next_start(SimTime clock) const {
     const SimTime past = state.now - clock_began_;
     return clock_began_ + (past + clock - 1) / clock * clock;
   }
   bool on() const { return control_ & 0x80; }
-  /// Returns whether a conversion that starts now is the first one after ADEN, which takes longer (24.4). If
-  /// init() has set ADEN, the first analogRead() takes the usual time. A longer time would change the traces
-  /// of all sketches.
+  /// Returns whether a conversion that starts now is the first one since ADEN was set, and records its start.
+  /// The first conversion takes longer (24.4). Exception: if init() has set ADEN, the first analogRead()
+  /// takes the usual time. The longer time would change the traces of all sketches.
   bool take_first(bool of_analog_read) {
     const bool first = of_analog_read ? first_ == First::by_sketch : first_ != First::over;
     first_ = First::over;
     return first;
   }
   void enabled_by_init() { first_ = First::by_init; }
-  /// Ends a conversion with this code. Reads of ADCL and then ADCH return it.
+  /// Ends a conversion with the result `code`, and reads ADCL and ADCH. Returns the previous result if ADCL
+  /// was locked.
   uint16_t end_with(uint16_t code) {
     if (!locked_) code_ = code;
     locked_ = false;
     return code_;
   }
-  /// Handles a read of ADCL. ADCL and ADCH then stay unchanged until ADCH is read (24.9.3).
+  /// Handles a read of ADCL. ADCL and ADCH then do not change until ADCH is read (24.9.3).
   void lock() { locked_ = true; }
   void unlock() { locked_ = false; }
 
-  /// Ends the conversion that is due; restarts it in free running mode.
+  /// Ends the present conversion if its time is over. In free running mode, starts the next conversion.
   void sync() {
     if (converting_) sync_conversion();
   }

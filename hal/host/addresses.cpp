@@ -23,7 +23,7 @@ bool is_in(uintptr_t address, const void* begin, uintptr_t bytes) {
   return address - reinterpret_cast<uintptr_t>(begin) < bytes;
 }
 
-/// Returns whether the address has a shadow: it lies in the image, the stack or the heap.
+/// Returns whether the address has shadow memory: it is in the image, the stack or the heap.
 bool is_ours(uintptr_t address) {
   return is_in(address, state.stack, state.stack_bytes) ||
          is_in(address, __ehdr_start, static_cast<uintptr_t>(_end - __ehdr_start)) ||
@@ -77,7 +77,8 @@ inline void check(uintptr_t address, size_t bytes, bool write, const void* where
   report(address, bytes, write, first, where);
 }
 
-/// Checks an access by a function that the executor also calls, with memory outside of the image.
+/// Checks an access by a function of the C library. The executor calls these functions, too, but with memory
+/// outside of the image, which is not checked.
 void check_ours(const void* begin, size_t bytes, bool write, const void* where) {
   const auto address = reinterpret_cast<uintptr_t>(begin);
   if (bytes > 0 && is_ours(address)) check(address, bytes, write, where);
@@ -133,7 +134,7 @@ void __asan_version_mismatch_check_v8() {}
 void __asan_before_dynamic_init(const char*) {}
 void __asan_after_dynamic_init() {}
 void __asan_unregister_globals(const void*, size_t) {}
-// A function that does not return ends the firmware, so its stack needs no change.
+// Does nothing: a function that does not return ends the firmware, so the stack's shadow may stay as it is.
 void __asan_handle_no_return() {}
 
 void __asan_register_globals(const robosim::host::GlobalRecord* globals, size_t count) {
@@ -170,7 +171,8 @@ void __asan_allocas_unpoison(uintptr_t top, uintptr_t bottom) {
   if (top != 0 && top <= bottom) robosim::host::allow(reinterpret_cast<const void*>(top), bottom - top);
 }
 
-// Checks accesses by the C library, which is not instrumented. The linker redirects calls to here (--wrap).
+// Check accesses by the C library, which is not instrumented. The linker redirects calls of the library's
+// functions to the functions below (--wrap).
 #define ROBOSIM_READ(begin, bytes) check_ours(begin, bytes, false, __builtin_return_address(0))
 #define ROBOSIM_WRITE(begin, bytes) check_ours(begin, bytes, true, __builtin_return_address(0))
 

@@ -1,10 +1,11 @@
-// Checks which bytes of an image may be accessed. gcc's AddressSanitizer calls functions in addresses.cpp
-// before every access of the sketch, its libraries and the core. gcc's own runtime is not used: it must be
-// the process's first library, and ends the process at a finding.
+// Checks memory accesses of an image that is built with checks (--sanitize). gcc's AddressSanitizer inserts
+// calls of functions in addresses.cpp before every access by the sketch, its libraries and the core. gcc's
+// own library for these calls is not used, for two reasons: it must be the first library of the process, and
+// it ends the process at a finding.
 //
 // One shadow byte describes 8 bytes of memory: 0 = all are accessible, n = 1..7 = only the first n, 0x80 and
-// above = none (the value is the reason). The shadow lies where gcc expects it, since instrumented functions
-// mark their own frames.
+// above = none (the value is the reason). The shadow is at the address that gcc expects, because instrumented
+// functions write the shadow of their own stack frames.
 #pragma once
 
 #include <stddef.h>
@@ -23,7 +24,8 @@ constexpr uintptr_t kShadow = uintptr_t{1} << 36;
 constexpr uintptr_t kShadow = uintptr_t{1} << 29;
 #endif
 
-// Marks that Robosim sets, or gcc's code for a frame. Values are those of LLVM's compiler-rt.
+// Marks: shadow bytes of inaccessible memory. They are set by Robosim, or by gcc's code for a stack frame.
+// The values are those of LLVM's compiler-rt.
 constexpr uint8_t kStackBefore = 0xF1;
 constexpr uint8_t kStackBetween = 0xF2;
 constexpr uint8_t kStackBehind = 0xF3;
@@ -39,14 +41,15 @@ struct HeapBlock {
   uintptr_t begin;
   size_t bytes;
 };
-/// Returns the last block, in use or freed, that begins at or before the address, or a block of zeros.
+/// Returns the last block, in use or freed, that begins at or before the address. Returns zeros if there is
+/// no such block.
 HeapBlock block_around(uintptr_t address);
 
 #ifdef ROBOSIM_SANITIZE
-/// Allows access to `bytes` from `begin`, a multiple of 8. If fewer than 8 bytes remain at the end, their
-/// number becomes their mark.
+/// Allows access to `bytes` bytes from `begin`, a multiple of 8. If fewer than 8 bytes remain at the end,
+/// their shadow byte is their number.
 void allow(const void* begin, size_t bytes);
-/// Forbids access. `begin` and `bytes` are multiples of 8.
+/// Forbids access, with the reason `mark`. `begin` and `bytes` are multiples of 8.
 void forbid(const void* begin, size_t bytes, uint8_t mark);
 /// Fills uninitialised bytes with the pattern of local variables (-ftrivial-auto-var-init=pattern).
 void fill_unset(void* begin, size_t bytes);

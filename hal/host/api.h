@@ -1,5 +1,5 @@
-// Records calls of the Arduino API, so that a verdict can name what firmware waits for. Every API function
-// begins with one of these functions.
+// Records calls of the Arduino API, so that a verdict can name the call in which firmware waits. Every API
+// function begins with a call of note_call() or note_question().
 #pragma once
 
 #include "hal/host/clock.h"
@@ -20,7 +20,8 @@ __attribute__((always_inline)) inline void note_arguments(const char* name, Pin 
   state.call.pin = pin;
 }
 
-/// Records a call. Inlined, so that the return address is that of the API function: a place in the sketch.
+/// Records a call. This function is inlined, so its return address is that of the API function: a place in
+/// the sketch.
 __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, int8_t arguments,
                                                      int32_t first = 0, int32_t second = 0) {
   if (__builtin_expect(unsettled != nullptr, 0)) unsettled();
@@ -29,8 +30,8 @@ __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, 
   if (!in_handler()) note_arguments(name, pin, arguments, first, second);
 }
 
-/// Records a call whose only effect is time, spent by spend_asking(). Its result may depend only on the
-/// sketch, on `polling.clock`, and on levels passed to note_level().
+/// Records a query: a call that has no effect except its time, which spend_asking() spends. Its result may
+/// depend only on the sketch, on Timer 0's counts (note_clock()), and on levels passed to note_level().
 __attribute__((always_inline)) inline void note_question(const char* name, Pin pin, int8_t arguments,
                                                          int32_t first = 0) {
   if (__builtin_expect(unsettled != nullptr, 0) && !polling.on) unsettled();
@@ -44,7 +45,7 @@ inline void note_conversion() {
   if (!in_handler()) state.reads.add(InputReads::kAnalog);
 }
 
-/// Records a digital read of a pin.
+/// Records the digital read of a pin, and the time.
 inline void note_read(Pin pin) {
   if (in_handler()) return;
   state.reads.add(pin);

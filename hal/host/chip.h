@@ -1,18 +1,18 @@
-// The chip whose registers, timers and interrupts a sketch finds on the target host. No other header in
-// hal/host names the chip.
+// Selects the chip whose registers, timers and interrupts the target host simulates. Other headers in
+// hal/host use the chip only by the name kChip.
 //
 // The host's Arduino core is compiled for one board. sim/build/compile.cpp defines:
 //   ROBOSIM_CLOCK_HZ       the chip's clock
-//   ROBOSIM_PINS           the number of Arduino pin numbers, analog inputs included
-//   ROBOSIM_ANALOG_INPUTS  the number of analog inputs among them, from A0 on
+//   ROBOSIM_PINS           the number of Arduino pins, including analog inputs
+//   ROBOSIM_ANALOG_INPUTS  the number of analog inputs, from A0 on
 #pragma once
 
 #include "hal/board/atmega168.h"
 #include "hal/board/atmega328p.h"
 #include "hal/board/board.h"
 
-/// Marks a namespace as private to the image, so that gcc accesses its variables without an offset table
-/// (-fvisibility=hidden applies to definitions only).
+/// Marks a namespace as private to the image, so gcc accesses its variables without the global offset table.
+/// The option -fvisibility=hidden is not enough, because it applies only to definitions.
 #define ROBOSIM_WITHIN __attribute__((visibility("hidden")))
 
 namespace robosim {

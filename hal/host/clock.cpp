@@ -22,14 +22,14 @@ void (*unsettled)();
 
 namespace {
 
-constexpr size_t kFrames = 256;  // bytes for hand_registers(), hand_stack() and functions between them
+constexpr size_t kFrames = 256;  // stack bytes of hand_registers(), hand_stack() and functions between them
 
 void yield_to_executor(SimTime wake) {
   state.wake = wake;
   executor->yield();
 }
 
-/// Returns the time of the next event that does not depend on enabled interrupts.
+/// Returns the time of the next event that occurs even with interrupts disabled.
 SimTime next_event() { return watchdog.due() < tone_end ? watchdog.due() : tone_end; }
 
 /// Returns the time of the next event. `pending`: an interrupt is ready to be served.
@@ -99,7 +99,7 @@ void reach_deadline() {
     if (state.now < deadline) return;
     ++served;
   }
-  // Limits the number of handlers: a low level raises its interrupt repeatedly, and the sketch must progress.
+  // Limits the number of handlers: a low level raises its interrupt repeatedly, but the sketch must progress.
   while (served < kVectors) {
     if (state.now >= state.limit) {
       yield_to_executor(state.now);
@@ -117,7 +117,7 @@ void reach_deadline() {
 
 namespace {
 
-// Clears the remains of earlier calls from the stack, since they would count as firmware state.
+// Clears the remains of earlier calls from the stack, because they would count as firmware state.
 __attribute__((noinline)) void wipe_stack() {
   uint8_t frame[kFrames];
   memset(frame, 0, sizeof frame);
@@ -136,7 +136,7 @@ __attribute__((noinline)) void hand_stack() {
   __asm__ volatile("" ::: "memory");  // prevents a tail call, so that the frame stays
 }
 
-// Saves the registers that hold callers' values in its own stack frame.
+// Saves callee-saved registers, which contain values of the callers, in the stack frame of this function.
 __attribute__((noinline)) void hand_registers() {
   __builtin_unwind_init();
   hand_stack();
@@ -161,8 +161,8 @@ __attribute__((noinline)) void block_is_due() {
   begin_look();
 }
 
-// Comparisons of the firmware's state include the frame of this function. The frame must therefore have no
-// state and no gaps, only a frame pointer.
+// Comparisons of the firmware's state include the stack frame of this function. The frame must therefore
+// contain only a frame pointer, and no variables or gaps.
 __attribute__((noinline)) void block_in_look() {
   __asm__ volatile("" : : "r"(__builtin_frame_address(0)));
   if (look_wants_state()) {
@@ -264,8 +264,8 @@ void stop_for_ever(const char* how) {
 }  // namespace host
 }  // namespace robosim
 
-/// Lets time pass in an endless loop without a body, `for (;;);`. gcc does not instrument such a loop. So
-/// sim/build replaces the loop's jump by a call of this function.
+/// Lets time pass in an endless loop without a body, `for (;;);`. gcc does not instrument such a loop.
+/// Therefore, sim/build replaces the loop's jump by a call of this function.
 #if defined(__x86_64__) || defined(__i386__)
 #define ROBOSIM_ALIGN_STACK __attribute__((force_align_arg_pointer))
 #else

@@ -1,16 +1,16 @@
-// The firmware's clock. Every call and every basic block advances it. At the deadline, interrupts are served
-// and the executor takes over.
+// The firmware's clock. Every API call and every basic block advances the clock. At the deadline, the
+// firmware serves due interrupts, or yields to the executor.
 #pragma once
 
 #include "hal/board/firmware_port.h"
 #include "hal/host/costs.h"
 #include "hal/host/image.h"
 
-/// Groups the variables that image.h calls clockwork, so that they are adjacent.
+/// Groups the variables of Image::clockwork_begin, so that they are adjacent.
 #define ROBOSIM_CLOCKWORK __attribute__((section("robosim_clockwork")))
-/// Groups the large variables that image.h calls settings.
+/// Groups the large variables of Image::settings_begin, so that they are adjacent.
 #define ROBOSIM_SETTINGS __attribute__((section("robosim_settings")))
-/// Optimises rarely used code for size, since images are read and hashed at the start of each run.
+/// Optimises rarely used code for size, because images are read and hashed at the start of each run.
 #define ROBOSIM_RARE __attribute__((cold))
 /// Inlines everything that a frequently called function calls.
 #define ROBOSIM_FREQUENT __attribute__((flatten))
@@ -23,62 +23,65 @@ extern FirmwarePort* board;
 /// The board's specification.
 extern const BoardSpec* board_spec;
 extern Host* executor;
-/// The time of the next action: the limit, or an earlier interrupt.
+/// The time at which the firmware must stop to serve an interrupt or another event. At most state.limit.
 extern SimTime deadline;
-/// The real deadline while blocks are observed. `deadline` is then earlier, so that each block is reported.
+/// The real deadline while basic blocks are reported (FirmwareState::watched). `deadline` is then earlier, so
+/// that each block is reported.
 extern SimTime watched_deadline;
 
 /// Serves due interrupts, yields at the limit, and sets the next deadline.
 void reach_deadline();
-/// Returns the time of the next autonomous event: an interrupt that will be served, a reset, or the end of a
-/// tone.
+/// Returns the time of the next event that the chip causes: an interrupt that will be served, a reset, or the
+/// end of a tone.
 SimTime next_due();
 /// Recomputes the deadline. Call it after any change that may move an interrupt.
 void refresh_deadline();
 
-/// Serves due events, and may begin a polling look (polling.h).
+/// Serves due events. Then begins a search for rounds to skip, if allowed (begin_look() in polling.h).
 void spend_late();
 
-/// Spends the time of a short piece of code. Interrupts that occur meanwhile are served at its end.
+/// Spends the time of a short piece of code: `count` CPU cycles. Interrupts that occur during this time are
+/// served at its end.
 inline void spend(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now >= deadline, 0)) spend_late();
 }
 
 void block_at_deadline();
-/// Variant of spend() for a basic block of firmware, which may be observed.
+/// Variant of spend() for a basic block of firmware, which may have to be reported to the executor.
 inline void spend_in_block(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now >= deadline, 0)) block_at_deadline();
 }
 
-/// Spends `duration` of processor time. Interrupts prolong it.
+/// Spends `duration` of processor time. The time of interrupt handlers is added.
 void work(SimTime duration);
 
-/// The amount by which the next delay() is shortened, ns.
+/// The time by which the next delay() is shortened (Lateness in image.h).
 extern SimTime sooner;
 
 void be_late();
-/// Applies a Lateness that is due.
+/// Applies a Lateness (image.h) that is due.
 inline void be_late_if_due() {
   if (__builtin_expect(state.now >= state.late_from, 0)) be_late();
 }
 
-/// Waits until `time`, and serves interrupts at their exact times. Ends later only if a handler takes longer.
-/// The host's effort does not depend on the duration.
+/// Waits until `time`, and serves interrupts at their exact times. Ends later only if a handler is still
+/// running at `time`. The computing time does not depend on the duration.
 void wait_long(SimTime time);
 inline void wait_until(SimTime time) {
   if (time >= deadline) return wait_long(time);
   if (time > state.now) state.now = time;
 }
 
-/// Variant of wait_long() for firmware that hangs outside of an API call.
+/// Variant of wait_long() for firmware that waits outside of an API call, for example in an endless loop.
 void idle_until(SimTime time);
 
-/// Waits until the next interrupt is served. Interrupts must be enabled.
+/// Waits until the next interrupt is served. Interrupts must be enabled. `timer0_counts`: Timer 0's overflow
+/// also ends the wait.
 void wait_for_interrupt(bool timer0_counts);
 
-/// Ends the firmware at its own request. `how` is the call as the sketch would write it. Does not return.
+/// Ends the firmware at its own request. `how` is the reason, such as "exit(0)". Does not return.
 __attribute__((noreturn)) void stop_for_ever(const char* how);
 
 }  // namespace ROBOSIM_WITHIN

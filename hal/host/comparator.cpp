@@ -19,7 +19,7 @@ constexpr uint8_t kAnyEdge = 0, kFallingEdge = 2, kRisingEdge = 3;
 constexpr uint8_t kAcme = 0x40;
 constexpr int kLookEvery_cycles = 64;
 
-/// Returns the bandgap voltage. Like pin voltages, it is relative to a full supply.
+/// Returns the bandgap voltage, divided by the supply's share like the voltages of pins (FirmwarePort).
 double bandgap() { return kChip.adc.bandgap_volts / board->supply_share(); }
 
 }  // namespace

@@ -1,8 +1,8 @@
-// The analog comparator (datasheet, chapter 23). Compares AIN0 (pin 6) or the bandgap with AIN1 (pin 7) or
-// the analog input that ADMUX selects.
+// Models the analog comparator on the host (data sheet, chapter 23). The positive input is AIN0 (pin 6) or
+// the bandgap. The negative input is AIN1 (pin 7) or the analog input that ADMUX selects.
 //
-// Samples voltages when ACSR is read or written. Also samples every 64 cycles while its interrupt is enabled
-// or timer 1 captures its edges.
+// The comparator samples voltages when ACSR is read or written. It also samples every 64 cycles while its
+// interrupt is enabled or timer 1 captures its edges.
 #pragma once
 
 #include <stdint.h>

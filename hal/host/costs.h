@@ -1,8 +1,8 @@
 // The cost of every Arduino API call on an ATmega328P, in CPU cycles. No other file has these values.
 //
-// Measured (M): Debian's arduino-core-avr 1.8.7 by gcc-avr 5.4, -Os -flto, run by libsimavr 1.6. A cost is
-// the number of cycles between two writes of GPIOR0 around the call, minus that without a call. The calls'
-// arguments are not constants.
+// Values marked M were measured: Debian's arduino-core-avr 1.8.7, compiled by gcc-avr 5.4 with -Os -flto, ran
+// in libsimavr 1.6. Two writes of GPIOR0 enclose the call. A cost is the number of cycles between these
+// writes, minus the number without a call. The arguments of the calls are not constants.
 #pragma once
 
 #include <stdint.h>
@@ -15,21 +15,21 @@ namespace host {
 
 constexpr CycleTime kCycles(kClockHz);
 
-/// Returns the nanoseconds of `count` CPU cycles.
+/// Returns the duration of `count` CPU cycles, in nanoseconds.
 constexpr SimTime cycles(int64_t count) { return kCycles.of(count); }
 
 namespace cost {
 
-// The cost of each basic block of the firmware (gcc -O1 on the host). M: cycles in simavr per block on the
-// host, in five loops of line followers: 7.9 (three sensors, if-else), 19.2 (shortening a maze's path), 19.3
-// (calibration of five sensors), 276 (weighted position with five long divisions), 1421 (PID in floats, one
-// block). The value is the median, rounded. It is about right for decisions and loops, but too low for long
-// divisions and floats: they take 45 us and 10 us on a chip at 16 MHz.
+// The cost of each basic block of the firmware (gcc -O1 on the host). M: a loop's cycles in simavr, divided
+// by its blocks on the host, for five loops of line followers. Results: 7.9 (three sensors, if-else), 19.2
+// (shortening a maze's path), 19.3 (calibration of five sensors), 276 (weighted position with five long
+// divisions), 1421 (PID in floats, one block). kBlock is the median, rounded. It is about right for decisions
+// and loops, but too low for calculations: at 16 MHz, a long division takes 45 us, a float operation 10 us.
 constexpr int kBlock = 20;
-constexpr int kLoop = 10;  ///< from one loop() to the next; M: an empty loop() takes 16 with its own body
+constexpr int kLoop = 10;  ///< from one loop() to the next; M: 16, including the body of an empty loop()
 constexpr int kInit = 60;  ///< init() in wiring.c, counted in its disassembly
 
-// Digital pins (M)
+// Digital pins (M). Comments give the measured values.
 constexpr int kPinMode = 73;       ///< 70 output, 77 input
 constexpr int kDigitalWrite = 73;  ///< 93 on a pin with PWM
 constexpr int kDigitalRead = 74;   ///< 94 on a pin with PWM
@@ -68,12 +68,12 @@ constexpr int kSerialBegin = 161;
 constexpr int kSerialWrite = 88;
 constexpr int kSerialTransmitHandler = 122;
 constexpr int kSerialReceiveHandler = 45;  ///< counted in the handler's disassembly, minus kInterrupt
-constexpr int kSerialNumber = 130;         ///< print(number): once per call,
-constexpr int kSerialDigit = 615;  ///< and per digit, in addition to its write(): print(10000L) took 3765
+constexpr int kSerialNumber = 130;         ///< print(number): cost per call, without its digits
+constexpr int kSerialDigit = 615;  ///< print(number): per digit, plus its write(); print(10000L) took 3765
 constexpr int kSerialRead = 32;
 constexpr int kSerialAvailable = 35;
 
-// Tone: M for tone(8, 100), which tries all prescalers with a long division each.
+// Tone. M: tone(8, 100), which tries all prescalers and does a long division for each of them.
 constexpr int kTone = 4011;
 constexpr int kNoTone = 111;
 

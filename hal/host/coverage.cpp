@@ -5,16 +5,16 @@
 struct gcov_info;
 
 extern "C" {
-// The records that gcc makes for each source file. The linker collects them (-fprofile-info-section).
+// The records that gcc generates for each source file. The linker collects them (-fprofile-info-section).
 extern const gcov_info* const __start_robosim_gcov[] __attribute__((weak, visibility("hidden")));
 extern const gcov_info* const __stop_robosim_gcov[] __attribute__((weak, visibility("hidden")));
 
-// Declares a function of libgcov for programs that have no files.
+// Declares a function of libgcov for programs without a file system.
 void __gcov_info_to_gcda(const gcov_info* info, void (*name)(const char*, void*),
                          void (*dump)(const void*, unsigned, void*), void* (*allocate)(unsigned, void*),
                          void* argument);
 
-// Defines the function to which gcc's records refer for merging counts with a file. It is never called here.
+// Defines a function to which gcc's records refer, for adding counts to a file. It is never called here.
 void __gcov_merge_add(int64_t*, unsigned) {}
 }
 

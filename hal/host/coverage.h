@@ -1,4 +1,4 @@
-// Line coverage of the sketch: passes gcc's counters (-fprofile-arcs) on in the format that gcov reads.
+// Line coverage of the sketch: passes gcc's counters (-fprofile-arcs) to the executor, in gcov's file format.
 #pragma once
 
 #include "hal/host/image.h"

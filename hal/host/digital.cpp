@@ -1,4 +1,5 @@
-// Implements digital and analog pins (the AVR core's wiring_digital.c, wiring_analog.c and wiring_shift.c).
+// Implements functions for digital and analog pins (the AVR core's wiring_digital.c, wiring_analog.c and
+// wiring_shift.c).
 #include <Arduino.h>
 
 #include "hal/arduino/resolution.h"
@@ -38,8 +39,8 @@ bool set_mode(uint8_t pin, uint8_t mode) {
   return before.direction != registers.direction || before.output != registers.output;
 }
 
-/// Disconnects PWM from a pin before a read or write, like the core: clears only bit COMxx1. Returns whether
-/// the pin had PWM.
+/// Disconnects PWM from a pin before a read or write. Like the core, clears only the bit COMxx1. Returns
+/// whether the pin had PWM.
 bool disconnect(uint8_t pin) {
   const host::TimerPin by = host::timer_of(pin);
   if (by.timer < 0) return host::end_pwm(pin);
@@ -104,7 +105,7 @@ void analogReference(uint8_t mode) {
 }
 
 ROBOSIM_FREQUENT int analogRead(uint8_t pin) {
-  // Accepts both of the core's conventions: 8 means A8, and so does the pin number of A8.
+  // Accepts two kinds of numbers, as the core does: 8 means A8, and so does the pin number of A8.
   const bool above = pin < NUM_ANALOG_INPUTS && pin > kLastChannel;
   const auto number = static_cast<uint8_t>(above ? PIN_A0 + pin : pin);
   const bool elsewhere = host::places[number].no_channel;
@@ -115,7 +116,7 @@ ROBOSIM_FREQUENT int analogRead(uint8_t pin) {
   const uint8_t before = host::adc.multiplexer();
   host::adc.set_multiplexer(static_cast<uint8_t>(reference << 6 | channel));
   host::spend(cost::kAnalogRead);
-  // The capacitor charges from now on, since the core writes ADMUX last.
+  // The capacitor is charged from now on, because the core writes ADMUX just before the conversion.
   if (host::adc.multiplexer() != before) host::adc.charge();
   if (!host::adc.on()) return 0;
   const robosim::SimTime clock = host::adc.clock();

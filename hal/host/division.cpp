@@ -1,5 +1,5 @@
-// Replaces the division functions of the compiler's library (arm): a division by zero has the chip's result.
-// sim/build/division.h has the table of results, and handles division instructions.
+// On 32-bit ARM, replaces the division functions of the compiler's library. A division by zero then has the
+// chip's result. sim/build/division.h has the table of results, and handles division instructions.
 #if defined(__arm__)
 
 #ifdef ROBOSIM_ZERO_BY_ZERO
@@ -12,13 +12,15 @@
 #define ROBOSIM_HIGH_OF_ONES_OR_ONE(to, sign) "mvn " to ", " sign "\n"
 #endif
 
-// Defines a function that the linker calls instead of the library's (--wrap, sim/build/target.cpp).
+// Defines a function to which the linker redirects calls of a library function (--wrap,
+// sim/build/target.cpp).
 #define ROBOSIM_BEFORE(function, look_at_divisor, by_zero)                         \
   extern "C" __attribute__((naked)) void __wrap_##function() {                     \
     asm(look_at_divisor "\nbeq 1f\nb __real_" #function "\n1:\n" by_zero "bx lr"); \
   }
 
-// Quotient and remainder are returned in r0 and r1; those of 64 bits in r0, r1 and r2, r3.
+// The functions return the quotient in r0 and the remainder in r1. With 64 bits, they return the quotient in
+// r0 and r1, and the remainder in r2 and r3.
 ROBOSIM_BEFORE(__aeabi_idiv, "cmp r1, #0", "asr r0, r0, #31\n" ROBOSIM_ONES_OR_ONE("r0", "r0"))
 ROBOSIM_BEFORE(__aeabi_idivmod, "cmp r1, #0", "mov r1, r0\nasr r0, r0, #31\n" ROBOSIM_ONES_OR_ONE("r0", "r0"))
 ROBOSIM_BEFORE(__aeabi_uidiv, "cmp r1, #0", ROBOSIM_ONES("r0"))

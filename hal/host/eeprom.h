@@ -1,5 +1,7 @@
-// The EEPROM (datasheet, chapter 8.4), for avr-libc's functions and register accesses. A write continues in
-// the background; the next access waits for it or polls EEPE. EEMPE stays set for 64 cycles, not 4.
+// Models the EEPROM on the host (data sheet, chapter 8.4), for avr-libc's functions and for register
+// accesses. A write continues in the background. The next call of avr-libc's functions waits for the end of
+// the write. Sketches that access registers poll EEPE. EEMPE stays set for 64 cycles instead of 4,
+// because two statements take more than 4 cycles on the host (watchdog.cpp).
 #pragma once
 
 #include <stdint.h>
@@ -15,16 +17,16 @@ class Eeprom {
   /// Reads EECR.
   uint8_t control() const;
   void set_control(uint8_t value);
-  /// Return EEDR and EEAR. EEAR does not change during a write.
+  /// Return the registers EEDR and EEAR. EEAR cannot be changed during a write.
   uint8_t data() const { return data_; }
   void set_data(uint8_t value) { data_ = value; }
   uint16_t address() const { return address_; }
   void set_address(uint16_t value);
 
-  /// Read a byte, and start the write of a byte, which lasts `takes`. Neither waits for a previous write.
+  /// Read a byte, or start a write of the duration `takes`. Neither function waits for a previous write.
   uint8_t read(uint16_t address) const;
   void write(uint16_t address, uint8_t value, SimTime takes);
-  /// Returns when the last write ends.
+  /// Returns the time at which the last write ends.
   SimTime ready() const { return ready_; }
 
   bool may_interrupt() const { return control_ & kEerie; }

@@ -38,7 +38,7 @@ void set_low(int number, bool low) {
 }  // namespace
 
 bool has_line(Pin pin) {
-  // Numbers below kExternals belong to INTn.
+  // Interrupt numbers below kExternals belong to INTn.
   const BoardSpec& spec = *board_spec;
   return places[pin].external < 0 && pin < kPins && pin < spec.pin_count &&
          spec.pins[pin].interrupt >= kExternals;

@@ -1,5 +1,6 @@
-// External interrupts (datasheet, chapter 13): INTn and pin change interrupts. On a Blue Pill
-// every pin can interrupt. A pin without an INTn does so only if passed to attachInterrupt().
+// Models external interrupts on the host (data sheet, chapter 13): INTn and pin change interrupts. On a Blue
+// Pill, every pin can cause an interrupt. A pin without an INTn causes interrupts only after
+// attachInterrupt().
 #pragma once
 
 #include <stdint.h>
@@ -18,7 +19,7 @@ struct ExternalRegisters {
   uint8_t change_control = 0;  ///< PCICR, bit 0 = port B
   uint8_t change_flags = 0;    ///< PCIFR
   uint8_t change_mask[kChip.change_count] = {};  ///< PCMSKn
-  uint8_t low = 0;  ///< INTn whose low level currently interrupts; not a register of the chip
+  uint8_t low = 0;  ///< INTn with an interrupting low level, one bit each; not a register of the chip
 };
 extern ExternalRegisters external;
 
@@ -39,7 +40,7 @@ struct PinSet {
   }
   void add(Pin pin) { words[pin / 32] |= 1u << pin % 32; }
   void remove(Pin pin) { words[pin / 32] &= ~(1u << pin % 32); }
-  /// Returns the lowest pin that is in both sets; kNoPin if none is.
+  /// Returns the lowest pin that is in both sets, or kNoPin if there is no such pin.
   Pin first_common(const PinSet& other) const {
     int number = 0;
     for (const uint32_t& word : words) {
@@ -51,32 +52,35 @@ struct PinSet {
   }
 };
 
-/// Pins that interrupt on an edge, for boards with more interrupt pins than INTn.
+/// The interrupts of pins without an INTn, for boards with more interrupt pins than INTn.
 struct Lines {
   PinSet enabled, flags;
   uint8_t sense[kPins] = {};  ///< an Edge for each pin
 };
 extern Lines lines;
 
-/// Returns whether this pin interrupts through `lines`.
+/// Returns whether this pin can cause an interrupt by `lines`.
 bool has_line(Pin pin);
-/// Clears the lowest flag that is raised and enabled, and returns its pin, or kNoPin.
+/// Clears the lowest flag of `lines` that is raised and enabled. Returns its pin, or kNoPin without such a
+/// flag.
 Pin take_line();
 
-/// Reports to the executor which edges matter. Call it after a change of these registers.
+/// Requests from the executor the edges that can cause an interrupt, a count or a capture. Call this function
+/// after a change of the registers above.
 ROBOSIM_RARE void refresh_external();
-/// Pins whose edges matter.
+/// The pins whose edges are requested.
 extern PinSet heard;
-/// Handles edges that have reached pins in `heard` until now, including those caused by a change of a pin's
-/// drive.
+/// Handles the edges that have reached pins in `heard` until now. Call it before a change of a pin's drive.
 void hear();
+/// Handles the edge that a change of the pin's drive may have caused. Call it after the change.
 void drive_changed(Pin pin);
 /// Handles an edge that arrived at an input at the time `at`.
 void external_edge(Pin pin, bool level, SimTime at);
-/// Handles the level of an observed pin from `at` on, whatever its source. A change of level is an edge.
+/// Handles the level that a pin in `heard` has from `at` on, as an input or as an output. A change of level
+/// is an edge.
 void hear_level(Pin pin, bool level, SimTime at);
-/// Returns the raised and enabled vectors, one bit each: INTn, pin changes, and kLines. A low level keeps its
-/// flag raised while it lasts.
+/// Returns the external interrupts that are raised and enabled, one bit per vector: INTn, pin changes, and
+/// kLines. A low level on INTn, if selected, keeps its interrupt raised as long as the level lasts.
 inline uint32_t pending_external() {
   constexpr uint32_t kAllExternal = (1u << kExternals) - 1, kAllChanges = (1u << kChip.change_count) - 1;
   const uint32_t edges = (external.flags | external.low) & external.mask & kAllExternal;

@@ -12,7 +12,7 @@
 #include "hal/host/timers.h"
 #include "hal/host/uart.h"
 
-// The constructors of static objects, in link order. The loader does not run them.
+// The constructors of static objects, in link order. The loader does not call them; run() does.
 extern "C" {
 using Constructor = void (*)();
 extern const Constructor __start_robosim_init_array[] __attribute__((weak, visibility("hidden")));
@@ -20,22 +20,23 @@ extern const Constructor __stop_robosim_init_array[] __attribute__((weak, visibi
 // The bounds of the image in memory.
 extern const char __ehdr_start[] __attribute__((visibility("hidden")));
 extern const char _end[] __attribute__((visibility("hidden")));
-// The bounds of the image's clockwork (image.h).
+// The bounds of the variables of Image::clockwork_begin (image.h).
 extern const char __start_robosim_clockwork[] __attribute__((visibility("hidden")));
 extern const char __stop_robosim_clockwork[] __attribute__((visibility("hidden")));
-// The bounds of the image's settings (image.h).
+// The bounds of the variables of Image::settings_begin (image.h).
 extern const char __start_robosim_settings[] __attribute__((visibility("hidden")));
 extern const char __stop_robosim_settings[] __attribute__((visibility("hidden")));
 }
 
-/// The core's main(), unless the sketch has its own.
+/// The core's main(). A main() in the sketch replaces this function.
 __attribute__((weak)) int firmware_main() __asm__("main");
 
 namespace robosim {
 namespace host {
 namespace {
 
-/// Returns ADPS2 to ADPS0 for an ADC clock of 50 to 200 kHz, if possible. The largest value is 7: clock/128.
+/// Returns the bits ADPS2 to ADPS0 for an ADC clock of 50 to 200 kHz, if possible. The largest value is 7,
+/// which divides the chip's clock by 128.
 constexpr int adc_prescaler() {
   int bits = 7;
   for (int64_t hz = 16000000; kClockHz < hz && bits > 1; hz /= 2) --bits;

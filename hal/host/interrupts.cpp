@@ -56,7 +56,7 @@ int handler_depth;
 
 namespace {
 
-// The names and declarations of handlers contain these numbers.
+// The names of the handlers in this file contain these vector numbers.
 static_assert(kChip.vectors == 26 && kExternal0 == 1 && kPinChange0 == 3 && kTimer2 == 7 && kTimer1 == 11 &&
                   kTimer0 == 14 && kUartReceived == 18 && kAdcComplete == 21 && kSpi == 17 &&
                   kEepromReady == 22 && kCompared == 23 && kTwoWire == 24 && kWatchdog == 6,
@@ -233,7 +233,7 @@ void sync_peripherals() {
 
 uint32_t pending_interrupts() {
   uint32_t pending = pending_external() | uart.pending();
-  // Usually no flag is raised.
+  // Usually no timer has raised a flag.
   if (timer0.pending() | timer1.pending() | timer2.pending())
     pending |=
         pending_timer(timer0, kTimer0) | pending_timer(timer1, kTimer1) | pending_timer(timer2, kTimer2);

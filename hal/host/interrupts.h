@@ -1,5 +1,5 @@
-// The interrupt controller: selects the handlers that are due, and has the I flag. Numbers and priorities
-// (lowest number first) are those of the chip's vector table.
+// Models the interrupt controller on the host: selects the handlers that are due, and stores the I flag.
+// Vector numbers and priorities (lowest number first) are those of the chip's vector table.
 #pragma once
 
 #include <stdint.h>
@@ -27,7 +27,7 @@ enum Vector : uint8_t {
   kCompared = kChip.comparator.vector,
   kSpi = kChip.spi.vector,
   kTwoWire = kChip.twi.vector,
-  kLines = kChip.vectors,  // not a vector of the chip: see external.h
+  kLines = kChip.vectors,  // all pins in `lines` (external.h); not a vector of the chip
   kVectors = kLines + 1,
 };
 static_assert(kVectors <= 32, "pending_interrupts() has a bit for each");
@@ -35,30 +35,31 @@ static_assert(kVectors <= 32, "pending_interrupts() has a bit for each");
 extern uint8_t status_register;  ///< SREG; bit 7 is I
 
 inline bool interrupts_enabled() { return status_register & 0x80; }
-/// The current number of nested handlers.
+/// The number of handlers that are running. It is greater than 1 if handlers are nested.
 extern int handler_depth;
 inline bool in_handler() { return handler_depth > 0; }
-/// True once the sketch has enabled SPI, the two-wire interface, the comparator or the EEPROM's interrupt.
-/// Few sketches do so; these peripherals are skipped until then.
+/// True once the sketch has used SPI, the two-wire interface, the comparator or the EEPROM's interrupt. Few
+/// sketches use these peripherals, so the functions below skip them until then.
 extern bool rare_used;
 /// The number of handlers that have run since the start.
 extern uint32_t handlers_run;
 
-/// Updates all flags to the present time.
+/// Updates all interrupt flags to the present time.
 void sync_peripherals();
-/// Updates the flags of external inputs only.
+/// Handles the inputs that have arrived from outside until now: edges on pins, and bytes for the UART.
 void take_inputs();
 /// Returns the flags that are raised and enabled, one bit per vector.
 uint32_t pending_interrupts();
-/// Returns when the next enabled flag will be raised, with or without the Timer 0 overflow that millis()
-/// counts.
+/// Returns the time at which the next enabled flag will be raised. `with_timer0_overflow`: includes the
+/// overflow of Timer 0, which millis() counts.
 SimTime next_interrupt(bool with_timer0_overflow);
-/// Returns the time of the next autonomous event other than Timer 0's overflow, whether it interrupts or not.
-/// Returns 0 if a flag is raised and enabled, or a conversion is in progress.
+/// Returns the time of the next event that the chip causes by itself, with or without an interrupt. Timer 0's
+/// overflow does not count. Returns 0 if the time is unknown: a flag is raised and enabled, a conversion is
+/// in progress, the UART sends by interrupts, or `rare_used` is true.
 SimTime next_alone();
 /// Returns whether an enabled interrupt may occur even if firmware accesses no register. Interrupts of the
-/// core's clock and Serial do not count, since sketches see those only through calls. `held_back` includes
-/// interrupts that occur only after the I flag is set again.
+/// core's clock and of Serial do not count, because sketches see their effects only through calls.
+/// `held_back`: interrupts that occur only after the I flag is set again count, too.
 bool may_interrupt(bool held_back);
 /// Runs the handler of the most urgent pending interrupt. Returns false if none is pending or I is clear.
 bool serve_interrupt();

@@ -1,5 +1,5 @@
-// Implements malloc() and free() on the arena FirmwareState::heap. A sketch that overruns its heap reaches
-// guard pages. Like avr-libc, uses first fit over blocks in address order, and joins free neighbours.
+// Implements malloc() and free() in the memory FirmwareState::heap. Guard pages follow this memory. Like
+// avr-libc, malloc() uses the first free block that is large enough, and adjacent free blocks are joined.
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,7 +17,8 @@ struct Block {
   uint32_t asked;  ///< size requested from malloc()
 };
 
-/// With address checks, a freed block is reused only when there is no other room, to detect later accesses.
+/// Uses of a block. kResting: the block was freed, but is reused only if there is no other free block. With
+/// address checks, freed blocks rest, so that later accesses are detected.
 enum Use : uint32_t { kFree, kUsed, kResting };
 
 constexpr size_t kAlign = 16;

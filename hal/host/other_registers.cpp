@@ -17,7 +17,7 @@ constexpr Address kOsccal = 0x66, kTccr1c = 0x82, kAssr = 0xB6, kTwamr = 0xBD;
 
 uint8_t plain[256];
 
-/// Bits that have an effect on the chip, but not on the host.
+/// Bits of a register that have an effect on the chip, but not on the host.
 struct Lack {
   Address address;
   uint8_t bits;
@@ -49,8 +49,9 @@ bool is_in_use(const Timer& timer, uint8_t divisor_of_init) {
   return timer.enabled() || (timer.control_b() & 7 && !is_left);
 }
 
-/// Returns the bits of PRR that stop a timer in use. Bits of other modules have no effect here: converter,
-/// serial lines and two-wire interface act only on request. A sketch must not use them while they are off.
+/// Returns the bits of PRR that stop a timer in use. Bits of other modules are ignored: converter, serial
+/// lines and two-wire interface act only when the sketch uses them. A sketch must not use a module that is
+/// off.
 uint8_t stopped_by(uint8_t reduction) {
   const int in_use = (is_in_use(timer1, 3) ? 0x08 : 0) | (is_in_use(timer0, 3) ? 0x20 : 0) |
                      (is_in_use(timer2, 4) ? 0x40 : 0);

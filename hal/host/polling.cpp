@@ -14,8 +14,8 @@ ROBOSIM_CLOCKWORK Polling polling;
 namespace {
 
 constexpr int kPatience = 6;
-constexpr int kMostBlocks = 300, kMostVisits = 70;  // limits of a look: blocks, visits to its place
-constexpr int kFarAway = 32;                        // blocks after which this must be another loop
+constexpr int kMostBlocks = 300, kMostVisits = 70;  // limits of a look: blocks, and visits to its place
+constexpr int kFarAway = 32;                        // blocks after which firmware must be in another loop
 constexpr int kLongestWait = 64;                    // in deadlines, of which there are about two per ms
 
 SimTime earlier(SimTime a, SimTime b) { return a < b ? a : b; }
@@ -63,9 +63,9 @@ void begin_round() {
 }
 
 /// Runs Timer 0's overflow handler in the round that begins now, at the first point after the overflow. The
-/// handler delays the rest of the round. Returns false, without any change, if the round reads the handler's
-/// counts after the overflow. It does so, too, if another event is due in the round; the next is at `next`.
-/// `shift` receives the handler's time if the round's last call is before the handler, else 0.
+/// handler delays the rest of the round. Returns false, without any change, in two cases. The round reads the
+/// handler's counts after the overflow, or another event, at `next`, is due in the round. `shift` receives
+/// the handler's time if the round's last call is before the handler, else 0.
 bool pass_overflow(SimTime next, SimTime& shift) {
   int point = polling.reads;
   while (point < polling.points && state.now + polling.at[point] < timer0.due()) ++point;
@@ -85,7 +85,7 @@ bool pass_overflow(SimTime next, SimTime& shift) {
 /// Returns whether the counts of Timer 0's interrupt have changed since the round read them.
 bool reads_anew() { return polling.clock && timer0_count.millis != polling.millis; }
 
-/// Skips rounds; returns false if there is no time for a round.
+/// Skips rounds. Returns false if there is no time for a complete round.
 bool skip() {
   leave();
   const SimTime began = state.now, next = polling.pins || !interrupts_enabled() ? 0 : next_alone();
@@ -122,7 +122,7 @@ bool skip() {
   return true;
 }
 
-/// Handles a return to `place` in an unchanged state.
+/// Handles a return to `place` in an unchanged state. Returns false if work is due.
 bool come_round() {
   if (reads_anew()) {
     begin_round();
@@ -152,7 +152,7 @@ bool come_round() {
 
 void begin_look() {
   if (!state.may_skip || polling.on || state.watched || unsettled || in_handler()) return;
-  if (adc.converts() && adc.next() == kNever) return;  // the next conversion begins at the next read
+  if (adc.converts() && adc.next() == kNever) return;  // each round may change the next conversion's start
   if (state.now >= deadline) return;
   if (polling.left > 0 && --polling.left > 0) return;
   polling.going = false;
@@ -172,7 +172,7 @@ bool look_at_block() {
   note_point();
   if (state.place != polling.place) {
     if (polling.blocks == kFarAway) polling.known = polling.sure = false;
-    // Until a place has repeated, it is replaced by a later one after 1, 2, 4, … blocks.
+    // As long as the place has not repeated, a later place replaces it after 1, 2, 4, … blocks.
     if (!polling.known && polling.blocks >= polling.next_place) {
       polling.place = state.place;
       polling.next_place *= 2;
@@ -187,7 +187,7 @@ bool look_at_block() {
   }
   if (!polling.same) {
     polling.once = false;
-    // The state is replaced by a later one after 1, 2, 4, … visits.
+    // A later state replaces the stored state after 1, 2, 4, … visits.
     if (++polling.visits < polling.next_take) return true;
     polling.next_take *= 2;
     polling.known = false;

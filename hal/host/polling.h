@@ -1,11 +1,12 @@
-// Skips rounds of firmware that only waits by polling. Such firmware returns to a place in its code with
-// unchanged variables, heap, stack and registers. All its queries are certain to have the same answers for
-// some time. During this time it repeats the same round, which always has the same length. All rounds that
-// certainly fit into this time are skipped, except the last; the result is the same as running them.
+// Skips the time in which firmware only polls. Polling firmware returns to a place in its code with unchanged
+// variables, heap, stack and registers. The way from this place back to the place is called a round. All
+// rounds are equal until a query (millis(), digitalRead(), Serial.available()) may return another result. The
+// rounds that certainly fit into this time are skipped, except the last round. The result is the same as
+// without skipping.
 //
-// A look (a search for such a place) begins at a deadline: from then on each basic block calls
-// look_at_block(). The look ends when rounds have been skipped, when it takes too long, or at a call without
-// note_question(). Looks become rarer while they skip nothing.
+// A look is a search for such a place. It begins at a deadline; from then on, each basic block calls
+// look_at_block(). The look ends after rounds have been skipped, after too many blocks, or at a call other
+// than a query (api.h). If looks skip nothing, they become rarer.
 #pragma once
 
 #include <stdint.h>
@@ -21,7 +22,7 @@ namespace host ROBOSIM_WITHIN {
 struct Polling {
   static constexpr int kMostPoints = 6;
 
-  bool on = false;     ///< a look is in progress: `deadline` has always passed, `until` is the real deadline
+  bool on = false;     ///< a look is in progress: `deadline` is in the past, `until` is the real deadline
   bool known = false;  ///< the executor has stored the state at `place`
   bool going = false;  ///< a round began at `since`
   bool take = false;   ///< the state must be stored, not compared
@@ -29,39 +30,41 @@ struct Polling {
   bool clock = false;  ///< the round reads the counts of Timer 0's interrupt
   bool pins = false;   ///< the round reads pins
   bool once = false;   ///< the round passes `place` only once
-  bool calls = false;  ///< the round makes a call
-  bool again = false;  ///< interrupted: the next block starts another look, even if work is due
-  bool sure = false;   ///< a round has shown that the state repeats after `length`; all answers are unchanged
+  bool calls = false;  ///< the round calls the API
+  bool again = false;  ///< look was interrupted: the next block starts another one, even if work is due
+  bool sure = false;   ///< the state repeats after `length`, and queries still return the same results
   int patience = 0;    ///< number of calls that may still interrupt a look before looks become rarer
   int wait = 0,
-      left = 0;  ///< deadlines from a failed look to the next; how many of them remain
+      left = 0;  ///< wait: number of deadlines from a failed look to the next; left: those that remain
   int blocks = 0, visits = 0, next_place = 0, next_take = 0;
   const void* place = nullptr;
   SimTime until = 0;
   SimTime since = 0, length = 0;
   SimTime call_ago = 0, read_ago = 0;  ///< at `place`: time since the last call and read
-  // Offsets of the points at which the round may be interrupted, and their number; below 0: too many. The
-  // round reads the counts of Timer 0's interrupt only before the point at[reads].
+  // The points at which the round may be interrupted: offsets from the round's beginning, and their number. A
+  // negative number means too many points. The round reads the counts of Timer 0's interrupt only before the
+  // point at[reads].
   SimTime at[kMostPoints] = {};
   int points = 0, reads = 0;
-  SimTime promised = kNever;  ///< time until which pins surely keep their values
-  uint64_t millis = 0;        ///< in the round of `length`: the count that millis() returns
-  PinSet high, low;           ///< in that round: pins that were read as high, and as low
+  SimTime promised = kNever;  ///< time before which the pins that were read certainly do not change
+  uint64_t millis = 0;        ///< the result of millis() in the round that was measured as `length`
+  PinSet high, low;           ///< in the same round: pins that were read as high, and as low
 };
 extern Polling polling;
 
-/// Starts a look, if allowed. Call it after a deadline, in a block or a call.
+/// Starts a look, if allowed. Call this function after a deadline, in a block or in an API call.
 void begin_look();
-/// Returns whether the executor must compare the state, or store it if `polling.take` is set. Call it when a
-/// block begins. look_at_block() then returns false if the look is over and work is due.
+/// Returns whether the executor must compare the firmware's state, or store it if `polling.take` is set. Call
+/// this function at the beginning of a block, and look_at_block() after it.
 inline bool look_wants_state() {
   if (polling.sure || state.now >= polling.until || state.place != polling.place) return false;
   polling.take = !polling.known;
   return true;
 }
+/// Continues the look at the beginning of a block. Returns false if the look is over and work is due.
 bool look_at_block();
 void look_at_level(Pin pin, bool high);
-/// Abandons the round, since a query had another answer or a handler has run.
+/// Abandons the round, because a query returned another result or a handler has run.
 inline void leave_round() {
   if (!polling.sure) return;
   polling.sure = polling.going = false;
@@ -86,7 +89,7 @@ inline void note_point() {
     polling.at[polling.points++] = state.now - polling.since;
 }
 void spend_late();
-/// Spends the time of a call that changes nothing.
+/// Spends the time of a query: `count` CPU cycles.
 inline void spend_asking(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now < deadline, 1)) return;
@@ -94,7 +97,8 @@ inline void spend_asking(int count) {
   spend_late();
 }
 
-/// Spends the time between two calls of loop(). No look may begin there, since the sketch has no place there.
+/// Spends the time between two calls of loop(). A round cannot begin here, because this code is not part of
+/// the sketch.
 inline void spend_between_loops(int count) {
   state.now += cycles(count);
   if (__builtin_expect(state.now < deadline, 1)) return;

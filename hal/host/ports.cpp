@@ -9,7 +9,7 @@ namespace robosim {
 namespace host {
 
 PortRegisters ports[kPorts];
-ROBOSIM_CLOCKWORK Place places[kNumbers];  // constant
+ROBOSIM_CLOCKWORK Place places[kNumbers];  // constant after place_pins()
 
 ROBOSIM_SETTINGS PinDrive driven[kPins];
 uint16_t inputs_off;
@@ -19,7 +19,7 @@ namespace {
 ROBOSIM_SETTINGS uint32_t tone_hz[kPins];
 ROBOSIM_SETTINGS uint8_t pwm_values[kPins];  // PWM values of pins without a timer
 
-// The pins of each port by bit, and of each timer by channel. They are constant.
+// The pins of each port by bit, of each timer by channel, and so on. They are constant after place_pins().
 ROBOSIM_CLOCKWORK Pin port_pins[kPorts][kBits];
 ROBOSIM_CLOCKWORK Pin timer_pins[kTimers][2];
 ROBOSIM_CLOCKWORK Pin external_pins[kChip.external_count];

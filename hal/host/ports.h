@@ -1,6 +1,6 @@
-// Ports (datasheet, chapter 14), and the mapping of Arduino pins to port bits. The mapping is that of the
-// board, or of its substitute on the host (BoardSpec::host_model). If the board has more pins than the
-// substitute, the other pins belong to additional ports without registers.
+// Models ports on the host (data sheet, chapter 14), and maps Arduino pins to bits of ports. The mapping is
+// that of the board, or of the board's substitute on the host (BoardSpec::host_model). If the board has more
+// pins than the substitute, the other pins belong to additional ports without registers.
 #pragma once
 
 #include <stdint.h>
@@ -24,21 +24,21 @@ struct TimerPin {
   int8_t channel = 0;  ///< 0 = A, 1 = B
 };
 
-/// The place of a pin on the chip.
+/// The functions of a pin on the chip.
 struct Place {
-  bool digital = false;  ///< the board has it as a digital pin (A6 and A7 of a Nano are only analog)
+  bool digital = false;  ///< false for pins that are only analog inputs (A6 and A7 of a Nano)
   Port port = 0;
   uint8_t mask = 0;
   TimerPin timer;
   int8_t external = -1;      ///< n of INTn; -1 = none
   int8_t change_group = -1;  ///< group of pin change interrupts; -1 = none
-  uint8_t change_mask = 0;   ///< its bit in PCMSKn
-  int8_t counted_by = -1;    ///< timer that counts its edges as external clock; -1 = none
-  int8_t captured_by = -1;   ///< timer that captures its edges; -1 = none
+  uint8_t change_mask = 0;   ///< the pin's bit in PCMSKn
+  int8_t counted_by = -1;    ///< timer that can count the pin's edges as external clock; -1 = none
+  int8_t captured_by = -1;   ///< timer that can capture the pin's edges; -1 = none
   bool no_channel = false;   ///< an analog pin after the chip's last channel: the Blue
                              ///< Pill's 11 and 12, a Mega's A8 to A15
   Pin wired = 0;             ///< result of first_number() for the pin
-  uint16_t off_bits = 0;     ///< bits in inputs_off that switch its input off
+  uint16_t off_bits = 0;     ///< bits in inputs_off that switch the pin's digital input off
 };
 constexpr int kNumbers = 256;  ///< number of values that a sketch may pass as a pin
 extern Place places[kNumbers];
@@ -49,10 +49,10 @@ inline bool is_digital(Pin pin) { return places[pin].digital; }
 inline TimerPin timer_of(Pin pin) { return places[pin].timer; }
 /// Returns the pin of INTn; kNoPin if the board has none.
 Pin pin_of_external(int number);
-/// Return the pins of ICP1, and of AIN0 or AIN1.
+/// Return the pin of ICP1, and the pin of AIN0 (`input` 0) or AIN1 (1).
 Pin pin_of_capture();
 Pin pin_of_comparator(int input);
-/// Fills in the mapping when the firmware starts.
+/// Initialises the mapping when the firmware starts.
 ROBOSIM_RARE void place_pins();
 
 struct PortRegisters {
@@ -64,10 +64,10 @@ extern PortRegisters ports[kPorts];
 /// Write a register, and report changes of its pins to the board.
 void set_direction(Port port, uint8_t value);
 void set_output(Port port, uint8_t value);
-/// The digital inputs that are switched off and read low: DIDR0, followed by DIDR1.
+/// The digital inputs that are switched off and read low: DIDR0 in the low byte, DIDR1 in the high byte.
 extern uint16_t inputs_off;
 inline bool is_input_off(Pin pin) { return inputs_off && inputs_off & places[pin].off_bits; }
-/// Return the level that firmware reads on a pin, and the value of PINx.
+/// Return the level that firmware reads on a pin, and the value that firmware reads from PINx.
 bool read_pin(Pin pin);
 uint8_t read_port(Port port);
 
@@ -81,14 +81,14 @@ bool is_wave(Pin pin);
 /// Returns the level of an output pin.
 bool output_level(Pin pin);
 
-/// Returns whether a pin has PWM on the board, while the board's substitute has no timer for it. Such a pin
-/// is driven without a timer.
+/// Returns whether a pin has PWM on the board, but no timer on the board's substitute. Such a pin is driven
+/// without a timer.
 inline bool has_pwm_without_timer(Pin pin) {
   return pin < kPins && places[pin].timer.timer < 0 && board_spec->pins[pin].pwm;
 }
-/// Drives such a pin with PWM of duty cycle `value` / 255; 0 = no PWM.
+/// Drives a pin for which has_pwm_without_timer() is true. PWM has the duty cycle `value` / 255; 0 = no PWM.
 void set_pwm(Pin pin, uint8_t value);
-/// Ends the PWM of such a pin, and returns whether it had any.
+/// Ends the PWM that set_pwm() has started, and returns whether the pin had such PWM.
 bool end_pwm(Pin pin);
 
 /// Reports the drive of `pin` to the board if it has changed.

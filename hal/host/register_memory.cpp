@@ -51,7 +51,7 @@ void will_write(robosim_register address, int bytes, const void* place) {
   written = address;
   written_bytes = bytes;
   written_at = state.now;
-  deadline = state.now;  // so that the next basic block applies the write
+  deadline = state.now;  // the next basic block then applies the write
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ void will_write(robosim_register address, int bytes, const void* place) {
     if (__builtin_expect(robosim::host::is_register(at, address), 0))   \
       robosim::host::what(address, bytes, __builtin_return_address(0)); \
   }
-// Defines the variant for 16 bits at an address that may be odd.
+// Defines the variant that gcc uses for 16 bits at an address that may be odd.
 #define ROBOSIM_WATCH_RANGE(name, what)                             \
   void name(uintptr_t at, uintptr_t bytes) {                        \
     robosim_register address;                                       \

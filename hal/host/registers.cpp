@@ -17,7 +17,7 @@ namespace robosim {
 namespace host {
 namespace {
 
-// The chip defines the addresses of ports, timers and UARTs.
+// The ChipSpec has the addresses of ports, timers, UART, SPI and two-wire interface.
 namespace reg {
 
 using namespace avr::reg;
@@ -280,7 +280,7 @@ void write(uint8_t address, uint8_t value) {
     case reg::kUcsrc:
       if (value & kNotAsynchronous) note_lack("UMSEL0 in UCSR0C");
       return uart.set_format(value);
-    case reg::kUdr:  // 19.6.1: ignored unless UDRE is set
+    case reg::kUdr:  // 20.6.1: a write is ignored if UDRE is clear
       return uart.sending() <= 1 ? uart.send(value) : void();
     case reg::kSpcr:
       return spi.set_control(value);
@@ -307,7 +307,7 @@ void write(uint8_t address, uint8_t value) {
 
 }  // namespace
 
-// Records the place early, since due work may end the run.
+// Records the place before spend(), because a due event may end the run.
 void begin_access(robosim_register address, int bytes, const void* place) {
   settle_registers();
   if (address != reg::kSreg) note_call(name_of(address), kNoPin, -1);
@@ -351,7 +351,8 @@ void robosim_write8(robosim_register address, uint8_t value) {
   host::begin_access(address, 1, __builtin_return_address(0));
   host::write(address, value);
   host::refresh_deadline();
-  // Before the sketch's next statement, serves a timer's flag that init()'s PWM has raised.
+  // If the PWM of init() has raised a flag of the timer, serves its interrupt before the sketch's next
+  // statement.
   if (address >= host::reg::kTimsk0 && address <= host::reg::kTimsk2) host::spend(0);
 }
 

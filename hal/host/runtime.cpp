@@ -1,4 +1,4 @@
-// Ends the firmware: abort(), exit(), a failed assert().
+// Implements functions that end the firmware: abort(), exit(), a failed assert().
 #include <stdlib.h>
 #include <string.h>
 

@@ -35,7 +35,7 @@ int64_t buffered() {
   return sending > 2 ? sending - 2 : 0;
 }
 
-/// Returns whether a text is a number. The core formats numbers at a cost per digit before sending them.
+/// Returns whether a text is a number. The core formats numbers before sending them, at a cost per digit.
 bool is_number(const uint8_t* text, size_t size) {
   for (size_t i = 0; i < size; ++i)
     if (text[i] < '0' || text[i] > '9') return false;

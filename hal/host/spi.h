@@ -1,6 +1,7 @@
-// The serial peripheral interface as master (datasheet, chapter 19). A byte takes 8 bits of 4, 16, 64 or 128
-// cycles, or half of that with SPI2X. Single bits are not simulated: the received byte is all ones or all
-// zeros, as MISO's last level. The port still drives MOSI and SCK. SS is read when SPCR or SPDR is written.
+// Models the serial peripheral interface as master on the host (data sheet, chapter 19). A byte takes 8 bits
+// of 4, 16, 64 or 128 cycles, or half of that with SPI2X. Single bits are not simulated. The received byte is
+// 0xFF if MISO is high at the end, else 0. Unlike on the chip, the port's registers still drive MOSI and SCK.
+// SS is read only when SPCR or SPDR is written.
 #pragma once
 
 #include <stdint.h>

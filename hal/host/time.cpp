@@ -1,4 +1,4 @@
-// Implements time and pulses (wiring.c and wiring_pulse.c of the Arduino AVR core).
+// Implements functions for time and pulses (wiring.c and wiring_pulse.c of the Arduino AVR core).
 #include <Arduino.h>
 
 #include "hal/board/board_spec.h"
@@ -19,7 +19,7 @@ constexpr unsigned long kMicrosPerTick = 64 / kCyclesPerMicro;
 constexpr unsigned long kCyclesPerLoop = 16;  // cycles of pulseIn's loop, as assumed by the core
 // The shortest duration of a delayMicroseconds() call.
 constexpr unsigned int kShortestDelay_us = host::kClockHz < 16000000 ? 2 : 1;
-bool own_yield = true;  // false once the core's empty yield() is detected
+bool own_yield = true;  // whether the sketch defines yield(); false once the core's yield() has run
 
 unsigned long read_micros() {
   host::spend(cost::kMicros);
@@ -56,7 +56,7 @@ unsigned long micros() {
 
 void delay(unsigned long ms) {
   host::note_call("delay", kNoPin, 1, static_cast<int32_t>(ms));
-  ms = static_cast<uint32_t>(ms);  // as wide as on a chip: delay(-1) takes 49 days
+  ms = static_cast<uint32_t>(ms);  // 32 bits, as on a chip: delay(-1) takes 49 days
   host::be_late_if_due();
   unsigned long start = read_micros() - static_cast<unsigned long>(host::sooner / robosim::kMicrosecond);
   host::sooner = 0;
@@ -86,7 +86,7 @@ void delay(unsigned long ms) {
 
 void delayMicroseconds(unsigned int us) {
   host::note_call("delayMicroseconds", kNoPin, 1, static_cast<int32_t>(us));
-  // The AVR core counts loops of four cycles in 16 bits: at 16 MHz, more than 16383 us wraps.
+  // The AVR core counts loops of four cycles in 16 bits: at 16 MHz, the count overflows above 16383 us.
   constexpr unsigned kTurns = kCyclesPerMicro / 4;
   if (strcmp(host::board_spec->chip->target, "avr") == 0) us = (us * kTurns & 0xFFFF) / kTurns;
   host::work((us < kShortestDelay_us ? kShortestDelay_us : us) * robosim::kMicrosecond);

@@ -18,7 +18,8 @@ void Timer::listen_to_captures() {
   refresh_external();
 }
 
-// Changes the source of edges. The change is an edge if the levels of the two sources differ (16.6.1).
+// Selects the source of edges: comparator or pin. If their levels differ, the selection causes an edge
+// (16.6.1).
 void Timer::capture_comparator(bool is, bool level) {
   if (is == of_comparator_) return;
   const bool pin = read_pin(pin_of_capture());

@@ -1,8 +1,8 @@
-// Handles deviations of a timer from its regular period (datasheet, 15.7, 16.9): PWM values that take effect
-// later, a count above TOP, and a change of TOP. A counter runs regularly until the next deviation, its turn.
-// It then restarts with the present register values. Columns: the cause, the course of the count, the turn.
+// Handles deviations of a timer from its regular period (data sheet, 15.7, 16.9): PWM values that take effect
+// later, a count above TOP, and a change of TOP. A deviation ends at a turn: the counter restarts with the
+// present register values. Columns: the cause, the course of the count until the turn, the time of the turn.
 //
-//   OCRnA is pending, and is TOP         unchanged                              when it takes effect
+//   OCRnA is TOP, new value pending      unchanged                              when the value takes effect
 //   above TOP, counting up               to MAX, then 0                         at 0
 //   above TOP, counting down             down, as if TOP were its start         at BOTTOM
 #include "hal/host/clock.h"
@@ -27,7 +27,8 @@ Timer::Phase Timer::leave_registers() {
   return {count(), counts_down(now), now < hidden_, prescaler_, prescaler_ == 0 ? state.now : time_of(now)};
 }
 
-/// Starts a regular run at `base_`. PWM keeps its buffered values. `hidden`: TCNTn was just written (15.5.3).
+/// Restarts the counter at the time `base_`. Buffered PWM values remain. `hidden`: TCNTn was just written
+/// (15.5.3).
 void Timer::begin(uint16_t count, bool down, bool hidden) {
   const bool pwm = counting_.kind == avr::Counting::Kind::pwm;
   dual_slope_ = counting_.dual_slope;
@@ -36,7 +37,8 @@ void Timer::begin(uint16_t count, bool down, bool hidden) {
     if (time >= 0) time = pwm ? base_ : -1;
   const uint16_t compare_a = replaced_at_[0] >= 0 ? held_[0] : compare_[0];
   const int64_t top = pin_top_ = avr::top_of(counting_, compare_a, capture_);
-  // A write to TCNTn hides a match with TOP or BOTTOM at its value. Counting down from TOP never matches TOP.
+  // A write of TOP or BOTTOM to TCNTn hides the match with this value. A count down from TOP never matches
+  // TOP.
   const bool passes_bottom = hidden && down && count == 0;
   if (count == 0 && top == 0 && down && !hidden) {
     strays_ = true;
@@ -72,7 +74,7 @@ void Timer::turn() {
   refresh_due(base_tick_);
 }
 
-/// Handles all turns up to now. Reports turns, and values that have taken effect, to the pins.
+/// Handles all turns up to now. Updates the pins, because turns and new compare values may change them.
 void Timer::take_turns() {
   sync_waves();
   while (state.now >= turns_at_) turn();
@@ -84,7 +86,8 @@ void Timer::take_turns() {
   refresh_waves();
 }
 
-// Finds the next turn, or an earlier time to report a pin: when a value takes effect, or at a match.
+// Finds the next turn, or an earlier time at which a pin must be updated: when a compare value takes effect,
+// or at a match.
 void Timer::refresh_turn() {
   turns_at_ = turn_ == kNoTick || prescaler_ == 0 ? kNever : time_of(turn_);
   turn_due_ = pins_stale_ ? 0 : turns_at_;
@@ -103,8 +106,9 @@ void Timer::refresh_turn() {
   }
 }
 
-/// Returns whether the board is notified of each level of a pin, not of PWM or a tone. The timer then has no
-/// clock, or the pin toggles (COM = 1) at less than 20 Hz, or it has another COM and no PWM.
+/// Returns whether the board receives each level of a channel's pin, instead of PWM or a tone. This is true
+/// in three cases: the timer has no clock; the pin toggles (COM = 1) at less than 20 Hz; COM is 2 or 3
+/// without PWM.
 bool Timer::steps(int channel) const {
   constexpr int64_t kLowestTone_hz = 20;
   if (prescaler_ == 0) return true;
@@ -112,14 +116,15 @@ bool Timer::steps(int channel) const {
   return 2 * kLowestTone_hz * prescaler_ * avr::period_of(counting_, pin_top_) > kClockHz;
 }
 
-/// Stores a channel's level. Call it before a change that affects the times or levels of its matches.
+/// Stores the present level of a channel. Call it before a change of the times or levels of the channel's
+/// matches.
 void Timer::keep_level(int channel, int64_t tick) {
   if (connection(channel) == 1 || counting_.kind != avr::Counting::Kind::pwm)
     toggled_[channel] = level_at(channel, tick);
   toggled_at_[channel] = tick;
 }
 
-/// Returns the tick at which the channel's last written value takes effect.
+/// Returns the tick at which the compare value that was written last takes effect.
 int64_t Timer::held_until(int channel) const {
   if (replaced_at_[channel] < 0) return kLongAgo;
   const int64_t from = tick_at(replaced_at_[channel]) + 1;

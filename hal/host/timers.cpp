@@ -13,8 +13,8 @@ ROBOSIM_SETTINGS Timer timer1(1), timer2(2);
 ROBOSIM_CLOCKWORK Timer0Count timer0_count;
 
 namespace {
-// The duration of an overflow in whole milliseconds and 125ths of a millisecond, as in the core's wiring.c.
-// At 16 MHz, the duration is 1024 us = 1 ms + 3/125 ms.
+// The time between two overflows, in whole milliseconds and 125ths of a millisecond, as in the core's
+// wiring.c. At 16 MHz, the time is 1024 us = 1 ms + 3/125 ms.
 constexpr uint64_t kOverflow_us = 64 * 256 / (kClockHz / 1000000);
 constexpr uint64_t kMillis = kOverflow_us / 1000, kFraction = kOverflow_us % 1000 / 8, kWhole = 125;
 
@@ -137,8 +137,8 @@ bool Timer::level_at(int channel, int64_t tick) const {
   return avr::pwm_level(counting_, top_, compare, connected, tick % period_);
 }
 
-/// Returns the first tick after `after` at which PWM of this value changes its level; INT64_MAX if it never
-/// does.
+/// Returns the first tick after `after` at which PWM with the value `compare` changes its level. Returns
+/// INT64_MAX if the level never changes.
 int64_t Timer::next_change(uint16_t compare, int64_t after) const {
   if (compare >= pin_top_ || (counting_.dual_slope && compare == 0)) return INT64_MAX;
   const int64_t falls = compare + 1, rises = dual_slope_ ? (2 * top_ - compare + 1) % period_ : 0;
@@ -182,7 +182,7 @@ void Timer::count_edge(bool level) {
 }
 
 void Timer::set_capture(uint16_t value) {
-  if (counting_.top != avr::Counting::Top::capture) return;  // ICRn is writable only if it is TOP (16.6)
+  if (counting_.top != avr::Counting::Top::capture) return;  // ICRn is writable only as TOP (16.6)
   const Phase phase = leave_registers();
   capture_ = value;
   take_registers(phase);

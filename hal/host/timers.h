@@ -1,11 +1,13 @@
-// Timers 0, 1 and 2 (datasheet, chapters 15, 16 and 18). Counts are computed when they are read.
+// Models timers 0, 1 and 2 on the host (data sheet, chapters 15, 16 and 18). Counts are computed when they
+// are read.
 //
 //   single slope (normal, CTC, fast PWM):  period TOP + 1 ticks, count = position
 //   dual slope (phase correct PWM):        period 2 TOP ticks,   count = position, then 2 TOP - position
 //
 // A tick is `prescaler` CPU cycles. With PWM, a new compare value takes effect with the tick that leaves TOP
-// (BOTTOM in frequency correct modes). If TOP changes, or drops below the count, the counter deviates until a
-// "turn", when it restarts: see timer_turns.cpp. timer_capture.cpp captures edges of ICP1.
+// (BOTTOM in frequency correct modes). If TOP changes, or drops below the count, the counter deviates from
+// these formulas. The end of the deviation is called a turn (timer_turns.cpp). timer_capture.cpp captures
+// edges of ICP1.
 #pragma once
 
 #include <stdint.h>
@@ -47,52 +49,55 @@ class Timer {
 
   ROBOSIM_RARE void set_control_a(uint8_t value);
   ROBOSIM_RARE void set_control_b(uint8_t value);
-  /// Sets a compare value, and reports the pin's duty cycle at once, even if the value takes effect later.
-  /// The caller refreshes the pin, unless the value is the counter's TOP.
+  /// Sets a compare value. The board receives the pin's new duty cycle at once, even if the value takes
+  /// effect later. The caller must then refresh the pin. Exception: the value is the counter's TOP.
   void set_compare(int channel, uint16_t value);
-  /// Sets a compare value, and reports the duty cycle when the value takes effect.
+  /// Sets a compare value. The board receives the new duty cycle when the value takes effect.
   ROBOSIM_RARE void write_compare(int channel, uint16_t value);
   ROBOSIM_RARE void set_capture(uint16_t value);
   ROBOSIM_RARE void set_count(uint16_t value);
   ROBOSIM_RARE void set_enabled(uint8_t mask);
   void clear_flags(uint8_t mask);
 
-  /// Simulates init(), in which the timer has prescaler 8 for a moment before PWM (CS11, then CS10, WGM10).
-  /// The count most likely reaches 1. This raises flags of matches with 0, but no overflow until BOTTOM.
+  /// Simulates a moment of the core's init(): the timer runs with prescaler 8 before PWM is selected (CS11,
+  /// then CS10 and WGM10). In this moment, the count most likely reaches 1. This raises the flags of matches
+  /// with 0. The overflow flag is not raised before the count returns to BOTTOM.
   ROBOSIM_RARE void leave_bottom();
 
   /// Raises the enabled flags that are due now.
   void sync() {
     if (state.now >= due_) raise_due();
   }
-  /// Returns when the next enabled flag will be raised.
+  /// Returns the time at which the next enabled flag will be raised.
   SimTime due() const { return due_; }
-  /// For timer 0: returns when the next enabled flag other than the overflow will be raised.
+  /// Returns the time at which the next enabled flag other than the overflow will be raised.
   SimTime due_to_match() const { return due_to_match_; }
-  /// Returns whether only the overflow is due. take_overflows() then lets its handler start at once.
+  /// Returns whether only the overflow is due. The caller may then call take_overflows() and the overflow's
+  /// handler.
   bool overflows_next() const { return state.now >= due_of_[0] && state.now < due_to_match_; }
   /// Returns the flags that are raised and enabled.
   uint8_t pending() const { return flags_ & enabled_; }
   /// Clears `flag` when its handler starts.
   void acknowledge(uint8_t flag) { flags_ &= static_cast<uint8_t>(~flag); }
 
-  /// Returns the COM bits of channel 0 (A) or 1 (B). 0 = the pin belongs to the port.
+  /// Returns the COM bits of channel 0 (A) or 1 (B). 0 = the port drives the pin.
   uint8_t connection(int channel) const { return avr::connection(control_a_, channel); }
-  /// Sets the COM bits; the caller refreshes the pin.
+  /// Sets the COM bits. The caller must then refresh the pin.
   ROBOSIM_RARE void set_connection(int channel, uint8_t bits);
   /// Returns whether a channel drives its pin when the pin is an output.
   bool drives(int channel) const;
   /// Returns how a channel drives its pin.
   PinDrive drive(int channel) const;
-  /// For a channel with PWM: return its level at a time after the last register write, and the time of its
-  /// next change, or kNever.
+  /// Return the level of a channel's pin at `at`, and the time of its next change after `after`, or kNever.
+  /// The channel has PWM or toggles its pin. The times must not be before the last register write.
   bool level(int channel, SimTime at) const { return level_at(channel, tick_at(at)); }
   ROBOSIM_RARE SimTime next_edge(int channel, SimTime after) const;
   /// Returns the time of the next turn. Levels and edges are valid until then.
   SimTime turns_at() const { return turns_at_; }
   ROBOSIM_RARE void turn();
 
-  /// Returns whether the timer counts edges of a pin. count_edge() handles the pin's new level.
+  /// Returns whether the timer counts edges of a pin (external clock). count_edge() handles the pin's new
+  /// level.
   bool counts_edges() const { return (control_b_ & 7) != 0 && prescaler_ == 0; }
   ROBOSIM_RARE void count_edge(bool level);
 
@@ -108,7 +113,7 @@ class Timer {
   bool counts_bytes() const { return !dual_slope_ && top_ == 255 && prescaler_ != 0 && turn_ == kNoTick; }
   /// Returns the time `ticks` timer ticks after the present count began.
   SimTime ticks_from_now(int64_t ticks) const;
-  /// Counts overflows until now without raising their flag.
+  /// Returns the number of overflows that have not been counted yet, without raising the overflow flag.
   int64_t take_overflows();
 
  private:
@@ -138,7 +143,7 @@ class Timer {
   }
   ROBOSIM_RARE void take_turns();
   ROBOSIM_RARE bool steps(int channel) const;
-  /// Returns whether the board may be notified of each level of any channel.
+  /// Returns whether steps(channel) may be true for any channel.
   bool steps() const {
     return control_a_ & (counting_.kind == avr::Counting::Kind::pwm ? kToggles : kConnections);
   }
@@ -147,7 +152,7 @@ class Timer {
   int64_t tick_at(SimTime at) const;
   int64_t ticks() const { return tick_at(state.now); }
   uint16_t count_at(int64_t tick) const;
-  /// Returns whether the counter counts down; at BOTTOM, whether it came from above.
+  /// Returns whether the counter counts down, or has counted down to BOTTOM in the last tick.
   bool counts_down(int64_t tick) const {
     const int64_t at = tick % period_;
     return dual_slope_ && (strays_ || (top_ > 0 && (at > top_ || (at == 0 && tick > 0))));
@@ -169,22 +174,23 @@ class Timer {
     const bool clears = counting_.kind == avr::Counting::Kind::clear_on_match;
     return counting_.dual_slope || (strays_ ? clears : !clears || top_ == max_);
   }
-  /// Returns the position at which the overflow flag is raised. With dual slope this is one tick after
-  /// BOTTOM, so that a counter that starts at BOTTOM raises the flag at once.
+  /// Returns the position in the period at which the overflow flag is raised. With dual slope, this is one
+  /// tick after BOTTOM. A counter that starts at BOTTOM thus raises the flag with its first tick.
   int64_t overflows_at() const { return counting_.dual_slope ? 1 % period_ : 0; }
-  /// Stores in `at` the positions at which a match with `value` is detected. Returns their number, 0..2.
+  /// Stores in `at` the positions in the period at which a match with `value` is detected. Returns their
+  /// number, 0..2.
   ROBOSIM_RARE int matches(int64_t value, int64_t (&at)[2]) const;
-  /// Stores in `at` the positions at which the counter raises flag 0..3: overflow, match A, match B, and ICFn
-  /// at TOP. Returns their number. Matches use the last written value.
+  /// Stores in `at` the positions in the period at which the counter raises flag 0..3: overflow, match A,
+  /// match B, and ICFn at TOP. Returns their number. Matches use the compare value that was written last.
   int raises(int flag, int64_t (&at)[2]) const;
   static constexpr uint8_t bit_of(int flag) { return flag == 3 ? captured : static_cast<uint8_t>(1 << flag); }
-  /// Requests edges of ICPn from now on, since the sketch uses captures.
+  /// Requests edges of ICPn from now on, because the sketch uses captures.
   void listen_to_captures();
   /// Starts the noise canceler with the pin's level.
   void begin_canceler();
   bool captures() const { return counting_.top != avr::Counting::Top::capture; }
   bool has_capture() const { return flag_count_ > 3; }
-  static constexpr uint8_t kConnections = 0xF0, kToggles = 0x50;  ///< COM in TCCRnA: all bits; values 1, 3
+  static constexpr uint8_t kConnections = 0xF0, kToggles = 0x50;  ///< all bits COM; COMnA0, COMnB0
   /// Bits ICNCn and ICESn in TCCRnB.
   static constexpr uint8_t kCanceler = 0x80, kRisingCapture = 0x40;
 
@@ -199,12 +205,12 @@ class Timer {
   int32_t prescaler_ = 0;  ///< 0 = stopped
   // How the counter runs until the next turn:
   static constexpr int64_t kNoTick = INT64_MAX, kLongAgo = INT64_MIN;
-  bool dual_slope_ = false, strays_ = false;  ///< strays_: the count is above the registers' TOP
+  bool dual_slope_ = false, strays_ = false;  ///< strays_: deviates (timer_turns.cpp)
   int64_t top_, period_;
   int64_t pin_top_ = 0xFF;                         ///< TOP according to the registers, for duty cycles
   SimTime lasts_ = 0;                              ///< upper limit of the duration of a period
   int64_t turn_ = kNoTick;                         ///< tick at which the counter restarts
-  SimTime turns_at_ = kNever, turn_due_ = kNever;  ///< turn_due_: also when a pin must be reported
+  SimTime turns_at_ = kNever, turn_due_ = kNever;  ///< turn_due_: next turn or report of a pin
   int64_t hidden_ = kLongAgo;                      ///< a write to TCNTn hides a match at this tick
   uint16_t set_to_ = 0;                            ///< value of that write
   // The counter: tick `base_tick_` began at `base_`.
@@ -214,16 +220,17 @@ class Timer {
   int64_t disabled_seen_ = 0;   ///< tick up to which disabled flags, which are not scheduled, are up to date
   SimTime due_of_[4] = {kNever, kNever, kNever, kNever};  ///< due times of flags 0..3; kNever if not enabled
   SimTime due_ = kNever, due_to_match_ = kNever;
-  // Levels of the pins. Without PWM: the level after the last match, and its tick. With PWM: the value that a
-  // write replaced, and the time of the write.
+  // Levels of the pins. Without PWM: the level after the last match, and the tick of this match. With PWM:
+  // the compare value before the last write, and the time of the write.
   bool toggled_[2] = {false, false};
   int64_t toggled_at_[2] = {0, 0};
   uint16_t held_[2] = {0, 0};
   SimTime replaced_at_[2] = {-1, -1};  ///< -1 = no write since the last turn
-  uint8_t late_ = 0;                   ///< bits of channels whose pins are reported when values take effect
+  uint8_t late_ = 0;                   ///< channels whose new compare value is reported when it takes effect
   bool pins_stale_ = false;
-  // Captures: whether any are used, the level after the noise canceler, and its input with the time of its
-  // last change. The previous state is saved, too, in case the canceler withdraws the last edge.
+  // Captures: `listens_` = the sketch uses captures. `passed_` is the level after the noise canceler.
+  // `level_` is the level before the canceler, which changed at `changed_at_`. `had_flag_` and `had_capture_`
+  // are the state before the last edge, in case the canceler withdraws this edge.
   bool listens_ = false, of_comparator_ = false, comparator_ = false;
   bool passed_ = false, level_ = false, may_take_back_ = false, had_flag_ = false;
   SimTime changed_at_ = 0;
@@ -233,7 +240,7 @@ class Timer {
 extern Timer timer0, timer1, timer2;
 inline Timer& timer(int number) { return number == 0 ? timer0 : number == 1 ? timer1 : timer2; }
 
-/// Does at once the work of Timer 0's overflow handler since its last run, for firmware that only waits.
+/// Does the work of all due runs of Timer 0's overflow handler in one step, for firmware that only waits.
 void timer0_catch_up();
 /// The counts of Timer 0's overflow handler.
 struct Timer0Count {

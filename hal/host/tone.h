@@ -1,4 +1,5 @@
-// tone(): Timer 2 toggles one pin. As in the AVR core, analogWrite() has no PWM on pins 3 and 11 meanwhile.
+// Models tone() on the host: Timer 2 toggles one pin. During a tone, analogWrite() has no PWM on pins 3 and
+// 11, as in the AVR core.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -11,7 +12,7 @@ namespace host ROBOSIM_WITHIN {
 extern SimTime tone_end;
 /// Returns whether a tone plays.
 bool sounds();
-/// Return the level of the tone's pin at a time after its last change, and the time of its next change.
+/// Return the level of the tone's pin at `at`, and the time of the pin's next change after `after`.
 bool tone_level(SimTime at);
 SimTime next_tone_edge(SimTime after);
 /// Ends the tone. Call it when tone_end has passed.

@@ -1,5 +1,5 @@
-// The two-wire interface as master. hal/board/avr_twi.h has its steps and their durations. The port still
-// drives SDA and SCL.
+// Models the two-wire interface as master on the host. hal/board/avr_twi.h has the steps and their durations.
+// Unlike on the chip, the port's registers still drive SDA and SCL.
 #pragma once
 
 #include <stdint.h>

@@ -1,5 +1,6 @@
-// The UART (datasheet, chapter 19). The transmitter has a data register and a shift register. The receiver
-// buffers two bytes. A third byte waits in the shift register, where a fourth replaces it.
+// Models the UART on the host (data sheet DS40002061B, chapter 20). The transmitter has a data register and a
+// shift register. The receiver buffers two bytes. A third byte waits in the shift register, where a fourth
+// byte replaces the third.
 #pragma once
 
 #include <stdint.h>
@@ -25,18 +26,20 @@ class Uart {
   uint16_t divider() const { return divider_; }
   void set_divider(uint16_t value);
 
-  /// Returns the time of a byte on the line, including start, parity and stop bits.
+  /// Returns the duration of a byte on the line, including start, parity and stop bits.
   SimTime byte_time() const { return byte_time_; }
   /// Returns the number of accepted bytes that have not been sent completely.
   int64_t sending() const;
-  /// Returns when at most `count` accepted bytes are still unsent.
+  /// Returns the time from which at most `count` accepted bytes are unsent.
   SimTime until_sending(int64_t count) const { return sent_ - count * byte_time_; }
-  /// Accepts a byte, however many are waiting. To observe the chip's limits, check sending() before.
+  /// Accepts a byte, even if the chip's data register is full. To respect the chip's limit, check sending()
+  /// first.
   void send(uint8_t byte);
 
   /// Handles an incoming byte.
   void receive(uint8_t byte);
-  /// Removes and returns the receiver's oldest byte (UDR0). Without a new byte, returns the last one again.
+  /// Removes and returns the receiver's oldest byte (UDR0). Without a new byte, returns the previous byte
+  /// again.
   uint8_t take();
   bool has_byte() const { return waiting_ > 0; }
 
@@ -58,7 +61,7 @@ class Uart {
 
   uint8_t control_ = 0, format_ = 0x06;
   bool double_speed_ = false, overrun_ = false;
-  bool sent_seen_ = true;  ///< TXC has been cleared since the last byte left
+  bool sent_seen_ = true;  ///< TXC was cleared after the last byte was sent
   uint16_t divider_ = 0;
   SimTime byte_time_ = 0;
   SimTime sent_ = 0;  ///< when the last byte ends

@@ -1,7 +1,7 @@
-// Handlers of gcc's UndefinedBehaviorSanitizer. Every image has handlers for a division by zero and for
-// unreachable code. An image built with checks has all the others, too (listed in
-// sim/build/target.cpp). Without checks, a division by zero is only recorded, and has the chip's result
-// (sim/build/division.h).
+// Handlers of gcc's UndefinedBehaviorSanitizer. Every image calls the handlers for a division by zero and for
+// unreachable code. An image that is built with checks (--sanitize) also calls the other handlers, for the
+// checks in sim/build/target.cpp. Without checks, a division by zero is only recorded, and has the chip's
+// result (sim/build/division.h).
 #include "hal/host/clock.h"
 
 namespace {
@@ -14,7 +14,7 @@ __attribute__((noreturn)) void fail(const char* check, const void* data, uintptr
 
 }  // namespace
 
-// Some checks have fewer than two values. The receiver distinguishes checks by their names.
+// Some checks pass fewer than two values. The executor distinguishes checks by their names.
 #define ROBOSIM_HANDLER(check)                                                                 \
   extern "C" void __ubsan_handle_##check(const void* data, uintptr_t value, uintptr_t other) { \
     fail(#check, data, value, other, __builtin_return_address(0));                             \

@@ -13,8 +13,8 @@ namespace {
 constexpr uint8_t kWdif = 0x80, kWdie = 0x40, kWdp3 = 0x20, kWdce = 0x10, kWde = 0x08, kWdp = 0x07;
 constexpr SimTime kShortest = 16 * kMillisecond;
 constexpr int kLongestWdp = 9;
-// WDCE stays set for 4 cycles on the chip, but two consecutive statements on the host take longer. This value
-// is enough for the next statement.
+// The time for which WDCE stays set. On the chip, this is 4 cycles, but on the host two consecutive
+// statements take longer. 64 cycles are enough for the next statement.
 constexpr int kWindowCycles = 64;
 
 }  // namespace

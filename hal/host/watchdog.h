@@ -1,6 +1,6 @@
-// The watchdog, with the modes of sim/mcu/avr/watchdog.h. After a reset, the sketch restarts with MCUSR
-// cleared and the watchdog off, as after an Uno's boot loader. Unlike on the chip, all variables are
-// initialised again, including those in .noinit.
+// Models the watchdog on the host. sim/mcu/avr/watchdog.h describes its modes. After a reset, the sketch
+// restarts with MCUSR cleared and the watchdog off, as after an Uno's boot loader. Unlike on the chip, all
+// variables are initialised again, including those in .noinit.
 #pragma once
 
 #include <stdint.h>

@@ -45,7 +45,8 @@ namespace {
 void tell_until(SimTime limit) {
   for_each_followed([limit](Pin pin) {
     SimTime& next = next_edges[pin];
-    // A timer must receive every edge. Interrupt flags depend only on the first two edges and the last level.
+    // A timer must receive every edge. Interrupt flags depend only on the first two edges and on the last
+    // level.
     const bool timed = places[pin].counted_by >= 0 || places[pin].captured_by >= 0;
     for (int told = 0; (timed || told < 2) && next <= limit; ++told) {
       hear_level(pin, level_at(pin, next), next);

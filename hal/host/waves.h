@@ -1,6 +1,6 @@
 // Handles pins that the chip toggles without firmware: by PWM, by a timer's toggle mode, or by tone(). The
-// board receives a duty cycle or frequency. The levels that the sketch reads at these pins, and the edges
-// that cause interrupts, are computed on demand.
+// board receives only a duty cycle or a frequency. This code computes the levels that the sketch reads at
+// these pins, and the edges that cause interrupts.
 #pragma once
 
 #include "hal/board/board.h"
@@ -21,13 +21,14 @@ ROBOSIM_RARE void tell_waves();
 inline void sync_waves() {
   if (state.now >= wave_due) tell_waves();
 }
-/// Toggling pins whose edges have a listener.
+/// The toggling pins that are in `heard` (external.h).
 extern PinSet followed;
 void follow_anew();
-/// Update all followed pins after a change that moves edges; or a pin that starts or stops toggling.
+/// Updates all followed pins after a change that moves edges.
 inline void refresh_waves() {
   if (followed.any()) follow_anew();
 }
+/// Updates a pin that starts or stops toggling.
 void refresh_wave(Pin pin);
 
 }  // namespace ROBOSIM_WITHIN

@@ -3,7 +3,7 @@
 // Sources: RM0008 rev. 21, the reference manual of the STM32F10xxx (each group names its section), and
 // PM0056 rev. 6, the programming manual of the Cortex-M3, for the processor.
 //
-// C++14, no standard library: firmware includes this header.
+// This header uses C++14 without the standard library, because firmware includes it.
 #pragma once
 
 #include <stdint.h>
@@ -23,8 +23,8 @@ constexpr uint32_t kPageBytes = 1024;  // a page of flash, the smallest unit of 
 constexpr uint32_t kEepromPages = 4;
 constexpr Address kEepromFlash = kFlash + kFlashBytes - kEepromPages * kPageBytes;
 
-/// Returns the address of a word that stands for one bit of a peripheral's register (RM0008 3.3.2; PM0056
-/// 2.2.5).
+/// Returns the address of the word in the bit-band region that stands for one bit of a peripheral's register
+/// (RM0008 3.3.2; PM0056 2.2.5).
 constexpr Address bit_band(Address address, uint32_t bit) {
   return 0x42000000 + (address - 0x40000000) * 32 + bit * 4;
 }
@@ -47,8 +47,9 @@ constexpr uint32_t kDma1En = 1u << 0, kCrcUnitEn = 1u << 6;
 constexpr uint32_t kAfioEn = 1u << 0, kIopaEn = 1u << 2, kIopbEn = 1u << 3, kIopcEn = 1u << 4,
                    kAdc1En = 1u << 9, kTim1En = 1u << 11, kUsart1En = 1u << 14;
 constexpr uint32_t kTim2En = 1u << 0, kTim3En = 1u << 1, kTim4En = 1u << 2;
-/// Return whether a peripheral is on APB2, and its bit in RCC_APBnENR and RCC_APBnRSTR (7.3.3, 7.3.4; n is
-/// the bus). The bit's number is the peripheral's offset on the bus, in units of 0x400 bytes.
+/// Return whether a peripheral is on the bus APB2, and its bit in RCC_APBnENR and RCC_APBnRSTR (7.3.3, 7.3.4;
+/// n is the number of the bus). The bit's number is the peripheral's offset on the bus, in units of 0x400
+/// bytes.
 constexpr bool behind_apb2(Address address) { return address >= 0x40010000; }
 constexpr uint32_t clock_bit(Address address) { return 1u << ((address & 0xFFFF) / 0x400); }
 

@@ -1,4 +1,4 @@
-// analogRead by ADC1 (RM0008 11), analogWrite by timers 1, 3 and 4 (14.3.10, 15.3.9).
+// Implements analogRead() by ADC1 (RM0008 11), and analogWrite() by timers 1, 3 and 4 (14.3.10, 15.3.9).
 #include <Arduino.h>
 
 #include "hal/arduino/resolution.h"
@@ -9,8 +9,8 @@ using namespace robosim::stm32;
 
 namespace {
 
-// Samples for 28.5 cycles (RM0008 11.12.5). A source of 10 kohm is then allowed: the limit at 14 MHz is
-// 25 kohm (DS5319, table 47).
+// The ADC samples for 28.5 cycles (RM0008 11.12.5). A source of 10 kohm is then allowed: the limit at 14 MHz
+// is 25 kohm (DS5319, table 47).
 constexpr uint32_t kSampleTime = 3;
 
 void start_adc() {
@@ -28,7 +28,7 @@ void start_adc() {
 
 Address timer_base(uint8_t timer) { return timer == 1 ? kTim1 : timer == 3 ? kTim3 : kTim4; }
 
-// 255 steps, as on an Uno, at about 1000 Hz.
+// PWM has 255 steps, as on an Uno, at about 1000 Hz.
 constexpr uint32_t kPwmSteps = 255, kPwmHz = 1000;
 constexpr uint32_t kPwmPrescaler = F_CPU / (kPwmSteps * kPwmHz);
 
@@ -84,7 +84,7 @@ void analogWrite(uint8_t number, int given) {
   const Address timer = timer_base(pin->timer);
   const uint32_t compare = value > kPwmSteps ? kPwmSteps : value;
   const bool runs = configuration(*pin) == kAlternate;
-  if (!runs) start_pwm(*pin, timer);  // first: a timer without a clock ignores the write
+  if (!runs) start_pwm(*pin, timer);  // before the write, which a timer without a clock ignores
   at(timer + kTimCcr1 + 4u * (pin->output - 1u)) = compare;
   if (!runs) configure(*pin, kAlternate);
 }

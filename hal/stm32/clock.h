@@ -1,4 +1,4 @@
-// Controls the clock tree, SysTick's millisecond interrupt, and the timer that ends a sleep.
+// Controls the clocks of the chip, SysTick's interrupt at each millisecond, and the timer that ends a sleep.
 #pragma once
 
 #include "hal/stm32/registers.h"
@@ -12,10 +12,10 @@ namespace stm32 {
 void start_clocks();
 /// Starts SysTick, which interrupts every millisecond (PM0056 4.5).
 void start_systick();
-/// Sleeps until the next interrupt, or for `us` microseconds (1 to 1000), whichever is sooner.
+/// Sleeps until the next interrupt, but at most for `us` microseconds (1 to 1000).
 void sleep_for(uint32_t us);
 
-/// The cycles per microsecond.
+/// The number of CPU cycles per microsecond.
 constexpr uint32_t kCyclesPerMicro = F_CPU / 1000000u;
 
 }  // namespace stm32

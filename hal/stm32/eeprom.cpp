@@ -15,14 +15,15 @@ bool complete(Address bank) { return load_half(bank) == kBankMark; }
 /// Returns the valid bank, or 0 before the first write.
 Address current_bank() {
   const bool first = complete(kBanks[0]), second = complete(kBanks[1]);
-  if (first && second)  // compares modulo 65536: the numbers wrap around
+  if (first && second)  // the bank numbers wrap around, so the difference is compared modulo 65536
     return kBanks[static_cast<uint16_t>(load_half(kBanks[1] + 2) - load_half(kBanks[0] + 2)) < 0x8000];
   return first ? kBanks[0] : second ? kBanks[1] : 0;
 }
 
 Address change(Address bank, uint32_t number) { return bank + kChangesAt + 4 * number; }
 
-/// Returns the number of used entries for changes. An entry is used if its first half word is written.
+/// Returns the number of used entries for changes in a bank. The first half word of a used entry is not
+/// 0xFFFF.
 uint32_t changes_in(Address bank) {
   uint32_t low = 0, high = kChanges;
   while (low < high) {
@@ -110,7 +111,7 @@ void robosim_eeprom_write(uint16_t address, uint8_t value) {
     bank = renew(bank, changes);
     changes = 0;
   }
-  // Write the address last, because it makes the change valid.
+  // Writes the address last, because the address makes the change valid.
   program(change(bank, changes), static_cast<uint16_t>(kChangeMark | value));
   program(change(bank, changes) + 2, address);
 }

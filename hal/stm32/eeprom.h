@@ -1,7 +1,7 @@
-// Emulates an EEPROM of 1024 bytes in the last four pages of flash. Flash is erased by pages of 1 KB, and
-// programmed by half words (PM0075 2).
+// Emulates an EEPROM of 1024 bytes in the last four pages of flash. Flash is erased in pages of 1 KB, and
+// programmed in half words (PM0075 2).
 //
-// Two banks of two pages alternate. Layout of a bank:
+// The emulation alternates between two banks of two pages each. Layout of a bank:
 //
 //   0x000  two half words: 0x5AA5 once the bank is complete, and the bank's number (the previous one + 1)
 //   0x004  1024 bytes: the EEPROM's content when the bank was written

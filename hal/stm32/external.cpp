@@ -1,4 +1,5 @@
-// Implements attachInterrupt() for any pin (RM0008 10.2, 9.4.3). An EXTI line serves the last attached port.
+// Implements attachInterrupt() for any pin (RM0008 10.2, 9.4.3). Pins with the same bit number share an EXTI
+// line. The line serves only the pin that was attached last.
 #include <Arduino.h>
 
 #include "hal/stm32/pins.h"

@@ -1,5 +1,5 @@
-// Implements the C standard's strfromd(), which newlib lacks, for "%.Nf", "%.Ne" and "%.NE". Uses newlib's
-// exact conversion.
+// Implements the C standard's strfromd(), which is missing in newlib, for "%.Nf", "%.Ne" and "%.NE". Uses
+// newlib's exact conversion.
 #include <stddef.h>
 #include <stdlib.h>
 
@@ -7,8 +7,9 @@ extern "C" {
 
 struct _reent;
 extern _reent* _impure_ptr;
-/// Returns the digits of `value` without trailing zeros (newlib). Mode 2 gives `count` digits, mode 3 gives
-/// `count` decimals. `*point` receives the position of the decimal point (9999 for NaN and infinity).
+/// Returns the digits of `value` without trailing zeros (a function of newlib). Mode 2 returns at most
+/// `count` digits, mode 3 at most `count` decimals. `*point` receives the position of the decimal point (9999
+/// for NaN and infinity).
 char* _dtoa_r(_reent*, double value, int mode, int count, int* point, int* negative, char** end);
 }
 

@@ -11,7 +11,7 @@ struct PinMap {
   uint8_t port;    ///< 0 = A, 1 = B, 2 = C
   uint8_t bit;     ///< 0 to 15; also the number of the pin's EXTI line
   int8_t channel;  ///< channel of ADC1; -1 = none
-  uint8_t timer;   ///< the timer that can drive it by PWM: 1, 3 or 4; 0 = none
+  uint8_t timer;   ///< timer that can drive the pin by PWM: 1, 3 or 4; 0 = none
   uint8_t output;  ///< channel of that timer, 1 to 4
 };
 
@@ -34,7 +34,8 @@ inline void write_pin(const PinMap& pin, bool level) {
 }
 inline bool read_pin(const PinMap& pin) { return load(bit_band(port_of(pin) + kIdr, pin.bit)) != 0; }
 
-/// Clocks ports A to C and AFIO, and frees PA15, PB3 and PB4 from JTAG (RM0008 9.3.5). SWD stays enabled.
+/// Enables the clocks of ports A to C and AFIO. Disables JTAG, so that PA15, PB3 and PB4 become ordinary pins
+/// (RM0008 9.3.5). SWD stays enabled.
 void start_pins();
 /// Inverts the pin's output level without changing other pins of the port.
 void toggle_pin(const PinMap& pin);

@@ -1,4 +1,5 @@
-// Numbers the pins of the Blue Pill: 0 to 19 have the functions of an Uno's pins 0 to 19; the rest follow.
+// Numbers the pins of the Blue Pill. Numbers 0 to 19 have the functions of an Uno's pins 0 to 19. The
+// remaining pins follow.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h
@@ -10,7 +11,7 @@
 #define analogInputToDigitalPin(p) ((p) < 8 ? (p) + 14 : -1)
 #define EXTERNAL_NUM_INTERRUPTS 16
 
-#define LED_BUILTIN 13  // PC13, lit while LOW
+#define LED_BUILTIN 13  // PC13; the LED is lit while the pin is LOW
 
 #define PIN_A0 (14)
 #define PIN_A1 (15)

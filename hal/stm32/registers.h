@@ -21,7 +21,7 @@ void wait_for_interrupt();
 #else
 inline uint32_t load(Address address) { return *reinterpret_cast<volatile uint32_t*>(address); }
 inline void store(Address address, uint32_t value) { *reinterpret_cast<volatile uint32_t*>(address) = value; }
-/// Access half words, the unit in which flash is programmed.
+/// Access half words: flash is programmed in half words.
 inline uint16_t load_half(Address address) { return *reinterpret_cast<volatile uint16_t*>(address); }
 inline void store_half(Address address, uint16_t value) {
   *reinterpret_cast<volatile uint16_t*>(address) = value;
@@ -35,7 +35,7 @@ inline bool disable_interrupts() {
 inline void restore_interrupts(bool enabled) {
   if (enabled) __asm__ volatile("cpsie i" ::: "memory");
 }
-/// Returns whether interrupts are on and no handler runs. Otherwise a sleep might never end.
+/// Returns whether interrupts are on and no handler is running. Otherwise a sleep might never end.
 inline bool takes_interrupts() {
   uint32_t masked, handler;
   __asm__ volatile("mrs %0, primask\n\tmrs %1, ipsr" : "=r"(masked), "=r"(handler));
@@ -66,7 +66,7 @@ class Register {
 
 constexpr Register at(Address address) { return Register(address); }
 
-/// Keeps interrupts off while the object exists.
+/// Disables interrupts while the object exists.
 class Quiet {
  public:
   Quiet() : were_on_(disable_interrupts()) {}

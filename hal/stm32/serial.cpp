@@ -35,7 +35,7 @@ bool started;
 void serve() {
   const uint32_t status = load(kUsartSr);
   if (status & (kRxne | kOre)) {
-    const auto byte = static_cast<uint8_t>(load(kUsartDr));  // after SR: clears RXNE and ORE (27.6.1)
+    const auto byte = static_cast<uint8_t>(load(kUsartDr));  // after SR; this clears RXNE and ORE (27.6.1)
     if (status & kRxne && !received.full()) received.put(byte);
   }
   if (status & kTxe && load(kUsartCr1) & kTxeie) {
@@ -78,7 +78,7 @@ int HardwareSerial::availableForWrite() { return kMask - waiting.size(); }
 void HardwareSerial::flush() {
   if (!started) return;
   while (!waiting.empty() || !(load(kUsartSr) & kTc)) {
-    const Quiet quiet;  // the loop works even with interrupts already disabled
+    const Quiet quiet;  // calls serve(), so the loop also ends if interrupts were off before
     serve();
   }
 }

@@ -1,4 +1,5 @@
-// Start-up code before setup(): vector table (RM0008 10.1.2, table 63), memory, clocks, constructors.
+// The start-up code that runs before setup(): vector table (RM0008 10.1.2, table 63), memory, clocks,
+// constructors.
 #include <Arduino.h>
 
 #include "hal/stm32/clock.h"
@@ -11,7 +12,7 @@ extern void (*__init_array_end[])();
 
 int main();
 
-/// Handles interrupts that have no handler.
+/// Handles interrupts for which the sketch and the core define no handler: loops forever.
 void Default_Handler() {
   for (;;) {
   }

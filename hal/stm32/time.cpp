@@ -1,4 +1,4 @@
-// Implements millis, micros, delay and pulse measurement by SysTick (PM0056 4.5).
+// Implements millis, micros, delay and pulse measurement, by SysTick (PM0056 4.5).
 #include <Arduino.h>
 
 #include "hal/stm32/clock.h"
@@ -9,11 +9,10 @@ using namespace robosim::stm32;
 namespace {
 
 constexpr uint32_t kCyclesPerMilli = F_CPU / 1000u;
-/// The maximum time that the beginning and end of a sleep take: about 400 cycles.
+/// The maximum time, in us, that the beginning and the end of a sleep take: about 400 cycles.
 constexpr uint32_t kSleepUs = 400u / kCyclesPerMicro + 1u;
 
-/// Waits by SysTick's counter alone, because micros() stops after at most a millisecond with interrupts
-/// off.
+/// Waits by SysTick's counter alone. With interrupts off, micros() stops after at most a millisecond.
 void spin(uint32_t us) {
   uint32_t last = load(kStkVal), cycles = 0;
   while (us > 0) {

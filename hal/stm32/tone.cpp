@@ -1,4 +1,5 @@
-// Implements tone(): timer 1 interrupts at each edge. Meanwhile analogWrite does nothing on pins 0, 1, 3, 28.
+// Implements tone(): timer 1 causes an interrupt at each edge. During a tone, analogWrite has no effect on
+// the pins 0, 1, 3 and 28.
 #include <Arduino.h>
 
 #include "hal/stm32/clock.h"
@@ -9,7 +10,7 @@ using namespace robosim::stm32;
 namespace {
 
 const PinMap* volatile sounding;
-volatile uint32_t edges_left;  ///< the number of remaining edges, if `ends`
+volatile uint32_t edges_left;  ///< number of edges until the end of the tone, if `ends`
 volatile bool ends;
 
 void stop() {

@@ -1,6 +1,6 @@
 #include <SoftwareSerial.h>
 
-// Club racer with PD control, and an HC-05 on pins 10/11. Commands from a phone (Serial Bluetooth Terminal):
+// Follows a line with PD control. A phone (Serial Bluetooth Terminal) sends commands to the HC-05 module:
 //   g = go, s = stop, p80 = Kp in thousandths, d60 = Kd in hundredths, ? = show
 SoftwareSerial BT(10, 11);  // RX, TX
 

@@ -23,7 +23,7 @@ const int FAST = 255, SLOW = 140;      // PWM of the drives from rest
 const unsigned long FAST_MS = 300, SLOW_MS = 500, ROLL_MS = 700;
 
 volatile long countL = 0, countR = 0;
-volatile int signL = 1, signR = 1;     // commanded direction: a single channel does not show it
+volatile int signL = 1, signR = 1;     // commanded direction, which a single encoder channel does not show
 unsigned long began;
 
 void edgeL() { countL += signL; }
@@ -68,7 +68,7 @@ void begin() {
   began = micros();
 }
 
-// Prints a row: time, motor commands from now on (in drives only), counts, readings (in sweeps only).
+// Prints a row: time, new motor commands (only in drives), encoder counts, and readings (only in sweeps).
 void row(bool sweep, int left, int right) {
   unsigned long t = micros() - began;
   long l = counted(countL), r = counted(countR);

@@ -1,4 +1,4 @@
-// Follows a DPRG course: black lines on white tiles of 12 inches, with straights and curves of 6 inches.
+// Follows a course of the robotics club DPRG: black lines on white 12-inch tiles, curves of radius 6 inches.
 // Converts five sensors to bits, and looks up the steering in a table.
 const uint8_t EYES[5] PROGMEM = {A0, A1, A2, A3, A4};
 const uint8_t L_EN = 5, L_FWD = 7, L_REV = 8, R_EN = 6, R_FWD = 9, R_REV = 10;

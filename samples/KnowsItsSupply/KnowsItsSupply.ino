@@ -1,7 +1,7 @@
 /*
   Measures the supply without extra parts: the ADC compares the chip's 1.1 V reference with the supply
-  ("secret voltmeter"). The measured supply scales the reading of the battery's divider: the supply may
-  sink with the battery. The robot stops before the battery is too low for the motor driver.
+  ("secret voltmeter"). The measured supply scales the reading of the battery's divider, because the supply
+  may sink with the battery. The robot stops before the battery is too low for the motor driver.
 */
 const byte EN_L = 5, IN1_L = 7, EN_R = 6, IN1_R = 9, BATTERY = A5;
 const long BANDGAP_MV = 1100;

@@ -1,6 +1,6 @@
 #include "config.h"
 
-// The tabs of this sketch: ManyTabs, a_sensors, b_motors, z_menu, and config.h
+// Follows a line with three digital sensors. The tabs: ManyTabs, a_sensors, b_motors, z_menu, and config.h
 
 Mode mode = MODE_SLOW;          // Mode is in config.h
 Reading now;

@@ -1,4 +1,4 @@
-/* Shows a menu on a 16x2 display (HD44780 in 4-bit mode, without a library). Three buttons have a pin each.
+/* Shows a menu on a 16x2 display (HD44780 in 4-bit mode, without a library). Three buttons each use one pin.
    SELECT starts the race; the display then shows the time. */
 enum { RS = 12, EN = 11, D4 = A4, D5 = A3, D6 = A2, D7 = A1 };
 enum { UP = 2, DOWN = 3, SELECT = 4 };

@@ -1,5 +1,5 @@
-// State machine for the school race: WAIT -> COUNTDOWN -> FOLLOW <-> SEARCH -> FINISHED
-// Three sensors; the finish is a black bar under all of them.
+// A state machine for a school's line race: WAIT -> COUNTDOWN -> FOLLOW <-> SEARCH -> FINISHED
+// The robot has three sensors. The finish is a black bar that all three see at the same time.
 
 enum class State : uint8_t { Wait, Countdown, Follow, Search, Finished };
 

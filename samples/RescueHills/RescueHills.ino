@@ -70,7 +70,7 @@ void keep_speed() {
   const long now = counts(false);
   const float error = SPEED - (now - before) / 2 * MM / seconds;
   before = now;
-  if (seconds > 0.1) return;        // another manoeuvre has taken this time
+  if (seconds > 0.1) return;        // a manoeuvre has happened since the last call
   sum = constrain(sum + error * seconds * 1.5, -60, 120);
   power = constrain(POWER + 0.1 * error + sum, 0, 220);
 }

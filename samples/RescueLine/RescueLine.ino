@@ -129,7 +129,7 @@ void watch_green(byte side, int value) {
   }
 }
 
-// Turns at a sharp corner under the sensors: first moves the axle there, then turns left (-1) or right (1).
+// Turns at a sharp corner under the sensors: moves the axle to the corner, then turns left (-1) or right (1).
 void corner(int side) {
   go(45, SPEED);
   stop();
@@ -175,7 +175,7 @@ void around() {
   stop();
   turn(90);
   stop();
-  // Drives a circle to the left, back to the line. The wheels' distances are proportional to their radii.
+  // Drives in a circle to the left, back to the line. The wheels' distances are proportional to their radii.
   noInterrupts();
   long left_0 = left_counts, right_0 = right_counts;
   interrupts();
@@ -242,7 +242,7 @@ void loop() {
   if (clear_road) {
     watch_green(0, level[0]);
     watch_green(1, level[4]);
-    // On at least one side, the black area is wider than the line.
+    // An intersection: on at least one side, the black area is wider than the line.
     if (level[2] > 60 && ((level[0] > 75 && level[1] > 60) || (level[4] > 75 && level[3] > 60))) {
       intersection();
       return;

@@ -1,5 +1,5 @@
-// Drives a lap of Robotrace: a white line on black, with marks next to the line. On the right, the first mark
-// is the start, the second the goal. Left marks are corners. At a crossing, both sides see the other line.
+// Drives a lap of Robotrace, a white line on black. The first mark right of the line is the start, the second
+// mark is the goal. Marks on the left are corners. At a crossing, both mark sensors see the crossing line.
 const byte LINE[5] = {A0, A1, A2, A3, A4};
 const byte LEFT_MARK = 4, RIGHT_MARK = 12, LAMP = 13;
 const byte LEFT_PWM = 5, LEFT_IN1 = 7, LEFT_IN2 = 8;
@@ -25,7 +25,7 @@ void drive(int left, int right) {
   analogWrite(RIGHT_PWM, constrain(abs(right), 0, 255));
 }
 
-// Returns -200 (line under the left sensor) to 200 (right). After a loss: -250 or 250, by the last side.
+// Returns -200 (line under the left sensor) to 200 (right). Returns -250 or 250 if the line was lost there.
 int position() {
   long sum = 0, weighted = 0;
   for (byte i = 0; i < 5; i++) {

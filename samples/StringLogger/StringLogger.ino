@@ -1,4 +1,4 @@
-// Logs with String objects, whose heap fits an Uno.
+// Logs with String objects. Their heap fits in the RAM of an Uno.
 #define LED_PIN LED_BUILTIN
 String robotName = "Robi";
 String logLine;

@@ -1,4 +1,4 @@
-// A preemptive kernel in eighty lines: three tasks with separate stacks, switched by timer 2 every 2 ms.
+// A preemptive kernel in seventy lines: three tasks with separate stacks, switched by timer 2 every 2 ms.
 #include "kernel.h"
 
 volatile int16_t error = 0;

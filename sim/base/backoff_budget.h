@@ -1,5 +1,5 @@
-// Decides whether examining a loop pays off, by comparing savings and costs in firmware cycles. If a loop
-// does not pay off, it is ignored for a while. Each further ban lasts twice as long.
+// Decides whether examining a loop pays off, by comparing savings and costs in firmware cycles. A loop that
+// does not pay off is banned: the caller ignores it for a while. Each further ban lasts twice as long.
 #pragma once
 
 #include <algorithm>

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-// Two digits for each value of twelve bits.
+// The two base64 digits of each value of twelve bits.
 constexpr auto kPairs = [] {
   std::array<std::array<char, 2>, 4096> pairs{};
   for (std::size_t bits = 0; bits < pairs.size(); ++bits)
@@ -21,7 +21,8 @@ constexpr auto kPairs = [] {
   return pairs;
 }();
 
-// Value of each character at each of the four positions in a group; kBad for an invalid character.
+// The bits that each character contributes at each of the four positions in a group; kBad for an invalid
+// character.
 constexpr std::uint32_t kBad = 1u << 24;
 constexpr auto kValues = [] {
   std::array<std::array<std::uint32_t, 256>, 4> values{};

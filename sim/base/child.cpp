@@ -22,7 +22,7 @@ namespace {
   throw std::system_error(error, std::generic_category(), what);
 }
 
-/// The settings of posix_spawn(), and the descriptors that must stay open until it returns.
+/// The settings of a posix_spawn() call, and the descriptors that must stay open until the call returns.
 struct Instructions {
   posix_spawnattr_t spawn;
   posix_spawn_file_actions_t files;
@@ -75,8 +75,8 @@ struct Instructions {
   }
 };
 
-/// While it exists, programs that this thread starts have no random addresses. Containers may refuse this: it
-/// then has no effect.
+/// Disables random addresses in the programs that this thread starts, during the lifetime of the object. Has
+/// no effect if the kernel or a container refuses this setting.
 class FixedAddresses {
  public:
   explicit FixedAddresses(bool wanted) : before_(wanted ? ::personality(kQuery) : -1) {

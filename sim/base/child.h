@@ -39,8 +39,8 @@ struct ChildStart {
   int input = kOurs, output = kOurs, errors = kOurs;
   std::vector<int>
       default_signals;     ///< signals with default actions in the child; if any, the child blocks no signal
-  bool own_group = false;  ///< creates a process group for the child: Ctrl-C in a terminal does not reach it
-  bool fixed_addresses = false;  ///< equal addresses at each start; no effect where the kernel refuses it
+  bool own_group = false;  ///< starts a process group, so that Ctrl-C in a terminal does not reach the child
+  bool fixed_addresses = false;  ///< equal addresses at each start; no effect if the kernel refuses that
 };
 
 /// A child process: a program, or a copy of this process. A program inherits the descriptors in its

@@ -189,7 +189,8 @@ std::optional<Fault> find_fault(std::string_view text) {
              (lines ? !text.substr(i).starts_with(three) : text[i] != c && text[i] != '\n'))
         i += c == '"' && text[i] == '\\' ? 2 : 1;
       i = std::min(i + (lines ? 3 : 1), text.size());
-      for (int more = 0; lines && more < 2 && i < text.size() && text[i] == c; ++more) ++i;  // """a"""" is a"
+      // Up to two quotes before the closing quotes belong to the text: """a"""" contains the text a".
+      for (int more = 0; lines && more < 2 && i < text.size() && text[i] == c; ++more) ++i;
     } else {
       if (std::string wrong = nesting.take(c); !wrong.empty()) return Fault{i, std::move(wrong)};
       ++i;

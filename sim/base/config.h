@@ -1,5 +1,5 @@
 // Parses TOML to a small tree, in which each value stores its place for messages. Only config.cpp includes
-// the TOML library, because compiling this library requires 450 MB.
+// the TOML library, because compiling this library requires 450 MB of memory.
 #pragma once
 
 #include <cstdint>
@@ -64,8 +64,8 @@ class TableReader {
   /// Reads a string that is one of `allowed`.
   std::string choice(const char* key, std::string fallback, const std::vector<std::string>& allowed);
 
-  /// Throws InputError for the first unknown key that resembles a known key. Call this after all keys are
-  /// read, if a required key is missing.
+  /// Throws InputError for the first unknown key that resembles a missing known key. Call this when a
+  /// required key is missing, after all keys were read: the user may have misspelt the required key.
   void refuse_misspelt() const;
   /// Throws InputError for the first key that was never read.
   void finish() const;

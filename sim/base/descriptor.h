@@ -34,7 +34,7 @@ class Descriptor {
   int fd_ = -1;
 };
 
-/// Returns a descriptor with a number of at least `least` for the open file of `fd`. Throws
+/// Returns a descriptor for the open file of `fd`, with a number of at least `least`. Throws
 /// std::system_error.
 inline Descriptor at_least(int least, Descriptor fd) {
   if (fd.get() >= least) return fd;

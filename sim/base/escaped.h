@@ -1,4 +1,4 @@
-// Escapes text for strings in double quotes in scripts.
+// Escapes text for strings in double quotes in Robosim's scripts and messages.
 #pragma once
 
 #include <string>

@@ -54,7 +54,7 @@ fs::path find_helper_folder() {
   const fs::path installed = executable_folder() / "../libexec/robosim";
   if (fs::is_directory(installed, error)) return fs::canonical(installed);
   if (executable_folder().parent_path().filename() == "libexec")
-    return executable_folder();  // a helper itself
+    return executable_folder();  // this process is a helper
   return ROBOSIM_HELPER_DIR;
 }
 

@@ -34,7 +34,7 @@ void write_file(const std::filesystem::path& path, std::string_view content);
 
 /// Gives an unnamed file (O_TMPFILE) the name `path`, in one step like write_file(), without waiting for the
 /// disk. A power failure in the next seconds may leave an empty file. `error` is the errno of an earlier
-/// failure; 0 = none. Throws InputError.
+/// failure; 0 = none. Throws InputError for this failure, or if the name cannot be given.
 void place_file(const Descriptor& unnamed, const std::filesystem::path& path, int error = 0);
 
 /// Returns the SHA-256 hash in lower-case hexadecimal.

@@ -42,13 +42,13 @@ inline constexpr const char* kFileScope = "ROBOSIM_FILE_SCOPE";
 /// Returns the variable with its value, "NAME=…", for the environment of a new process.
 std::string file_scope_variable(const std::vector<std::filesystem::path>& folders);
 
-/// Opens a file like ::open(). With a scope, the file must be below its folders, Robosim's own folders, or
-/// the folders of the system's programs; otherwise errno is EXDEV. Follows links that lead out, except from
+/// Opens a file like ::open(). With a scope, the file must be below the scope's folders, Robosim's own
+/// folders, or the system's programs; otherwise errno is EXDEV. Follows links that lead out, except links in
 /// the served folder.
 Descriptor open_in_scope(const std::filesystem::path& path, int flags);
 
-/// Opens a path that a compiler may access (O_PATH): below the served folder like HeldFolder, otherwise like
-/// ::open().
+/// Opens a path that a compiler may access (O_PATH). Opens a path below the served folder like
+/// HeldFolder::open(), and any other path like ::open().
 Descriptor open_to_show(const std::filesystem::path& path);
 
 /// Adds a folder whose name does not come from an input file, such as the folder of the user's libraries. Has

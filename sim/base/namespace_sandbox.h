@@ -1,6 +1,6 @@
-// Implements ProgramSandbox if the kernel has no Landlock, as on Raspberry Pi OS. Uses a separate file system
-// that contains only the visible files. The sandbox requires a user namespace, which does not need root.
-// Kernel and container must allow the namespace.
+// Implements ProgramSandbox for kernels without Landlock, as on Raspberry Pi OS. Uses a separate file system
+// that contains only the visible files. The sandbox requires a user namespace, which does not need root. The
+// kernel and the container must allow user namespaces.
 #pragma once
 
 #include <filesystem>
@@ -19,12 +19,13 @@ class NamespaceSandbox {
   /// Async-signal-safe. Returns false on failure.
   bool enter() const;
 
-  /// Returns whether this machine allows the sandbox. Tried only once, in a fork.
+  /// Returns whether this machine allows the sandbox. The first call tries the sandbox in a fork; later calls
+  /// return the same result.
   static bool possible();
 
  private:
   struct Place {
-    std::string path, real;          ///< path in the sandbox; path below kOld, without links
+    std::string path, real;          ///< path in the sandbox; path in the old root, below kOld, without links
     std::vector<std::string> above;  ///< parent folders to create, outermost first
     bool folder = false, writable = false;
     unsigned long flags = 0;  ///< mount flags that a namespace must not change

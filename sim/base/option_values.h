@@ -24,9 +24,9 @@ std::uint64_t whole_number(const char* option, const std::string& text, std::uin
 std::uint64_t seed_number(const std::string& text);
 /// Reads the value of --seeds, "17" or "1..100".
 void read_seeds(const std::string& text, std::uint64_t& first, std::uint64_t& last);
-/// Reads the value of --jobs; empty = one for each core.
+/// Reads the value of --jobs. An empty text means one job for each processor core.
 std::size_t number_of_jobs(const std::string& text);
-/// Splits "host,avr" into two words, and keeps the words of "host avr".
+/// Splits each word at its commas: "host,avr" gives two words.
 std::vector<std::string> split_at_commas(const std::vector<std::string>& words);
 
 void check_choice(const char* option, const std::string& value, const std::vector<std::string>& allowed);

@@ -7,7 +7,7 @@
 
 namespace robosim {
 
-/// Returns the number and the noun, with an s unless the number is 1.
+/// Returns the number and the noun. The noun gets an s if the number is not 1.
 std::string pluralize(std::size_t n, std::string_view noun);
 
 }  // namespace robosim

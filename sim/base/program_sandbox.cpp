@@ -82,8 +82,8 @@ std::vector<fs::path> program_folders() {
   return folders;
 }
 
-/// Returns an environment that contains only PATH from the user's environment. Reason: a sketch can make the
-/// compiler print environment variables.
+/// Returns an environment that contains only PATH from the user's environment. A sketch could make the
+/// compiler print other variables.
 std::vector<std::string> bare_environment(const fs::path& scratch) {
   std::string path;
   for (const fs::path& folder : program_folders()) path += (path.empty() ? "" : ":") + folder.string();
@@ -145,7 +145,7 @@ std::string ProgramSandbox::missing() {
          ", and namespaces of users are not allowed";
 }
 
-/// Starts a ChildStart within the sandbox, like Child. Makes only async-signal-safe calls after the fork.
+/// Makes only async-signal-safe calls after the fork.
 Child start_within(const ProgramSandbox& sandbox, const ChildStart& start, unsigned long bytes, int seconds) {
   constexpr int kCannotStart = 127;
   const std::vector<std::string> settings = bare_environment(sandbox.scratch());

@@ -5,7 +5,8 @@
 
 namespace robosim {
 
-/// Receives sentences about the progress of a task, for a person who waits. This class ignores them.
+/// Receives sentences about the progress of a task, for a person who waits. This base class ignores the
+/// sentences.
 class Progress {
  public:
   virtual ~Progress() = default;

@@ -113,7 +113,7 @@ constexpr Program kProgram = [] {
 void refuse_needless_calls() {
   if (kMachine == 0) return;
   const sock_fprog program{kProgram.size, const_cast<sock_filter*>(kProgram.steps.data())};
-  // Leaves off the speculation mitigations that a filter enables by default. They slow branches, and
+  // Does not enable the speculation mitigations, which a filter enables by default. They slow branches, and
   // compilers hold no secrets of other programs.
   ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program);
 }

@@ -1,5 +1,5 @@
-// Takes snapshots of state that changes during a run. The owners of the state register each piece once. Then
-// the registry can copy and restore all pieces.
+// Takes snapshots of state that changes during a run. The owners of the state register each piece once. The
+// registry can then copy and restore all pieces.
 //
 //   ButtonPart::ButtonPart(PartContext& context) { context.snapshots.add(state_); }
 //   const SnapshotRegistry::Snapshot before = snapshots.save();   …   snapshots.restore(before);

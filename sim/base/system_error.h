@@ -6,12 +6,12 @@
 
 namespace robosim {
 
-/// Returns a sentence about the resource that caused the exception: memory, disk space, open files or
-/// processes. Returns an empty string for other causes.
+/// Returns a sentence about the resource of the machine that caused the exception: memory, disk space, open
+/// files or processes. Returns an empty string for other causes.
 std::string system_error_of(const std::exception& thrown);
 
-/// Returns such a sentence if `output`, printed by the compiler, linker or other tool `tool`, reports such a
-/// cause; otherwise an empty string.
+/// Returns a sentence about such a fault of the machine if `output` reports one; otherwise an empty string.
+/// The compiler, linker or other tool named `tool` has printed `output`.
 std::string system_error_of(const std::string& tool, const std::string& output);
 
 }  // namespace robosim

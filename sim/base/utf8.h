@@ -16,8 +16,8 @@ struct Utf8Character {
   std::size_t length = 0;  ///< in bytes; 0 = the text does not start with UTF-8
 };
 
-/// Returns the first character of a text that is not empty. Only well-formed UTF-8 (Unicode standard) counts
-/// as a character.
+/// Returns the first character of `text`, which must not be empty. Only well-formed UTF-8 (Unicode standard)
+/// counts as a character.
 Utf8Character first_character(std::string_view text);
 
 /// Returns whether the whole text is well-formed.

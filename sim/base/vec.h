@@ -22,8 +22,8 @@ constexpr double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 constexpr Vec2 left_of(Vec2 a) { return {-a.y, a.x}; }
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
-/// A body's position and heading. The heading is a unit vector. A tick rotates it without libm's sine and
-/// cosine, so that the result has the same bits on every machine.
+/// A body's position and heading. The heading is a unit vector. A tick rotates this vector without libm's
+/// sine and cosine: the result must have the same bits on every machine.
 struct Pose {
   Vec2 position;           ///< m
   Vec2 heading{1.0, 0.0};  ///< unit vector

@@ -1,5 +1,5 @@
-// Compiles a user's own navigation algorithm, one C++ file, for the robot on a grid of cells
-// (docs/reference/algorithms.md).
+// Compiles a user's navigation algorithm, one C++ file, to a shared object. The algorithm controls a robot
+// that moves from cell to cell on a grid (docs/reference/algorithms.md).
 #pragma once
 
 #include <filesystem>

@@ -15,8 +15,8 @@ std::string_view trim(std::string_view text) {
   return text.substr(from, text.find_last_not_of(kSpace) - from + 1);
 }
 
-// Returns true for a line without an instruction: an empty line, a directive, or a comment (even the marks
-// around an asm()).
+// Returns true for a line without an instruction: an empty line, a directive, or a comment (including the
+// marks around an asm()).
 bool says_nothing(std::string_view line) {
   return line.empty() || line[0] == '.' || line[0] == '#' || line[0] == '@' || line.substr(0, 2) == "//";
 }
@@ -35,7 +35,7 @@ Jump jump_of(std::string_view line) {
   return {};
 }
 
-/// Removes the first line from `text`, and returns the line without its end.
+/// Removes the first line from `text`, and returns the line without its line feed.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   const std::string_view line = text.substr(0, end);

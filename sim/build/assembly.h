@@ -9,13 +9,13 @@
 namespace robosim::build {
 
 /// Returns `assembly` with three changes:
-/// - A jump to itself becomes a call of `robosim_endless_loop` in hal/host, which never returns and lets
-///   simulated time pass. Otherwise no time would pass in an empty endless loop (`for (;;);`, `while (1);`):
-///   gcc's trace-pc instruments only blocks with instructions.
-/// - A division gets the chip's result (division.h).
-/// - The place of an asm() is written so that the assembler's errors name the sketch's file and line. gcc
-///   writes the place as a comment, which assemblers read only if it begins with '#'. For arm64 and arm,
-///   gcc's comments begin with other marks.
+/// - An instruction that jumps to itself becomes a call of `robosim_endless_loop` in hal/host, which never
+///   returns and lets simulated time pass. Otherwise no time would pass in an empty endless loop
+///   (`for (;;);`, `while (1);`): gcc's trace-pc instruments only blocks with instructions.
+/// - A division gives the result that the chip would compute (division.h).
+/// - The source location of an asm() becomes a comment that begins with '#'. The assembler's errors then name
+///   the sketch's file and line. For arm64 and arm, gcc begins this comment with another mark, and assemblers
+///   ignore the location.
 std::string changed_for_host(std::string_view assembly, QuotientByZero quotient);
 
 }  // namespace robosim::build

@@ -1,3 +1,4 @@
+// Builds an image: compiles the sketch, its libraries and the core, and links the objects (sketch.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -88,7 +89,8 @@ class Build {
     return linked;
   }
 
-  /// Runs the commands in sandboxes. The only outputs of other commands that they can read are `objects`.
+  /// Runs the commands in sandboxes. The commands cannot read the outputs of other commands, except
+  /// `objects`.
   std::vector<CommandResult> run_walled(std::vector<Command> commands,
                                         const std::vector<fs::path>& objects = {}) const {
     std::vector<fs::path> read = read_by_all(toolchain_, shared_);
@@ -103,8 +105,8 @@ class Build {
     return readable(toolchain_, sketch_.folder, result.output);
   }
 
-  /// Calls `fail`, which throws. If libraries are used, may instead throw a RetryReason, to compile as for an
-  /// AVR. A library may then declare the missing names.
+  /// Calls `fail`, which throws an error. If libraries are used, may throw a RetryReason instead, to compile
+  /// as for an AVR: a library may then declare the missing names.
   template <typename Fail>
   void fail_or_try_as_avr(Fail fail, bool about_library = false) const {
     if (libraries_.empty() || toolchain_.target.as_avr.empty() || toolchain_.registers == Registers::as_avr)
@@ -182,13 +184,13 @@ class Build {
     return unit;
   }
 
-  /// A unit that is not cached.
+  /// A unit that must be compiled, because its object is not cached.
   struct Job {
     Unit unit;
     std::string key;
     std::size_t slot;            ///< index in objects_
     fs::path compiled, object;   ///< compiler's output and final object; equal unless through_assembly()
-    bool keeps_address = false;  ///< the unit stores the address of a register that has none
+    bool keeps_address = false;  ///< the unit stores a register's address, but register objects have none
   };
 
   /// Compiles the units. Returns the units that must be compiled again, because a library that they need has
@@ -323,7 +325,8 @@ class Build {
   int count_ = 0;
 };
 
-/// Builds with the first kind of registers with which the program compiles. Returns the build, sets `image`.
+/// Builds with the first kind of registers with which the program compiles. Returns the build, and sets
+/// `image` to the path of the image.
 std::unique_ptr<Build> build_image(const Sketch& sketch, Toolchain& toolchain, const Cache& cache,
                                    const LibraryFinder& finder, const GenuineCore& core, fs::path& image) {
   std::exception_ptr otherwise;

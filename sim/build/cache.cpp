@@ -42,7 +42,7 @@ bool has_detour(std::string_view path) {
 }
 
 /// Returns whether only the system's administrator, or the user who installed Robosim, can write to the file.
-/// `stages` is how the paths of the cache's own folders of links begin.
+/// `stages` is the beginning of the paths of the cache's own folders of links.
 bool is_installed(const fs::path& path, const std::string& stages) {
   static const std::array<std::string, 3> folders = {"/usr/", (data_folder() / "hal" / "").string(),
                                                      (data_folder() / "firmware" / "").string()};
@@ -136,8 +136,8 @@ void remove_old(const fs::path& folder) {
   }
 }
 
-/// Returns the folder, locked. The descriptor is not open if the folder is gone or the file system has no
-/// locks. With LOCK_NB, it is also not open if another process has the lock.
+/// Opens and locks a folder. The result is not open if the folder is missing or the file system has no locks.
+/// With LOCK_NB in `how`, the result is also not open if another process has the lock.
 Descriptor hold(const fs::path& folder, int how) {
   Descriptor held(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   while (held.is_open() && ::flock(held.get(), how) != 0)
@@ -145,7 +145,7 @@ Descriptor hold(const fs::path& folder, int how) {
   return held;
 }
 
-/// Removes the folders of processes that have ended without removing them.
+/// Removes the work folders of processes that have ended without removing these folders.
 void remove_unheld(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
@@ -155,7 +155,8 @@ void remove_unheld(const fs::path& folder) {
   }
 }
 
-/// Removes a folder at the path of a file: the cache owns everything below its folder.
+/// Removes a folder that has the path of the file to write, and returns this path. The cache owns everything
+/// below its folder.
 const fs::path& make_way(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(fs::symlink_status(file, error))) fs::remove_all(file, error);

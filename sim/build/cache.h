@@ -1,6 +1,6 @@
 // Caches build results by content. An entry records the content of every file that was read for the result.
-// It also records the list of names in every folder that was searched. The entry is valid while all of these
-// are unchanged. File times do not matter.
+// The entry also records the list of names in every folder that was searched. The entry is valid while these
+// files and lists are unchanged. The files' times do not matter.
 //
 // Keys, names of results, and files that other users can write are hashed by SHA-256. Files of Robosim and of
 // the system are hashed by XXH3, which takes a tenth of the time. XXH3 also detects incomplete results.
@@ -43,9 +43,8 @@ class Cache {
   /// Returns the entry for `key` if all its inputs and its result are unchanged.
   std::optional<Entry> find(const std::string& key) const;
 
-  /// Writes a result into the cache, under its readable name ("PidFollower.so") and the hash of its content.
-  /// Does not write the entry if an input changed after `since`: the input may be newer than the compiled
-  /// version.
+  /// Writes a result to the cache, under a name made of `name` ("PidFollower.so") and the hash of `content`.
+  /// Writes no entry if an input changed after `since`: the input may be newer than the compiled version.
   Entry store(const std::string& key, const Inputs& inputs, std::string_view content, const std::string& name,
               std::map<std::string, std::string> facts, std::filesystem::file_time_type since) const;
 
@@ -55,8 +54,8 @@ class Cache {
   std::filesystem::path folder_;
 };
 
-/// A lock that one process has at a time, so that slow work is done once. It is released at the end of its
-/// scope, or when its process dies.
+/// A lock that at most one process holds at a time, so that slow work is done only once. The lock is released
+/// at the end of its scope, or when its process dies.
 class CacheLock {
  public:
   explicit CacheLock(const Cache& cache);
@@ -65,8 +64,8 @@ class CacheLock {
   Descriptor lock_;
 };
 
-/// A new, empty folder for work, on the cache's file system. The destructor removes it with all its content.
-/// If the process is killed, the next WorkFolder removes it.
+/// A new, empty folder for work, on the cache's file system. The destructor removes the folder with all its
+/// content. If the process is killed, the next WorkFolder removes the folder.
 class WorkFolder {
  public:
   explicit WorkFolder(const Cache& cache);
@@ -75,9 +74,9 @@ class WorkFolder {
   WorkFolder& operator=(const WorkFolder&) = delete;
   const std::filesystem::path& path() const { return path_; }
 
-  /// Returns the folder that compilers read and this process writes.
+  /// Returns the folder for the input files of compilers. Compilers can only read this folder.
   std::filesystem::path given() const;
-  /// Copies or links a result of the cache into the folder given(). Returns its path there.
+  /// Copies or links a result of the cache into the folder given(). Returns the path of the copy or link.
   std::filesystem::path give(const std::filesystem::path& result) const;
   /// Returns a new folder for one compiler, which can write to no other folder.
   std::filesystem::path scratch();
@@ -88,8 +87,8 @@ class WorkFolder {
   int scratch_folders_ = 0;
 };
 
-/// Returns the content of a file that a compiler wrote, even if incomplete. Throws InputError if the file is
-/// not regular, because a link could lead anywhere.
+/// Returns the content of a file that a compiler wrote, even if the file is incomplete. Throws InputError for
+/// anything except a regular file: a link could lead to any file.
 std::string read_made(const std::filesystem::path& file);
 
 }  // namespace robosim::build

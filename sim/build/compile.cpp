@@ -106,7 +106,7 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
 std::vector<std::string> definitions(const Toolchain& toolchain) {
   std::vector<std::string> words = {fmt::format("-DF_CPU={}L", toolchain.board.clock_hz), "-DARDUINO=10819",
                                     fmt::format("-D{}", toolchain.board.macro)};
-  // Makes a build independent of its own time and of the times of files.
+  // Makes a build independent of the time of day and of the files' times.
   append(words, {"-Wno-builtin-macro-redefined", "-D__DATE__=\"Jan  1 1970\"", "-D__TIME__=\"00:00:00\"",
                  "-D__TIMESTAMP__=\"Thu Jan  1 00:00:00 1970\""});
   append(words, toolchain.target.definitions);
@@ -118,7 +118,7 @@ std::vector<std::string> definitions(const Toolchain& toolchain) {
   return words;
 }
 
-/// Adds options that remove names of this machine. The last matching map wins.
+/// Adds options that remove the names of this machine's folders from the output. The last matching map wins.
 void add_prefix_maps(std::vector<std::string>& words, const Toolchain& toolchain, const Core::Names& places) {
   const auto map = [&](const fs::path& from, const std::string& to) {
     words.push_back(fmt::format("{}={}={}", toolchain.target.prefix_map, from.string(), to));

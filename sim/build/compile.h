@@ -18,7 +18,7 @@ struct Unit {
   std::filesystem::path input;   ///< the joined .ino files; `source` is empty then
   bool archived = false;         ///< the object becomes part of its library's archive
   std::string place;             ///< the name of `folder` in debug information: "libraries/Servo"
-  std::vector<std::filesystem::path> searched;  ///< folders for -I, in addition to those of its libraries
+  std::vector<std::filesystem::path> searched;  ///< folders for -I, in addition to the libraries' folders
   std::vector<std::filesystem::path> includes;  ///< all folders for -I
 };
 
@@ -27,7 +27,7 @@ struct Object {
   std::string name;  ///< name of the source, as in messages
   std::filesystem::path path;
   std::vector<std::filesystem::path> inputs;
-  std::string archive;  ///< the library's place if the library becomes one archive; otherwise empty
+  std::string archive;  ///< Unit::place of the library if its objects become one archive; otherwise empty
 };
 
 /// Convert paths to text, one per line, and back.
@@ -45,8 +45,8 @@ bool through_assembly(const Toolchain& toolchain, const Unit& unit);
 /// compiled to assembly first.
 std::filesystem::path compiled_assembly(const std::filesystem::path& object);
 std::filesystem::path changed_assembly(const std::filesystem::path& object);
-/// Returns whether the unit's lines are counted. gcov's notes are then in `object` + ".gcno".
-/// notes_name() returns the name that the notes and their data share.
+/// Returns whether the unit's lines are counted. gcov's notes are then in `object` + ".gcno". notes_name()
+/// returns the name that the notes and the counters share.
 bool is_counted(const Toolchain& toolchain, const Unit& unit);
 std::string notes_name(const Unit& unit);
 /// Returns a command that compiles the unit. The command writes a list of all files that it reads to
@@ -56,7 +56,8 @@ Command assemble_command(const Toolchain& toolchain, const std::filesystem::path
                          const std::filesystem::path& object);
 /// Returns a command that only preprocesses the unit, to `output`.
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& output);
-/// Returns a C++ unit's language, macros and include folders for another parser (parse_context.h).
+/// Returns options with which another parser can read a C++ unit: language, macros and include folders
+/// (parse_context.h).
 std::vector<std::string> reading_words(const Toolchain& toolchain, const Unit& unit);
 /// Returns a command that merges several objects into one object.
 Command merge_command(const Toolchain& toolchain, const std::vector<std::filesystem::path>& objects,
@@ -66,7 +67,7 @@ Command archive_command(const Toolchain& toolchain, const std::vector<std::files
                         const std::filesystem::path& archive);
 /// Returns a command that links an image. For the host, the image is a shared object that exports only
 /// `robosim_image`, with its constructors in the section `robosim_init_array`. For a chip, it is the program
-/// to flash. The linker's scripts are written to the image's folder. `places` are the folders that have other
+/// to flash. The linker's scripts are written to the image's folder. `places` contains folders, and their
 /// names in debug information.
 Command link_command(const Toolchain& toolchain, const std::vector<std::filesystem::path>& objects,
                      const std::filesystem::path& image, const Core::Names& places);

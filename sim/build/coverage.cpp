@@ -68,7 +68,7 @@ void add_report(Coverage& coverage, const Sketch& sketch, const std::string& rep
   throw InputError(kUnreadableCounts);
 }
 
-/// A lock that one process has at a time, until the end of its scope.
+/// A lock that at most one process holds at a time, until the end of the lock's scope.
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder)
@@ -145,8 +145,8 @@ Coverage read_coverage(const Request& request, const Image& image, const std::st
   Coverage coverage;
   // Each power cycle has its own counters. A source that never ran may have none.
   std::vector<ArchivedFile> pending = unpack(counters);
-  // Limits the number of power cycles. The sketch's memory contains this number and the names, so they cannot
-  // be trusted.
+  // Limits the number of power cycles. The number and the counters' names come from the sketch's memory, and
+  // cannot be trusted.
   constexpr int kMostCycles = 1000;
   std::erase_if(pending, [&](const ArchivedFile& counter) {
     return std::none_of(notes.begin(), notes.end(), [&](const ArchivedFile& note) {

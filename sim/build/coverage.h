@@ -1,6 +1,6 @@
 // Measures which lines of a sketch ran. For the host, gcc's counters are compiled into the image
 // (Request::coverage). A runner returns their values after a run, and gcov maps the values to lines. For a
-// chip, the runner counts, and returns lines. The result is stored in lcov's format.
+// chip, the runner itself counts the lines. The result is stored in lcov's format.
 //
 //   Request request{…}; request.coverage = true;
 //   const Image image = build(request);

@@ -67,7 +67,7 @@ std::string division_of_x86(const Division& division, QuotientByZero quotient, i
          fmt::format("\t{}\t{}\n.Lrobosim_divided{}:\n", division.instruction, division.operands, number);
 }
 
-/// Splits "w0, w1, w2". Returns nothing unless the operands are three registers of one width.
+/// Splits "w0, w1, w2". Returns nothing if the operands are not three registers of one width.
 std::optional<std::array<std::string_view, 3>> three_registers(std::string_view operands) {
   std::array<std::string_view, 3> registers;
   for (std::size_t i = 0; i < registers.size(); ++i) {

@@ -29,9 +29,9 @@ enum class QuotientByZero { all_ones, zero };
 QuotientByZero quotient_by_zero(const BoardSpec& board);
 
 /// Returns lines that replace a division in gcc's assembly and give the chip's result if the divisor is zero.
-/// Empty if the line is not a division of x86-64 (AT&T syntax) or arm64. `number` is part of the labels and
-/// must differ between the divisions of a file. The operands remain as gcc wrote them. No line depends on how
-/// the assembler expands a macro.
+/// Returns an empty text if the line is not a division of x86-64 (AT&T syntax) or arm64. `number` is part of
+/// the labels and must differ between the divisions of a file. The operands remain as gcc wrote them. No line
+/// depends on how the assembler expands a macro.
 std::string division_of_chip(std::string_view line, QuotientByZero quotient, int number);
 
 }  // namespace robosim::build

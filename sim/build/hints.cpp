@@ -18,7 +18,8 @@ constexpr const char* kBoards =
 
 bool has(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
 
-/// Returns the quoted names before `behind`, as in "'A8' was not declared", each name once.
+/// Returns the quoted names that precede the text `behind`, as in "'A8' was not declared". Each name appears
+/// once.
 std::vector<std::string> all_quoted(const std::string& text, const char* behind) {
   std::vector<std::string> names;
   const std::string what = std::string("'") + behind;

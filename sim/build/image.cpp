@@ -1,3 +1,4 @@
+// Implements checks of a target, and reads the limits that an image declares (sketch.h).
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -18,7 +18,7 @@ class QuoteEnds {
   /// Returns the end of the literal whose quote is at `at`. If the literal does not end in its line, returns
   /// the position after the quote.
   std::size_t of(std::size_t at) {
-    // Otherwise a line of unclosed quotes would be searched once for each quote.
+    // Without this limit, a line of unclosed quotes would be searched once for each quote.
     constexpr int kMostOpen = 100;
     if (at < line_end_ && open_ >= kMostOpen) return at + 1;
     std::size_t i = at + 1;

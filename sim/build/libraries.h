@@ -29,8 +29,8 @@ std::vector<Library> libraries_called(const std::string& name,
                                       const std::vector<std::filesystem::path>& folders);
 
 /// Returns the folders that may contain a sketch's libraries. The sketch's own folders come first, then the
-/// folders that the user has `chosen`. Folders of Robosim, of Arduino's IDE, and of the `core` follow.
-/// Throws InputError if a chosen path is not a folder.
+/// folders that the user has `chosen`. The folders of Robosim, of Arduino's IDE, of Debian's packages and of
+/// the `core` follow in this order. Throws InputError if a chosen path is not a folder.
 std::vector<std::filesystem::path> library_folders(const std::filesystem::path& sketch,
                                                    const std::vector<std::filesystem::path>& chosen,
                                                    const std::vector<std::filesystem::path>& core);
@@ -38,17 +38,17 @@ std::vector<std::filesystem::path> library_folders(const std::filesystem::path& 
 /// Finds libraries in folders, in the given order. A folder may contain libraries, or be a library.
 class LibraryFinder {
  public:
-  /// `stand_ins` is a folder of libraries, or empty. Each of them replaces the genuine library of the same
-  /// name, even if the genuine library is not installed.
+  /// `stand_ins` is a folder of libraries, or empty. Each library in this folder replaces the genuine library
+  /// of the same name, which need not be installed.
   explicit LibraryFinder(std::vector<std::filesystem::path> folders,
                          const std::filesystem::path& stand_ins = {});
 
-  /// Returns the library that has `header` in its include folder; null if no library has it. Within one
-  /// folder, prefers the library with the header's name. The next choice is a library whose name begins with
-  /// the header's name ("Servo-master"), then the first library in alphabetical order.
+  /// Returns the library that has `header` in its include folder; null if no library has this header. Within
+  /// one folder, prefers the library with the header's name. The next choice is a library whose name begins
+  /// with the header's name ("Servo-master"), then the first library in alphabetical order.
   ///
-  /// A stand-in replaces a library that has the same name in library.properties. If that file has no name,
-  /// the library's folder must have the header's name.
+  /// A stand-in replaces a library that has the same name in library.properties. If that file contains no
+  /// name, the name of the library's folder must begin with the header's name.
   const Library* find(const std::string& header) const;
 
   const std::vector<std::filesystem::path>& folders() const { return folders_; }

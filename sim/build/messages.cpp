@@ -26,9 +26,9 @@ namespace {
 // Limits the length of a line and of all lines, because std::regex needs stack for each character.
 constexpr std::size_t kLongestLine = 2000, kMostText = 200'000;
 
-/// Returns whether the compiler or linker began the line, not a text of the sketch: "My.ino:3:5: error: …",
-/// "My.ino: In function …", "In file included from My.ino:1:", "    3 | int x;", "My.ino: first defined
-/// here".
+/// Returns whether a line begins like a message of the compiler or linker; other lines may be text from the
+/// sketch. Messages begin like "My.ino:3:5: error: …", "My.ino: In function …", "In file included from
+/// My.ino:1:", "    3 | int x;" or "My.ino: first defined here".
 bool is_begun_by_compiler(std::string_view line) {
   if (line.empty() || line[0] == ' ' || line.starts_with("In file included from ")) return true;
   const std::size_t colon = line.find(':');
@@ -39,7 +39,8 @@ bool is_begun_by_compiler(std::string_view line) {
          (!rest.empty() && std::isdigit(static_cast<unsigned char>(rest[0])));
 }
 
-/// Indents lines that the compiler did not begin, because they could be mistaken for Robosim's own messages.
+/// Indents lines that do not begin like a compiler's message, because they could be mistaken for Robosim's
+/// own messages.
 std::string with_texts_indented(const std::string& messages) {
   std::string shown;
   for (std::size_t at = 0; at < messages.size();) {

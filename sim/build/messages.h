@@ -19,11 +19,12 @@ void check_machine(const std::string& tool, const std::string& output);
 /// Returns the header that a failed compilation did not find; empty if it failed for another reason.
 std::string missing_header(const std::string& output, Place* place);
 
-/// Throws for a header that exists outside the files that a sketch may read, so that compilers cannot see it.
+/// Throws CompileError if a missing header exists outside the files that a sketch may read: compilers cannot
+/// see these files.
 void check_seen(const std::filesystem::path& sketch, const Place& place, const std::string& header);
 
-/// Throws for a header that no library in the finder's folders provides. Throws MissingLibrary, or InputError
-/// if no library can provide the header.
+/// Throws the error for a header that no library in the finder's folders provides: MissingLibrary, or
+/// InputError if no library can provide the header.
 [[noreturn]] void fail_without_library(const Toolchain& toolchain, const GenuineCore& core,
                                        const LibraryFinder& finder, const Place& place,
                                        const std::string& header);
@@ -31,8 +32,8 @@ void check_seen(const std::filesystem::path& sketch, const Place& place, const s
 /// Removes names of this machine's folders from a text, so that users recognise the places.
 std::string without_folders(const Toolchain& toolchain, const std::filesystem::path& sketch,
                             std::string text);
-/// Removes the folders' names from the compiler's messages, and indents lines that the compiler did not
-/// begin.
+/// Removes the folders' names from the compiler's messages. Indents lines that do not begin like messages of
+/// a compiler: such lines may be text from the sketch.
 std::string readable(const Toolchain& toolchain, const std::filesystem::path& sketch,
                      const std::string& messages);
 

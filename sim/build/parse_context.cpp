@@ -34,7 +34,7 @@ ParseContext parse_context_of(const Request& request) {
   context.readable.push_back(context.sketch.folder);
   context.readable.insert(context.readable.end(), unit.includes.begin(), unit.includes.end());
   for (const Library& library : libraries) context.readable.push_back(library.folder);
-  if (target.chip) {  // defaults of the compiler
+  if (target.chip) {  // options that avr-gcc has by default
     context.words.push_back("--target=avr");
     for (const std::string& word : toolchain.core.machine) context.words.push_back(word);
     for (const auto& folder : {toolchain.facts.include_folder, genuine.avr_libc.parent_path()})

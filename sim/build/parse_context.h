@@ -1,4 +1,4 @@
-// Provides the options with which another parser reads a sketch as the compiler does.
+// Provides the options with which another parser, such as clang's, reads a sketch like the sketch's compiler.
 #pragma once
 
 #include <filesystem>

@@ -18,7 +18,7 @@
 namespace robosim::build {
 namespace {
 
-/// A word of a text. The number of words is limited only by the number of characters.
+/// A word of a text, which can have as many words as characters.
 struct Word {
   std::string_view text;  ///< a name, a number, a string's quote, or one character
   std::string_view file;

@@ -1,5 +1,5 @@
-// Warns about pins that a board does not have, or that cannot do what a sketch requests. The chip itself
-// reports no such mistake.
+// Warns about pins that a board does not have, or that cannot do what a sketch requests. The chip itself does
+// not report these mistakes.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ namespace robosim::build {
 /// set exactly once, to a number.
 std::string pin_warnings(const std::string& own_lines, const BoardSpec& board);
 
-/// Returns a warning for the first Serial.print() of a sketch that never begins Serial. `all` is the sketch's
-/// preprocessed .ino files, with all headers. Does not apply to boards whose Serial is a USB port. Call only
-/// for sketches without other sources or libraries, because these may begin Serial.
+/// Returns a warning for the first Serial.print() of a sketch that never calls Serial.begin(). `all` is the
+/// sketch's preprocessed .ino files, with all headers. Boards whose Serial is a USB port need no warning.
+/// Call this only for sketches without other sources or libraries, because these may call Serial.begin().
 std::string serial_warning(const std::string& own_lines, const std::string& all, const BoardSpec& board);
 
 }  // namespace robosim::build

@@ -80,8 +80,8 @@ bool exceeds_time(const CommandResult& result) {
 
 std::string list_of_children(pid_t process) { return fmt::format("/proc/{0}/task/{0}/children", process); }
 
-/// Returns the descendants of a process, because gcc's own children do the work, and may outlive gcc. Empty
-/// if the kernel does not list them.
+/// Returns the descendants of a process: gcc's own children do the work, and may outlive gcc. Returns nothing
+/// if the kernel does not list children.
 std::vector<pid_t> descendants(pid_t process) {
   std::vector<pid_t> all;
   std::ifstream list(list_of_children(process));

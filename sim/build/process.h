@@ -1,4 +1,4 @@
-// Runs compilers.
+// Runs compilers and other programs of a build, several at a time.
 #pragma once
 
 #include <filesystem>
@@ -14,9 +14,10 @@ struct Command {
   std::vector<std::string> words;         ///< program, as an absolute path, and its arguments
   std::filesystem::path folder;           ///< working folder
   std::filesystem::path input;            ///< standard input; empty = none
-  std::filesystem::path scratch;          ///< folder for its output
+  std::filesystem::path scratch;          ///< folder for the files that the program writes
   const ProgramSandbox* walls = nullptr;  ///< accessible files; null = all that Robosim can access
-  /// In bytes: the program is killed if all programs that run() starts have more output together.
+  /// Limit, in bytes, of the output of all programs of one run() together. A program that exceeds the limit
+  /// is killed.
   std::size_t most_output = std::size_t{16} << 20;
   int most_wait_s = kWaitSeconds;  ///< wall time after which an idle sandboxed program is killed
   std::size_t most_memory = 0;     ///< in bytes, for a sandboxed program; 0 = kCompileBytes
@@ -24,9 +25,9 @@ struct Command {
 
 /// First line of the output of a program that was killed because of too much output.
 constexpr const char* kTooMuchOutput = "robosim: too much output";
-/// First line of the output of the last program, if all programs together took more than kStepSeconds.
+/// First line of the output of a program that ended after all programs together had exceeded kStepSeconds.
 constexpr const char* kTooMuchTime = "robosim: too much processor time of all programs together";
-/// First line of the output of a program that was killed because it hardly used a processor for kWaitSeconds.
+/// First line of the output of a program that was killed because it hardly used a processor for most_wait_s.
 constexpr const char* kWaits = "robosim: the program waits for input that never comes";
 /// gcc's message about a program that took more than kCompileSeconds.
 constexpr const char* kTimeExceeded = "CPU time limit exceeded";
@@ -46,11 +47,11 @@ bool lacks_memory(const CommandResult& result);
 /// Runs all commands, several at a time, and waits for all. Results are in the order of the commands.
 /// Messages are in English and __DATE__ is 1 January 1970, so that equal input gives equal output.
 ///
-/// The environment of a sandboxed program has only $PATH, and the scratch folder as $HOME and $TMPDIR. Other
-/// programs lose the variables that add include paths.
+/// A sandboxed program gets only $PATH from the user's environment; $HOME and $TMPDIR are the scratch folder.
+/// Other programs get the user's environment without the variables that affect compilers, such as $CPATH.
 ///
-/// Throws InputError for an argument that begins with '@': compilers read more arguments from a file of that
-/// name. Throws Interrupted if SIGINT or SIGTERM has ended a program.
+/// Throws InputError for an argument that begins with '@', because compilers read more arguments from a file
+/// of that name. Throws Interrupted if SIGINT or SIGTERM has ended a program.
 std::vector<CommandResult> run(const std::vector<Command>& commands);
 CommandResult run(const Command& command);
 /// Runs each command in its own sandbox. The command can read the files in `read`, and no other command can

@@ -53,7 +53,7 @@ class Shared {
  public:
   Shared(fs::path folder, fs::path reach) : folder_(std::move(folder)), reach_(std::move(reach)) {}
 
-  /// Adds the file, the files that it includes, and so on.
+  /// Visits `file`, and all files that it includes directly or indirectly.
   void look_at(const fs::path& file) {
     for (pending_.push_back(file); !pending_.empty();) {
       const fs::path next = std::move(pending_.back());

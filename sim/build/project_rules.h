@@ -8,8 +8,8 @@
 namespace robosim::build {
 
 struct ProjectRules {
-  /// Folder of the sketch: all files in it, at any depth, with any number of .ino files. Empty = Arduino's
-  /// rules.
+  /// The folder whose files form the sketch: all files in the folder, at any depth, with any number of .ino
+  /// files. Empty = Arduino's rules.
   std::filesystem::path sources;
   std::vector<std::filesystem::path> includes;  ///< folders for all units except the core
   std::vector<std::string> flags;               ///< -D and -U options for all units

@@ -101,7 +101,7 @@ class Scanner {
 };
 
 // Blanks the default arguments of the parameter list that begins at `open`, and returns the original list.
-// Empty if the list does not end within kLongestList.
+// Returns an empty text if the list does not end within kLongestList.
 std::string take_defaults(std::string& source, std::size_t open) {
   int depth = 0;
   std::size_t default_at = 0;
@@ -299,7 +299,7 @@ std::string insert_prototypes(const std::string& joined, const std::string& own,
       insert_line = start->first;
     }
     if (!function || tag.type.empty() || tag.code.find("(*" + tag.name) != std::string::npos) continue;
-    // Compares the texts, like Arduino.
+    // Detects repeated declarations by their text, like Arduino's builder.
     if (!declared.insert(tag.type + tag.name + tag.signature).second) continue;
 
     std::string text;

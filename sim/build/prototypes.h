@@ -14,7 +14,7 @@ struct Tag {
   std::string file;
   int line = 0;
   std::string kind;       ///< "function", "prototype", "variable", "struct"
-  std::string scope;      ///< name of its class, struct or namespace
+  std::string scope;      ///< name of the surrounding class, struct or namespace
   std::string signature;  ///< "(int a, char b)"
   std::string type;       ///< result type
   std::string code;       ///< the source line

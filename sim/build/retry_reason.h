@@ -7,7 +7,7 @@
 
 namespace robosim::build {
 
-/// Thrown if the program does not compile with its present registers, but may compile with others.
+/// Thrown if the program does not compile with the present settings, but may compile with other settings.
 struct RetryReason {
   Registers with;
   std::exception_ptr otherwise = nullptr;  ///< error to report if the retry fails; null = the retry's error

@@ -32,8 +32,8 @@ struct Request {
   Warnings warnings = Warnings::standard;
   bool sanitize = false;  ///< adds run-time checks to the sketch and its libraries
   bool coverage = false;  ///< counts the sketch's own lines (coverage.h)
-  /// The build reads nothing outside the sketch's folder except its libraries, not even shared files
-  /// (project.h).
+  /// Limits the build to files in the sketch's folder, its libraries and the core. Shared files (project.h)
+  /// are excluded.
   bool untrusted = false;
   ProjectRules rules = {};
   std::function<void()> core_begins = {};  ///< called once before a core is compiled, which takes seconds
@@ -43,14 +43,14 @@ struct Image {
   std::string name;             ///< name of the sketch
   std::filesystem::path image;  ///< path in the cache; the content under this path never changes
   std::vector<std::filesystem::path> products;  ///< also in the cache: the .hex or .bin of a chip's .elf
-  std::filesystem::path notes;  ///< gcov's notes on the sketch, bundled; with Request::coverage
+  std::filesystem::path notes;  ///< gcov's notes on the sketch, in one archive; only with Request::coverage
   std::string sketch_sha256;    ///< hash of the sketch's own files, by name and content
   std::string image_sha256;
   std::string compiler;                ///< "gcc 12.2.0 x86_64-linux-gnu"
   std::vector<std::string> libraries;  ///< names of the compiled libraries
   std::string messages;                ///< lines with the compiler's warnings; empty if there were none
-  /// Size of code and constants of sketch, libraries and core. For a chip, the flash in use, with the
-  /// variables' initial values. For the host, the size on this machine, including hal.
+  /// Size of code and constants of sketch, libraries and core. For a chip, this is the flash in use,
+  /// including the variables' initial values. For the host, this is the size on this machine, including hal.
   std::uint64_t text_bytes = 0;
   std::uint64_t data_bytes = 0;  ///< size of variables; for a chip, the RAM in use before any call
   bool from_cache = false;
@@ -81,8 +81,8 @@ std::vector<std::string> targets();
 /// InputError for an unknown target.
 std::vector<std::string> boards_of(const std::string& target);
 
-/// Returns a sentence about the first tool or package that is missing to build for this target. Empty if
-/// nothing is missing. Throws InputError for an unknown target.
+/// Returns a sentence about the first tool or package that is missing to build for this target. Returns an
+/// empty text if nothing is missing. Throws InputError for an unknown target.
 std::string missing_tool(const std::string& target);
 
 /// Throws InputError for a target whose sketches cannot be built with Request::sanitize.

@@ -202,8 +202,9 @@ void check_size(const Sketch& sketch) {
                     kMostSources_bytes >> 20, bytes >> 20));
 }
 
-/// Removes headers that are links out of the project, and throws InputError for sources that are. Compilers
-/// cannot find these headers either (shared_files()), and report the line that includes such a header.
+/// Removes headers that are links out of the project. Throws InputError for sources that are links out of the
+/// project. Compilers cannot open the removed headers either (shared_files()), and report the line that
+/// includes one.
 void check_links(Sketch& sketch) {
   const fs::path reach = reach_of(sketch.folder);
   std::error_code none;

@@ -23,13 +23,13 @@ struct Sketch {
 bool is_source(const std::filesystem::path& path);
 bool is_header(const std::filesystem::path& path);
 bool is_ino(const std::filesystem::path& path);
-/// Returns the paths of the headers in a folder and, at any depth, below it, sorted. Skips hidden folders and
-/// those that cannot be read, and ends after 20,000 files. A header that appears may change what a source
+/// Returns the sorted paths of all headers in a folder, at any depth. Skips hidden and unreadable folders,
+/// and stops after 20,000 files. The list is part of the cache's keys: a new header may change what a source
 /// includes, or the result of __has_include().
 std::vector<std::string> headers_in(const std::filesystem::path& folder);
 
-/// Reads the folder by the rules of Arduino and of the project. Throws InputError, also for more than 8 MB of
-/// sources.
+/// Reads the folder by the rules of Arduino and of the project. Throws InputError for an invalid sketch, and
+/// for more than 8 MB of sources.
 Sketch read_sketch(const std::filesystem::path& path, const ProjectRules& rules = {});
 
 /// Returns the SHA-256 of names and contents of all files of the sketch.

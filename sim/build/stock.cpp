@@ -1,3 +1,4 @@
+// Finds the sketches that come with Robosim, and the sketch that a user means by a name (sketch.h).
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -9,8 +9,9 @@ namespace robosim::build {
 namespace {
 
 constexpr const char* kExports = "{ global: robosim_image; local: *; };\n";
-// Inserted before the default script, to move constructors from .init_array to a section of Robosim, sorted
-// by priority. Destructors are stored separately and never run: firmware on a microcontroller never ends.
+// A linker script that the linker inserts before its default script. Moves constructors from .init_array to a
+// section of Robosim, sorted by priority. Destructors are stored separately and never run: firmware on a
+// microcontroller never ends.
 constexpr const char* kSections = R"(SECTIONS
 {
   robosim_init_array : ALIGN(8)
@@ -101,7 +102,8 @@ const Target kHost = {
     .definitions = {"-DARDUINO_ARCH_HOST", "-DROBOSIM"},
     .prefix_map = "-ffile-prefix-map",
     // The loader must not run anything, and start files would add their own constructors. The linker's plugin
-    // is disabled: nothing here needs it, and it would compile bytecode that an asm() has put into an object.
+    // is disabled: no step needs the plugin, and it would compile bytecode that an asm() has put into an
+    // object.
     .link = {"-shared", "-nostartfiles", "-static-libgcc", "-fuse-ld=bfd", "-fno-lto",
              "-fno-use-linker-plugin", "-Wl,-Bsymbolic", "-Wl,--no-undefined", "-Wl,--gc-sections",
              "-Wl,--build-id=none", "-Wl,-z,now",

@@ -14,7 +14,7 @@ struct Program {
   const char* package;
 };
 
-/// A further file made from the linked image: `program arguments IMAGE FILE`.
+/// A further file that a program makes from the linked image: `program arguments IMAGE FILE`.
 struct Product {
   const char* ending;
   Program program;
@@ -57,8 +57,8 @@ struct Target {
   std::vector<std::string> c_code;
   std::vector<std::string> own;
   const char* own_level;
-  /// Options added to `own` if registers are memory (toolchain.h), and for sketches compiled as for an AVR.
-  /// Empty = the target has the chip's registers.
+  /// Options added to `own`: `memory` if registers are bytes in memory (Registers, toolchain.h), and also
+  /// `as_avr` if the code is compiled as for an AVR. Both are empty if the target has the chip's registers.
   std::vector<std::string> memory;
   std::vector<std::string> as_avr;
   Sanitizer sanitizer;

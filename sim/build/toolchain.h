@@ -50,7 +50,7 @@ struct Core {
   std::filesystem::path root;                   ///< folder that the compiler works in
   std::string place;                            ///< the name of `root` in debug information
   std::vector<std::filesystem::path> sources;   ///< folders, in the order of linking
-  std::filesystem::path serving;                ///< the unchecked folder: the checks call its code
+  std::filesystem::path serving;                ///< the folder without checks, because checks call its code
   std::vector<std::filesystem::path> includes;  ///< for -I
   std::vector<std::filesystem::path> system_includes;
   std::vector<std::filesystem::path> includes_with_checks;  ///< before system headers, for images with checks
@@ -93,7 +93,8 @@ struct Toolchain {
 ///
 ///   core/Print.h, core/Print.cpp, ...   avr/iom328p.h   hal -> hal of this Robosim
 ///
-/// An Uno's core is the installed genuine core. Throws InputError for a board that the target does not have.
+/// For the target avr, the core is the installed genuine core with hal/avr. Throws InputError if the board's
+/// chip belongs to another target.
 Core core_for(const Target& target, const BoardSpec& board, const GenuineCore& genuine,
               const std::filesystem::path& cache);
 

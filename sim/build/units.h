@@ -1,4 +1,4 @@
-// Creates the units of one build: the sources of a sketch and its libraries, with their places and names.
+// Creates the units of one build, which are the source files of a sketch and its libraries.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace robosim::build {
 
-/// Returns a unit of the sketch, without a source yet.
+/// Returns a unit of the sketch whose `source` is still empty.
 Unit sketch_unit(const Sketch& sketch);
 Unit library_unit(const Toolchain& toolchain, const Library& library, const std::string& source);
 /// Returns the name of the unit in messages.

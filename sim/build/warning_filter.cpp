@@ -22,7 +22,8 @@ bool ends_in_word(std::string_view text, std::string_view word) {
   return before == ' ' || before == '\t' || before == '}' || before == ';' || before == '{' || before == ')';
 }
 
-/// Returns whether the ; at `at` is the literal whole body of an if or else, not the rest of a macro.
+/// Returns whether the semicolon at `at` is itself the body of an if or else. In the other case, an empty
+/// macro precedes the semicolon.
 bool is_whole_body(std::string_view line, std::size_t at) {
   std::string_view before = trimmed(line.substr(0, at));
   if (ends_in_word(before, "else")) return true;

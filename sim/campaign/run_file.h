@@ -17,7 +17,8 @@ class RunFile {
   explicit RunFile(std::filesystem::path path);
 
   const std::filesystem::path& path() const { return path_; }
-  /// Sets the content to `text`: a header, or the lines that are kept. Throws InputError.
+  /// Replaces the content by `text`: a header, and the lines that a resumed campaign keeps. Throws
+  /// InputError.
   void begin(const std::string& text);
   /// Appends a line, which includes its line feed. Throws InputError.
   void append(const std::string& line);

@@ -55,7 +55,7 @@ double view_speed(const std::string& text) {
 
 using Words = std::vector<std::string>;
 
-/// Throws InputError for options that several robots exclude.
+/// Throws InputError for options that a run of several robots does not support.
 void refuse_for_fleet(const RunArguments& run) {
   const auto refuse = [](bool given, const char* option, const char* why) {
     if (given) throw InputError(fmt::format("{} {}", option, why));

@@ -20,13 +20,13 @@ namespace robosim::cli {
 
 /// `robosim run`
 struct RunArguments : launch::RunSettings {
-  std::vector<std::string> record;  ///< files
-  std::vector<std::string> plot;    ///< files
-  std::string coverage;             ///< a folder; empty = lines are not counted
+  std::vector<std::string> record;  ///< files that receive the recording
+  std::vector<std::string> plot;    ///< files that receive a drawing of the robot's path
+  std::string coverage;             ///< folder of the coverage report; empty = lines are not counted
   bool view = false;
   double speed = 1.0;   ///< speed of the view, simulated s per s of wall time; 0 = as fast as possible
-  bool live = false;    ///< driven by requests on the standard input (run/live.h)
-  bool serial = false;  ///< the standard output is the sketch's serial text
+  bool live = false;    ///< requests on the standard input control the run (run/live.h)
+  bool serial = false;  ///< the standard output is the text that the sketch sends
   bool json = false;
   bool timing = false;
 };
@@ -40,8 +40,8 @@ struct WhyArguments {
 struct ReplayArguments {
   std::string file;
   double speed = 1.0;               ///< see RunArguments
-  std::string over;                 ///< a file; empty = none
-  std::vector<std::string> record;  ///< files
+  std::string over;                 ///< another run, to measure the distance to it: a file; empty = none
+  std::vector<std::string> record;  ///< files to write the recording to, in other formats
 };
 
 /// `robosim sweep`
@@ -79,7 +79,7 @@ struct FlashArguments {
   std::string environment;
   std::string robot;
   std::string port;
-  std::optional<std::uint64_t> baud;  ///< of the boot loader; default: the rate of the board's boot loader
+  std::optional<std::uint64_t> baud;  ///< baud rate of the boot loader; nothing = the board's default
   std::vector<std::string> libraries;
   bool dry_run = false;
 };
@@ -98,8 +98,8 @@ struct GenerateArguments {
   std::string family;
   int stations = 0;
   std::uint64_t count = 1;
-  std::uint64_t seed = 1;  ///< seed of the first map
-  std::string out = ".";   ///< a folder
+  std::uint64_t seed = 1;  ///< seed of the first map; each further map adds 1
+  std::string out = ".";   ///< folder that receives the maps
 };
 
 /// `robosim map import`
@@ -116,7 +116,7 @@ struct PrintArguments {
   std::string out;  ///< a file
   std::string paper = "A4";
   double margin_mm = 5.0;
-  bool black_on_white = false;  ///< instead of the map's paint
+  bool black_on_white = false;  ///< instead of the colours of the map
 };
 
 /// `robosim serve`
@@ -146,14 +146,14 @@ struct WireArguments {
 
 /// `robosim calibrate`
 struct CalibrateArguments {
-  std::string robot;              ///< a file or name
-  std::vector<std::string> logs;  ///< files
-  std::string stopwatch;          ///< a file; empty = none
-  double tape_m = 0.0;            ///< 0 = not given
-  double supply_volts = 0.0;      ///< 0 = not given
-  std::string out;                ///< a file; empty = none
+  std::string robot;              ///< robot file or name of a stock robot
+  std::vector<std::string> logs;  ///< log files of the real robot
+  std::string stopwatch;          ///< file of drives measured by stopwatch; empty = none
+  double tape_m = 0.0;            ///< width of the tape that the sensors crossed; 0 = not given
+  double supply_volts = 0.0;      ///< battery voltage during the log; 0 = not given
+  std::string out;                ///< file that receives the fitted robot; empty = none
   bool in_place = false;
-  std::string plot;  ///< a file; empty = none
+  std::string plot;  ///< file that receives a plot of the fit; empty = none
 };
 
 /// `robosim classic`
@@ -162,10 +162,10 @@ struct ClassicArguments {
   std::string start;
   std::string algorithm;        ///< "left", "right", "ai", or a C++ file
   double speed = 1.0;           ///< seconds per move
-  std::uint64_t steps = 0;      ///< maximum number of moves; 0 = see classic_command.cpp
-  std::vector<std::string> to;  ///< stations by number or name, or "all"
-  std::string planner;          ///< empty = AiNavigator's choice
-  double miss = 0.0;            ///< probabilities, 0..1
+  std::uint64_t steps = 0;      ///< maximum number of moves; 0 = the default in classic_command.cpp
+  std::vector<std::string> to;  ///< destinations: stations by number or name, or "all"
+  std::string planner;          ///< name of a route planner; empty = AiNavigator's choice
+  double miss = 0.0;            ///< probability from 0 to 1 that a cell is not seen
   double slip = 0.0;
   std::uint64_t seed = 1;
   bool trace = false;
@@ -181,9 +181,9 @@ struct PlayArguments {
 /// `robosim test`
 struct TestArguments {
   std::vector<std::string> sketches;
-  std::string checks;    ///< a file for all sketches; empty = each sketch's checks.toml
-  std::string junit;     ///< a file; empty = none
-  std::size_t jobs = 1;  ///< simultaneous runs
+  std::string checks;    ///< file of checks for all sketches; empty = each sketch's checks.toml
+  std::string junit;     ///< JUnit XML file to write; empty = none
+  std::size_t jobs = 1;  ///< number of simultaneous runs
   bool untrusted = false;
 };
 
@@ -195,7 +195,7 @@ struct MutateArguments : mutate::MutateOptions {
 
 /// `robosim hunt`
 struct HuntArguments : campaign::HuntOptions {
-  std::string out;  ///< a folder; empty = hunt-SKETCH
+  std::string out;  ///< folder that receives the findings; empty = hunt-SKETCH
   bool resume = false;
 };
 

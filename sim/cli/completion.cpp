@@ -9,7 +9,7 @@
 namespace robosim::cli {
 namespace {
 
-/// Returns the possible words of a value. Files may be possible in addition.
+/// Returns the possible words of a value. The value may also be a file.
 std::vector<std::string> words_of(const PossibleValues& values) {
   switch (values.kind) {
     case PossibleValues::Kind::sketch:

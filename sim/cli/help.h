@@ -75,9 +75,9 @@ inline constexpr const char* kNamingHelp =
     "SKETCH is a folder, an .ino file or the name of a sample sketch (default: the current folder). A name "
     "with / or . is a path.";
 
-/// Returns "robosim run [OPTIONS] [SKETCH...]".
+/// Returns a command's usage line, such as "robosim run [OPTIONS] [SKETCH...]".
 std::string usage(const CommandHelp& command);
-/// Returns the arguments after a command's name in the overview: "[SKETCH]".
+/// Returns the arguments that follow a command's name in the overview, such as "[SKETCH]".
 std::string argument_list(const CommandHelp& command);
 
 /// Returns the output of `robosim COMMAND --help`.

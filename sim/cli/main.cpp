@@ -1,5 +1,5 @@
-// The program `robosim`. Performs the commands for one run, and starts robosim-campaign for all others. So a
-// user's first run needs less to be built.
+// The program `robosim`. Performs the commands for one run, and starts robosim-campaign for all others. This
+// split shortens the build before a user's first run.
 #include <unistd.h>
 
 #include <cerrno>

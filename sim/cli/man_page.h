@@ -1,4 +1,4 @@
-// Manual pages, in the language of man(7).
+// Formats manual pages in the language of man(7).
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace robosim::cli {
 
-/// Returns robosim(1): the program's description, and its commands by task.
+/// Returns the page robosim(1): the program's description, and its commands by task.
 std::string man_page(const std::vector<CommandGroup>& groups);
-/// Returns robosim-COMMAND(1).
+/// Returns the page robosim-COMMAND(1) of a command.
 std::string man_page(const CommandHelp& command);
 
 }  // namespace robosim::cli

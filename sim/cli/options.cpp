@@ -75,19 +75,20 @@ std::optional<PrintText> Options::parse(std::vector<std::string> words) {
   for (std::size_t i = 0; i < options_.size(); ++i) {
     const OptionHelp& option = help_.options[i];
     if (options_[i].flag) app.add_flag(option.name, *options_[i].flag);
-    // Rejects a second value below, because CLI11 throws the same exception for it as for a missing value.
+    // Takes the last value, and rejects repeated options below. CLI11 itself would throw the same exception
+    // for a repeated option as for a missing value.
     if (options_[i].one) app.add_option(option.name, *options_[i].one)->take_last();
     if (!options_[i].several) continue;
     CLI::Option* several = app.add_option(option.name, *options_[i].several);
     if (!option.is_list) several->allow_extra_args(false);
   }
   const std::string last = words.empty() ? "" : words.back();
-  std::reverse(words.begin(), words.end());  // CLI11 needs this order
+  std::reverse(words.begin(), words.end());  // CLI11 expects the last word first
   try {
     app.parse(std::move(words));
   } catch (const CLI::CallForHelp&) {
     return help();
-  } catch (const CLI::ArgumentMismatch&) {  // only at the last word: an option takes any next word
+  } catch (const CLI::ArgumentMismatch&) {  // only if the last word is an option without a value
     refuse_missing_value(last.substr(0, last.find('=')));
   } catch (const CLI::ParseError& error) {
     throw InputError(fmt::format("{}: {}", help_.name, error.what()));

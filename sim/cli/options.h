@@ -10,13 +10,13 @@
 
 namespace robosim::cli {
 
-/// Reads all options as text. The functions below check the allowed values afterwards, for uniform messages.
+/// Reads all options as text. The commands check the values afterwards, so that messages are uniform.
 class Options {
  public:
-  /// `summary` and `details`: as in CommandHelp.
+  /// Sets the command's name, `summary` and `details`, with the meanings of CommandHelp.
   Options(const std::string& command, const std::string& summary, const std::string& details = "");
 
-  /// `name`: as in the usage, "MAP" for a required argument and "[MAP]" for an optional one.
+  /// Adds a positional argument. `name` is written as in the usage: "MAP" if required, "[MAP]" if optional.
   void positional(const std::string& name, std::string& value, const char* what, PossibleValues values = {});
   void positionals(const std::string& name, std::vector<std::string>& values, const char* what,
                    PossibleValues possible = {});
@@ -30,7 +30,7 @@ class Options {
              PossibleValues possible = {});
   void flag(const char* name, bool& value, const char* what);
 
-  /// Parses the words into the values; returns the help instead if the user requested it. Throws InputError.
+  /// Parses the words into the values. If the user requested the help, returns the help. Throws InputError.
   std::optional<PrintText> parse(std::vector<std::string> words);
 
  private:
@@ -46,7 +46,7 @@ class Options {
   [[noreturn]] void refuse_missing_value(const std::string& option) const;
 
   CommandHelp help_;
-  std::vector<Taker> arguments_, options_;  ///< as in help_
+  std::vector<Taker> arguments_, options_;  ///< in the order of help_.arguments and help_.options
 };
 
 // Explanations of options that many commands have.

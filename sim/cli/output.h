@@ -10,10 +10,11 @@ namespace robosim::cli {
 /// Writes and flushes; on a terminal through for_terminal(). Throws InputError if a write fails (full disk).
 void print(std::string_view text);
 
-/// Writes to standard error, through for_terminal(). A failed write is ignored; the exit status remains.
+/// Writes to standard error, through for_terminal(). Ignores a failed write, so that the exit status stays
+/// the same.
 void complain(std::string_view text);
 
-// Write a coloured screen in which foreign names and texts are already escaped.
+// Write a coloured screen. The caller has already escaped names and texts that come from the user's files.
 void print_coloured(std::string_view text);
 void complain_coloured(std::string_view text);
 
@@ -28,8 +29,8 @@ class SerialPrinter {
   TerminalText shown_;
 };
 
-/// Replaces closed standard streams by /dev/null. Otherwise the next opened file would be mistaken for one of
-/// them. Opens /dev/null read-only for standard output, so that writing to it still fails.
+/// Replaces closed standard streams by /dev/null. Otherwise the next opened file would get the number of a
+/// standard stream. Opens /dev/null read-only for standard output, so that writing to it still fails.
 void open_standard_streams();
 
 }  // namespace robosim::cli

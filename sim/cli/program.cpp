@@ -27,7 +27,7 @@ int run_program(int count, char** words, const std::function<int(const Command&)
   try {
     return perform(parse_arguments({words + 1, words + count}));
   } catch (const build::CompileError& error) {
-    return fail(ExitStatus::bad_input, "", error.what());  // begins with the place, as editors expect
+    return fail(ExitStatus::bad_input, "", error.what());  // begins with the file and line, as editors expect
   } catch (const InputError& error) {
     return fail(ExitStatus::bad_input, "robosim: ", error.what());
   } catch (const ToolMissing& error) {

@@ -9,9 +9,9 @@ namespace robosim::detect {
 namespace {
 
 constexpr double kSamePower = 0.02;
-// The number of ticks within which a sketch converts a reading to motor commands.
+// The number of ticks that a sketch may need to convert a reading to motor commands.
 constexpr int kTicksToSteer = 3;
-// A sketch that reads its sensors less often than this in a run does not steer along the line.
+// If a sketch reads its sensors in fewer ticks of a run, the sketch does not steer along the line.
 constexpr int kFewLooks = 2;
 constexpr std::size_t kMostPlaces = 8;
 

@@ -1,24 +1,24 @@
-// Finds blind time: a robot that drives on without reading its floor sensors, and loses the line.
+// Finds blind time, in which a robot drives on without reading its floor sensors and loses the line.
 //
 //   digitalRead(middle);  analogWrite(left, 160); …  delay(400);      // at 0.4 m/s: 160 mm without a reading
 //
-// Anything that keeps a sketch from reading its sensors causes blind time: delay(), pulseIn() without a
-// timeout, a loop that waits, a print that waits for room in Serial's buffer of 64 bytes. Blind time on a
-// straight goes unnoticed. A finding is a stretch from one reading of a floor sensor to the next on which
+// Blind time has several causes: delay(), pulseIn() without a timeout, or a loop that waits. A print may also
+// wait for room in Serial's buffer of 64 bytes. Blind time on a straight goes unnoticed. A finding is the
+// drive from one reading of a floor sensor to the next reading, with these properties:
 //
 //   - the robot drove further than the distance from its axle to its sensors plus the width of the line. Its
-//     wheels are then on floor where no sensor was read, and it may already have passed a bend;
-//   - a sensor was over the line at the first reading, and none at the end of the stretch;
-//   - the motor commands stayed the same throughout.
+//     wheels then stand where no sensor was read, and the robot may already have passed a bend;
+//   - at the first reading, a sensor was over the line. At the end of the drive, no sensor was over the line;
+//   - the motor commands did not change during the drive.
 //
-// The last condition excludes sketches that drive blind on purpose: to turn at a crossing, or to drive round
-// an obstacle, they change the commands between two readings.
+// The last condition excludes sketches that drive blind on purpose, for example to drive round an obstacle.
+// Such sketches change the motor commands between two readings.
 //
 // To fix a finding, compare times (millis()) instead of calling delay(). Send shorter messages or use a
 // faster Serial. Give pulseIn() a timeout, and read the sensors in each loop that waits.
 //
-// Not detected: sketches that read their sensors and ignore them; blind time on straights only; sensors on a
-// shift register, or read by interrupts.
+// Not detected: sketches that read their sensors and ignore the readings; blind time on straights only;
+// sensors on a shift register; sensors that interrupts read.
 #pragma once
 
 #include <vector>
@@ -36,7 +36,7 @@ class BlindDriving final : public SteeringDetector {
   std::vector<exec::Detected> found(SimTime) const override;
 
  private:
-  /// The drive from one sensor read of the sketch to the next.
+  /// The drive from one reading of a floor sensor to the next reading.
   struct Stretch {
     SimTime began = 0;
     double from_m = 0.0;

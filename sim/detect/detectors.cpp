@@ -13,7 +13,7 @@
 namespace robosim::detect {
 namespace {
 
-/// Returns the pins on which every edge matters.
+/// Returns the pins on which every edge matters: the pins of encoders and infrared receivers.
 std::vector<Pin> counted_pins(const robot::Robot& robot) {
   std::vector<Pin> pins;
   for (const robot::WiredPin& wired : robot.wiring())

@@ -1,4 +1,5 @@
-// Makes and feeds all detectors of a robot in a run. result/detector_names.h lists their names.
+// Creates all detectors for a robot in a run, and passes each tick to the detectors that examine ticks.
+// result/detector_names.h lists the names of the detectors.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +18,15 @@ namespace robosim::detect {
 
 class Detectors {
  public:
-  /// Attaches to `executor`, which has not been switched on. Both arguments outlive this object, which must
-  /// outlive all use of `executor`. `line_m` is the width of the line.
+  /// Attaches to `executor`, which has not been switched on yet. `robot` and `executor` must outlive this
+  /// object. This object must outlive all use of `executor`. `line_m` is the width of the line.
   Detectors(const robot::Robot& robot, exec::Executor& executor, double line_m);
   Detectors(const Detectors&) = delete;
   Detectors& operator=(const Detectors&) = delete;
 
-  /// Records how often the firmware has started.
+  /// Notifies the detectors if the firmware has started again. `times` is the number of starts so far.
   void booted(std::uint64_t times);
-  /// Examines a tick. Sets `asks_floor` of `now` itself.
+  /// Passes a tick to the detectors of steering. Ignores `now.asks_floor`, which this function computes.
   void look(Steering now);
   /// Returns the findings of the run, which has lasted until `now`.
   std::vector<exec::Detected> found(SimTime now) const;
@@ -50,7 +51,7 @@ class Detectors {
   const FloorReads floor_;
   SnapshotRegistry snapshots_;
   std::vector<std::unique_ptr<FirmwareDetector>> all_;
-  std::vector<SteeringDetector*> steering_;  ///< those of all_ that examine each tick
+  std::vector<SteeringDetector*> steering_;  ///< the detectors of all_ that examine each tick
   State state_;
 };
 

@@ -1,23 +1,24 @@
-// Finds EEPROM wear: a byte that is written again and again.
+// Finds EEPROM wear: a byte that is written so often that its memory cell wears out.
 //
 //   void loop() { …  EEPROM.write(0, speed); }
 //
 // A byte of an ATmega's EEPROM lasts for 100,000 writes (ATmega328P, DS40002061B, 8.4: "an endurance of at
 // least 100,000 write/erase cycles"). A sketch that writes in each pass of loop() reaches this number in six
 // minutes, since a write takes 3.4 ms. The wear goes unnoticed on the bench. Weeks later the robot has lost
-// its settings, and cannot store new ones.
+// its settings, and cannot store new settings.
 //
-// A finding is the first byte that, since the last power-on,
+// A finding is the first byte that has met one of these conditions since the last power-on:
 //
-//   - was written 10 times, over at least a second, with the value that it already had, or
-//   - was written 20 times, over at least five seconds, so often that it would wear out within a day.
+//   - the byte was written 10 times, over at least a second, with the value that the byte already had;
+//   - the byte was written 20 times, over at least five seconds, at a rate that wears the byte out within a
+//     day.
 //
 // Sketches that save when a button is pressed, or by update() when a value has changed, are not reported. To
-// fix a finding, use EEPROM.update(), since it writes only changed bytes. Or save rarely, or rotate over
-// several bytes.
+// fix a finding, use EEPROM.update(), which writes only changed bytes. Alternatively, save less often, or
+// write to several bytes in turn.
 //
 // Not detected: wear from years of rare writes; writes of earlier runs; wear of other memories such as flash.
-// If two lines write the same byte, the finding names the line that exceeded the limit.
+// If two lines write the same byte, the finding names the line whose write met the condition.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +43,7 @@ class EepromWear final : public FirmwareDetector, public EepromWatcher {
   struct Cell {
     SimTime began = 0, last = 0;
     std::int64_t writes = 0, needless = 0;
-    double lasts_s() const;  ///< time until the byte is worn out at this rate
+    double lasts_s() const;  ///< seconds until the byte is worn out, at the present rate of writes
   };
   struct Found {
     std::uint16_t address = 0;

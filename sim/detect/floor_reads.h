@@ -1,4 +1,4 @@
-// Provides the firmware's reads of floor sensors to the detectors that examine how a robot steers.
+// Reports when the firmware last read a floor sensor, for the detectors that examine how a robot steers.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,11 @@ class FloorReads {
  public:
   FloorReads(const robot::Robot& robot, exec::Executor& executor);
 
-  /// Returns whether reads are visible: the robot has floor sensors, and each is wired to a pin of the board.
+  /// Returns whether reads can be observed. For this, the robot must have floor sensors, and each sensor must
+  /// be wired to a pin of the board.
   bool are_known() const { return !pins_.empty(); }
-  /// Returns the time of the firmware's last read of a floor sensor; -1 = never. Returns `now` if an
-  /// interrupt waits for a sensor's edges.
+  /// Returns the time of the firmware's last read of a floor sensor; -1 if the firmware has read no sensor.
+  /// If an interrupt waits for a sensor's edges, the sensor counts as read at `now`.
   SimTime last(SimTime now) const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLeftOn_m = 0.5;
 constexpr double kUnchanged = 0.02;
-// A sketch that reads its sensors less often than this in a run does not steer along the line.
+// If a sketch reads its sensors in fewer ticks of a run, the sketch does not steer along the line.
 constexpr int kHardlyEver = 2;
 
 }  // namespace

@@ -1,14 +1,15 @@
-// Finds a sketch that stops steering without stopping its motors, which keep their last commands.
+// Finds a sketch that stops steering without stopping its motors. The motors then keep their last commands.
 //
 //   if (millis() - seen_at > 300) { running = false; Serial.println("lost"); }  // and the robot drives on
 //
 // The fault shows only when the robot loses its line. For example, someone touches a wheel, or the floor is
-// dirty. A finding is a robot whose wheels have turned a metre without a line, as in the verdict `lost`. For
+// dirty. In a finding, the wheels have turned a metre since a sensor last saw the line (verdict `lost`). For
 // at least the last half metre, the motor commands were unchanged and no floor sensor was read. The sketch
-// was not waiting in a call, which BlindDriving would find. To fix a finding, stop or brake the motors
-// wherever the sketch stops steering.
+// must not be waiting in a call, because BlindDriving reports such waits. To fix a finding, stop or brake the
+// motors wherever the sketch stops steering.
 //
-// Not detected: sensors on a shift register, or read by interrupts; a robot that meets a line by chance.
+// Not detected: sensors on a shift register; sensors that interrupts read; a robot that meets a line by
+// chance.
 #pragma once
 
 #include <vector>
@@ -29,10 +30,10 @@ class MotorsLeftOn final : public SteeringDetector {
  private:
   /// The drive since a sensor last saw the line.
   struct Stretch {
-    bool counts = false;  ///< the line was seen, no manual move followed, and there is no report yet
+    bool counts = false;  ///< a sensor saw the line, no manual move followed, and nothing was reported yet
     SimTime began = 0;
     double from_m = 0.0;
-    double unchanged_from_m = 0.0;  ///< travel when a command last changed or a sensor was last read
+    double unchanged_from_m = 0.0;  ///< travel at the last change of a command or reading of a sensor
     double left = 0.0, right = 0.0;
   };
 

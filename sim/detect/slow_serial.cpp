@@ -8,7 +8,7 @@ namespace robosim::detect {
 namespace {
 
 constexpr SimTime kLongWait = 15 * kMillisecond;
-constexpr int kMostAsked = 200;  // finding a sketch's activity is slow
+constexpr int kMostAsked = 200;  // limit, because Executor::activity() is slow
 constexpr int kFewWaits = 10;
 constexpr double kOfItsTime = 0.3;
 

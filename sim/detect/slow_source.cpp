@@ -10,7 +10,7 @@
 namespace robosim::detect {
 namespace {
 
-constexpr double kNoticed = 8.0 / 1024.0;  // share of the supply
+constexpr double kNoticed = 8.0 / 1024.0;  // error of a finding, as a share of the supply voltage
 constexpr std::int64_t kManyTimes = 3;
 
 }  // namespace
@@ -35,7 +35,7 @@ void SlowSource::converted(Pin pin, double volts, SimTime t) {
     if (std::abs(last.volts) > std::abs(here.worst.volts)) here.worst = last;
   }
   last = {std::abs(volts) >= kNoticed * executor_.board().spec().supply_volts ? pin : kNoPin, volts, t};
-  if (last.pin != kNoPin) of(last);  // stores the source line of the read
+  if (last.pin != kNoPin) of(last);  // stores the source line of the reading
 }
 
 std::vector<exec::Detected> SlowSource::found(SimTime) const {

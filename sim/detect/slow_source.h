@@ -1,16 +1,15 @@
-// Finds a pin whose source is too weak for the ADC. The voltage of the previous pin then distorts its
-// readings.
+// Finds an analog pin whose voltage source has too high an impedance for the ADC. The voltage of the pin that
+// was read before then distorts the readings.
 //
 //   left = analogRead(A0);  right = analogRead(A1);        // A1: a photo diode with 2.2 MOhm to 5 V
 //
 // "The ADC is optimized for analog signals with an output impedance of approximately 10 kOhm or less"
-// (ATmega328P, DS40002061B, 24.6.1): a source of higher impedance does not charge the converter's capacitor
-// in time (hal/board/adc_capacitor.h). A finding consists of readings of one pin that
+// (ATmega328P, DS40002061B, 24.6.1). A source of higher impedance does not charge the ADC's capacitor in time
+// (hal/board/adc_capacitor.h). A finding is a pin with at least three readings that
 //
-//   - are off by 0.8 % of the supply (8 of 1024) or more for this reason,
-//   - occur three times or more,
-//   - and are each followed by a reading of another pin. Sketches that average, or that read twice and drop
-//     the first reading, are not reported.
+//   - are wrong by 0.8 % of the supply voltage (8 of 1024) or more for this reason, and
+//   - are each followed by a reading of another pin. Therefore sketches that average readings, or that read
+//     twice and drop the first reading, are not reported.
 //
 // Only sources with `source_ohms` in the robot file are examined. To fix a finding, read the pin twice, add
 // 100 nF to ground, or use a source of lower resistance.
@@ -32,7 +31,7 @@ class SlowSource final : public FirmwareDetector, public AdcWatcher {
  private:
   struct Reading {
     Pin pin = kNoPin;
-    double volts = 0.0;  ///< error of the reading
+    double volts = 0.0;  ///< error of the reading; positive if the reading was too high
     SimTime at = 0;
   };
   struct Found {
@@ -42,8 +41,8 @@ class SlowSource final : public FirmwareDetector, public AdcWatcher {
     exec::SourceLine where;
   };
   struct State {
-    Reading last;              ///< the last reading; its pin is kNoPin if it was correct
-    std::vector<Found> found;  ///< by pin
+    Reading last;              ///< the last reading; `last.pin` is kNoPin if the reading was correct
+    std::vector<Found> found;  ///< one element for each pin with a wrong reading
   };
   Found& of(const Reading& reading);
 

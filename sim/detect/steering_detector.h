@@ -7,16 +7,16 @@
 
 namespace robosim::detect {
 
-/// The input of these detectors: a robot at the end of a tick.
+/// The input of these detectors: the state of the robot at the end of a tick.
 struct Steering {
   SimTime t = 0;
-  SimTime sent_at = -1;     ///< time of Serial's last byte; -1 = none
+  SimTime sent_at = -1;     ///< time at which Serial last sent a byte; -1 = no byte yet
   double distance_m = 0.0;  ///< distance that the axle has travelled
   double travel_m = 0.0;    ///< distance that the wheels have turned
   double left = 0.0, right = 0.0;
   bool sees_line = false;
-  bool on_its_own = true;   ///< switched on, and not moved manually
-  bool asks_floor = false;  ///< firmware has read a floor sensor in this tick
+  bool on_its_own = true;   ///< the robot is switched on, and is not moved manually
+  bool asks_floor = false;  ///< the firmware has read a floor sensor in this tick
 };
 
 class SteeringDetector : public FirmwareDetector {
@@ -25,7 +25,7 @@ class SteeringDetector : public FirmwareDetector {
   virtual void look(const Steering& now) = 0;
 };
 
-/// Returns the call in which firmware waits; empty if the current call never waits, or there is none.
+/// Returns the current call if calls of this function can wait; otherwise an empty text.
 std::string waiting_call(const exec::Activity& activity);
 
 /// The fix for a sketch that waits while it prints.

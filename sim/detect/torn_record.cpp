@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint16_t kMostBytes = 4;
 constexpr std::uint8_t kErased = 0xFF;
-constexpr SimTime kPause = 20 * kMillisecond;  // without a write, which separates two bursts
+constexpr SimTime kPause = 20 * kMillisecond;  // a time without writes that ends a burst
 
 }  // namespace
 

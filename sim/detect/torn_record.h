@@ -1,23 +1,24 @@
 // Finds a record in EEPROM that a power cut can leave half old and half new.
 //
-//   EEPROM.put(0, laps);   // an int: two bytes, 3.4 ms each. From 255 (FF 00) to 256 (00 01), it is 0 in
-//                          // between. setup() reads 0 if the power was cut just then
+//   EEPROM.put(0, laps);   // writes the two bytes of an int, in 3.4 ms each. If laps changes from 255
+//                          // (FF 00) to 256 (00 01), the EEPROM contains 0 (00 00) after the first byte. If
+//                          // the power is cut at this moment, setup() later reads 0
 //
 // A finding is a number of two to four bytes, written by one source line, with these properties:
 //
-//   - at least two of its bytes changed at once, over an older record that was not completely erased. A cut
-//     between them leaves neither the old nor the new number;
-//   - at other times, only one byte changed. This rules out a checksum among the bytes, which would have
-//     changed, too;
+//   - one write of the number changed at least two of its bytes, and the old bytes were not all erased (FF).
+//     A power cut between these bytes leaves neither the old nor the new number;
+//   - another write changed only one byte. This proves that no byte is a checksum, because a checksum would
+//     have changed, too;
 //   - nothing else was written just before or after, such as a mark that names the valid record.
 //
-// The finding contains the period in which a cut would tear the record. It also contains a script line that
-// cuts the power in this period (docs/reference/scripts.md). To fix a finding, store a checksum after the
-// number and check it when reading. Or write two records alternately, each with a number and a checksum, so
-// that the older one survives.
+// The finding contains the period in which a power cut would tear the record. It also contains a script line
+// that cuts the power in this period (docs/reference/scripts.md). To fix a finding, store a checksum after
+// the number, and check it when the number is read. Alternatively, write two records in turn, each with a
+// sequence number and a checksum, so that the older record survives.
 //
-// Not detected: larger records; numbers whose bytes all change each time, such as floats; sketches that check
-// the number by its range, or never read it.
+// Not detected: larger records; numbers whose bytes all change each time, such as floats. The detector does
+// not know whether the sketch reads the number, or checks its range when the number is read.
 #pragma once
 
 #include <cstdint>
@@ -42,7 +43,7 @@ class TornRecord final : public FirmwareDetector, public EepromWatcher {
 
  private:
   struct Write {
-    std::uint64_t number = 0;  ///< counted from 1 since the run began
+    std::uint64_t number = 0;  ///< sequence number of the write, from 1 at the beginning of the run
     std::uint16_t address = 0;
     std::uint8_t before = 0, value = 0;
     SimTime at = 0;
@@ -52,16 +53,16 @@ class TornRecord final : public FirmwareDetector, public EepromWatcher {
     result::SourceLine where;
     std::uint16_t first = 0, last = 0;  ///< addresses
     bool changed_singly = false;
-    bool is_other = false;    ///< not a candidate: too large, or written along with other records
-    std::vector<Write> torn;  ///< the first consecutive writes that a cut can separate
+    bool is_other = false;    ///< not a candidate: too large, or written together with other records
+    std::vector<Write> torn;  ///< the first consecutive writes that a power cut can separate
     std::int64_t times = 0;
   };
   using Line = std::pair<std::string, int>;
 
   struct State {
     std::map<Line, Record> records;
-    std::vector<Write> burst;  ///< consecutive writes
-    std::optional<Line> by;    ///< source line of the burst; nullopt = several lines
+    std::vector<Write> burst;  ///< writes without a pause between them
+    std::optional<Line> by;    ///< source line of the burst; nullopt = written by several lines
     std::uint64_t writes = 0;
 
     void end_of_burst();

@@ -1,4 +1,5 @@
-// The rules of a competition. A contest watches a run, scores it, and decides when it is over.
+// Applies the rules of a competition to a run. A contest watches the run, scores it, and decides when it is
+// over.
 #pragma once
 
 #include <optional>
@@ -29,9 +30,9 @@ class Contest {
   bool over(SimTime t) const;
   /// Handles a robot that is lost or stuck. Returns true if the contest continues with a manual move.
   bool give_up(Events& events);
-  /// Returns the target of a pending manual move, and clears it.
+  /// Returns the pose to which a pending manual move puts the robot, and clears the pending move.
   std::optional<Pose> take_hand();
-  /// Returns one clause with the progress or the score.
+  /// Returns one clause that states the progress or the score.
   std::string summary() const;
   /// Sets the score, its parts and the run's time, if they exist.
   void score(result::Metrics& metrics) const;

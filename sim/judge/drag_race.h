@@ -1,5 +1,6 @@
 // Scores a drag race by UKMARS' rules of August 2022 (ukmars.org, contest rules). The robot drives along a
-// straight line and over the finish line as fast as possible. It then stops within the braking distance.
+// straight line and over the finish line as fast as possible. The robot then stops within the braking
+// distance.
 //
 // The clock starts at the starting signal ([race] signal). Without a signal, it starts when the robot has
 // moved by 1 cm. The clock stops when the robot's outline first covers the middle of the finish line. The

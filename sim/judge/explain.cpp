@@ -79,8 +79,8 @@ std::string waiting(const Evidence& e) {
   return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
 }
 
-// Returns "left the line at 3.20 s near column 20, row 4"; empty if a sensor saw the line in the half second
-// before `t`.
+// Returns a clause such as "left the line at 3.20 s near column 20, row 4". Returns "" if a sensor saw the
+// line in the half second before `t`.
 std::string left_line(const Evidence& e, SimTime t) {
   constexpr SimTime kJustNow = kSecond / 2;
   const auto& seen = e.judge->line_last_seen();
@@ -118,7 +118,7 @@ std::string list_of_pins(const std::vector<int>& pins) {
   return text;
 }
 
-// Returns "S2 was stuck at 1023 by the script".
+// Returns a clause such as "S2 was stuck at 1023 by the script".
 std::string told(const ScriptFault& fault) {
   using robot::Failure;
   const std::string value = fault.arguments.size() > 1 ? fault.arguments[1] : "";
@@ -150,14 +150,14 @@ const ScriptFault* fault_at(const Evidence& e, SimTime t) {
   return last;
 }
 
-// Returns ", 0.30 s after S2 was stuck at 1023 by the script"; empty if there was no fault.
+// Returns a phrase such as ", 0.30 s after S2 was stuck at 1023 by the script"; empty if there was no fault.
 std::string after_fault(const Evidence& e, SimTime t) {
   const ScriptFault* fault = fault_at(e, t);
   return fault ? fmt::format(", {} after {}", seconds(t - fault->began), told(*fault)) : "";
 }
 
-// Returns "; the board has had no power since 7.28 s: its battery is empty"; empty if the supply does not
-// explain the verdict.
+// Returns a clause such as "; the board has had no power since 7.28 s: its battery is empty". Returns "" if
+// the supply does not explain the verdict.
 std::string for_want_of_power(const Evidence& e) {
   const bool ran_down = e.power.charge && (e.power.empty() || (!e.power.on && e.power.switched_on));
   const bool may_come_of_it = e.verdict == Verdict::lost || e.verdict == Verdict::stuck ||
@@ -286,8 +286,9 @@ std::string sleeping_driver(const Evidence& e) {
   return "";
 }
 
-// Returns "motor pins 7 and 9 were written HIGH, but never set to OUTPUT"; empty if there are no such pins.
-// Writing HIGH to an input enables its pull-up, which is enough to switch on some motor drivers.
+// Returns a clause such as "motor pins 7 and 9 were written HIGH, but never set to OUTPUT". Returns "" if
+// there are no such pins. Writing HIGH to an input enables its pull-up, which is enough to switch on some
+// motor drivers.
 std::string forgotten_outputs(const Evidence& e) {
   std::vector<int> pins;
   for (const robot::WiredPin& wired : e.wiring) {

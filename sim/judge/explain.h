@@ -1,4 +1,4 @@
-// Explains a verdict in one sentence.
+// Explains a verdict in one sentence, suggests the next step, and finds the decisive moment of the run.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ struct Evidence {
   std::optional<exec::Crash> crash;
   std::vector<exec::DivisionByZero> divisions_by_zero;
   int int_bits = 32;                 ///< size of the firmware's int
-  std::string exceeded;              ///< the exceeded budget
+  std::string exceeded;              ///< description of the exceeded budget
   const BoardSpec* board = nullptr;  ///< provides the names of pins; null = use their numbers
   std::vector<robot::WiredPin> wiring;
   std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once
@@ -41,10 +41,10 @@ struct Evidence {
   bool in_contact = false;  ///< the body touches an obstruction
   std::string stopped_by = "a wall or the map's edge";  ///< the obstruction that the body touches
   double left_command = 0.0, right_command = 0.0;       ///< motor commands at the end, -1..1
-  double turning_drive = 0.0;                           ///< power from which the wheels turn from rest, 0..1
+  double turning_drive = 0.0;                           ///< least power that turns a wheel from rest, 0..1
   SimTime sensors_read = kNever;  ///< last read of a floor sensor by the sketch; kNever = none
-  double line_side = 0.0;  ///< m, the line's last position off the robot's middle, positive to the left
-  double steered = 0.0;    ///< mean command difference while the line is off-centre; positive = towards it
+  double line_side = 0.0;  ///< m, the line's last position to the left of the robot's middle; below 0 = right
+  double steered = 0.0;    ///< mean command difference while the line is off-centre; positive = to the line
   bool moved = false;      ///< a wheel turned
   world::Toppled toppled = world::Toppled::no;
   Vec2 at;                          ///< the robot's position

@@ -159,7 +159,7 @@ void Progress::begin_at(Vec2 position) {
   if (2 * node_ > static_cast<std::int64_t>(loop_.size())) node_ -= static_cast<std::int64_t>(loop_.size());
 }
 
-/// Updates node_. Call it once the body has moved by a part of the distance between two nodes.
+/// Updates node_. Must be called whenever the body has moved by a part of the distance between two nodes.
 void Progress::follow_loop(Vec2 position) {
   const auto count = static_cast<std::int64_t>(loop_.size());
   // Begins another lap if the body went round without passing all nodes in order.
@@ -172,12 +172,12 @@ void Progress::follow_loop(Vec2 position) {
     while (distance(node_ + step) < distance(node_)) node_ += step;
 }
 
-/// Returns whether a robot that has passed all nodes in order has also gone round, and did not turn back in
-/// between. If it has, begins the next lap.
+/// Returns whether a robot that has passed all nodes in order has also gone round the loop. A robot that
+/// turned back in between has not. If the robot has gone round, begins the next lap.
 bool Progress::has_gone_round(bool backwards) {
   const auto count = static_cast<std::int64_t>(loop_.size());
   const std::int64_t ahead = node_ - lap_node_;
-  // All nodes are passed near the beginning of a lap: the body has then gone round once or not at all.
+  // At the last node, the body is near the beginning of a lap: it has gone round once or not at all.
   if (2 * (backwards ? -ahead : ahead) < count) return false;
   lap_node_ += backwards ? -count : count;
   return true;
@@ -245,7 +245,8 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
   const Pose& pose = body.pose();
   if (!origin_) begin_at(pose.position);
   if (may_depart(pose)) {
-    // Restarts the clock of each lap, unless half of it is done: the body is then returning to the start.
+    // Restarts the clock of each lap of which less than half is done. In a lap of which more is done, the
+    // body is returning to the start.
     for (Lap* lap : {&forwards_, &backwards_})
       if (2 * lap->next < loop_.size()) lap->began = t;
   }

@@ -1,4 +1,4 @@
-// Goals of a run, and the progress towards them.
+// Defines the goals of a run, and measures the progress towards the goal.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ namespace robosim::judge {
 struct Goal {
   enum class Kind {
     tour,         ///< all reachable stations visited, then the start's centre covered again
-    laps,         ///< once round the loop, with every node passed in order, `laps` times, either way round
+    laps,         ///< `laps` times round the loop in either direction, with every node passed in order
     station,      ///< `station` visited, and at rest there for 0.5 s
     robotrace,    ///< from the start line to the goal line of the map's [race], then at rest between them
     ukmars,       ///< as robotrace, without coming to rest
@@ -31,16 +31,16 @@ struct Goal {
   };
   Kind kind = Kind::tour;
   int laps = 1;
-  int tries = 1;        ///< of line_maze
-  std::string station;  ///< number or name
+  int tries = 1;        ///< number of tries of line_maze
+  std::string station;  ///< number or name of the station
   bool operator==(const Goal&) const = default;
 };
 
 /// Parses "tour", "laps:3", "station:2", "robotrace", "ukmars", "drag-race", "rescue-line", "line-maze",
-/// "line-maze:3", "still" or "none". Throws InputError with a list of these.
+/// "line-maze:3", "still" or "none". Throws InputError with a list of the valid goals.
 Goal parse_goal(std::string_view text);
 std::string to_string(const Goal& goal);
-/// Returns the map's own goal; else laps:1 on a single loop, else tour.
+/// Returns the map's own goal. Without such a goal, returns laps:1 on a single loop, and tour elsewhere.
 Goal default_goal(const map::Map& map, const map::Network& network);
 
 /// A station or junction to visit.
@@ -58,16 +58,16 @@ class Progress {
   Progress(const Goal& goal, const map::Map& map, const map::Stripes& stripes, const map::Network& network,
            const map::Start& start);
 
-  /// Updates the progress. Called once per tick with the time at the tick's end. Appends visited stations and
-  /// completed laps to `events`. Checks places only after the body has moved some distance, unless the rules
-  /// require a check in each tick.
+  /// Updates the progress. Must be called once per tick with the time at the tick's end. Appends visited
+  /// stations and completed laps to `events`. Checks stations and nodes only after the body has moved by some
+  /// distance. Some goals also require a check in each tick.
   void update(const world::Body& body, SimTime t, Events& events) {
     if (!passes_by(body)) look(body, t, events);
   }
 
   /// Updates the progress when passes_by() is false.
   void look(const world::Body& body, SimTime t, Events& events);
-  /// Returns whether an update would change nothing. Called in each tick, and therefore inline.
+  /// Returns whether an update would change nothing. The function is inline, because each tick calls it.
   [[gnu::always_inline]] bool passes_by(const world::Body& body) const {
     return !takes_time_ && is_near(body.pose()) && !at_rest(body) &&
            !(is_around_origin_ && may_depart(body.pose()));
@@ -86,7 +86,7 @@ class Progress {
   const std::vector<double>& laps_s() const { return laps_s_; }
   int junctions_visited() const { return junctions_visited_; }
   bool is_visited(const std::string& station) const;
-  /// Returns the contest. It converts to false unless the goal is a competition.
+  /// Returns the contest, which converts to true if the goal is a competition.
   Contest& contest() { return contest_; }
   const Contest& contest() const { return contest_; }
   /// Adds the present score of a competition.
@@ -100,10 +100,10 @@ class Progress {
     int complete = 0;
   };
 
-  // Places are checked when the body has moved by kCheckEvery, m, has turned by acos(kCheckTurn), 1.1
-  // degrees, or has stopped. The first lap begins at the distance kDeparture from the start, m.
+  // Stations and nodes are checked when the body has moved by kCheckEvery (m), has turned by acos(kCheckTurn)
+  // (1.1 degrees), or has stopped. The first lap begins at the distance kDeparture (m) from the start.
   static constexpr double kCheckEvery = 4e-3, kCheckTurn = 0.9998, kDeparture = 0.01;
-  // A body below both speeds counts as at rest, m/s and rad/s.
+  // A body counts as at rest below both speeds (m/s and rad/s).
   static constexpr double kRestSpeed = 1e-3, kRestTurn = 0.01;
 
   static double square(Vec2 a) { return dot(a, a); }
@@ -145,8 +145,8 @@ class Progress {
   int junctions_visited_ = 0;
   std::vector<double> laps_s_;
   Lap forwards_, backwards_;
-  // The loop's node next to the body, counted on without wrapping: after a lap forwards it is higher by the
-  // number of nodes. A robot that turns back goes back here, but not in a Lap.
+  // The number of the loop's node next to the body. The number does not wrap: a forward lap increases it by
+  // the number of nodes. If the robot turns back, this number decreases, but Lap::next does not.
   std::int64_t node_ = 0;
   std::int64_t lap_node_ = 0;  ///< value of node_ at which the present lap began
   int goal_station_ = -1;

@@ -1,4 +1,4 @@
-// Detects that a run has failed, before its time is up.
+// Detects that a run has failed or ended, before its time is up.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,18 @@
 namespace robosim::judge {
 
 constexpr double kLostAfter = 1.0;                     ///< m of wheel travel without a line
-constexpr SimTime kStuckAfter = 3 * kSecond;           ///< of driving without moving
-constexpr double kStuckMove = 1e-3;                    ///< m
-constexpr double kStuckTurnSine = 0.0174524064372835;  ///< sin 1 degree
-constexpr SimTime kPushedAfter = 5 * kSecond;          ///< of driving against an obstruction
-constexpr double kPushedTurnCosine =
-    0.8660254037844386;             ///< cos 30 degrees; a robot that turns more frees itself
+constexpr SimTime kStuckAfter = 3 * kSecond;           ///< duration of driving without moving
+constexpr double kStuckMove = 1e-3;                    ///< m; a robot that moves farther is not stuck
+constexpr double kStuckTurnSine = 0.0174524064372835;  ///< sin 1 degree; a robot that turns more is not stuck
+constexpr SimTime kPushedAfter = 5 * kSecond;          ///< duration of driving against an obstruction
+/// cos 30 degrees. A robot that turns more while it pushes is not stuck.
+constexpr double kPushedTurnCosine = 0.8660254037844386;
 constexpr double kSamePlace = 0.1;  ///< m, radius within which a robot counts as being in one place
-constexpr SimTime kSilentAfter = 2 * kSecond;  ///< without an API call
+constexpr SimTime kSilentAfter = 2 * kSecond;  ///< duration without an API call
 /// A motor still counts as driven during pauses of up to this length between pulses.
 constexpr SimTime kPulsePause = 200 * kMillisecond;
 constexpr SimTime kDrivePause = kSecond;           ///< a robot still drives during shorter pauses
-constexpr SimTime kInOnePlaceAfter = 5 * kSecond;  ///< a robot is reported as being in one place
+constexpr SimTime kInOnePlaceAfter = 5 * kSecond;  ///< a robot that stays this long is reported as staying
 
 /// The judge's input in each tick.
 struct Situation {
@@ -33,10 +33,10 @@ struct Situation {
   bool sees_line = false;       ///< a line is under a reflectance sensor, or between the outermost two
   bool driven = false;          ///< a motor is driven (robot::Robot::driven())
   bool in_contact = false;      ///< the body touches an obstruction
-  bool lifted = false;          ///< picked up: neither lost nor stuck
+  bool lifted = false;          ///< the robot is picked up, and is neither lost nor stuck
   bool toppled = false;         ///< the robot lies on its side
   bool powered = true;
-  SimTime last_call = 0;  ///< the firmware's last API call
+  SimTime last_call = 0;  ///< time of the firmware's last API call
   bool hangs = false;     ///< the firmware will never call the API again (Executor::hangs)
 };
 
@@ -46,7 +46,7 @@ class Judge {
   explicit Judge(bool senses) : senses_(senses) {}
 
   /// Returns toppled, lost, stuck, hung or ended; nullopt in a normal state. A sketch that is silent but may
-  /// continue is in a normal state. Called in each tick, and therefore inline.
+  /// continue is in a normal state. The function is inline, because each tick calls it.
   [[gnu::always_inline]] std::optional<Verdict> look(const Situation& now) {
     const bool is_lost = lost(now), is_stuck = stuck(now);
     if (now.toppled || is_lost || is_stuck || now.hangs) [[unlikely]]
@@ -66,10 +66,10 @@ class Judge {
   /// Returns whether the robot is stuck because it has pushed against an obstruction for kPushedAfter, without
   /// leaving its place or turning by 30 degrees.
   bool pushes() const { return pushes_; }
-  /// Return when the axle arrived at its present place, and that place.
+  /// Return the time when the axle arrived at its present place, and the place.
   SimTime in_one_place_since() const { return place_since_; }
   Vec2 place() const { return place_; }
-  /// Returns when a motor was last driven.
+  /// Returns the time when a motor was last driven.
   SimTime last_driven() const { return last_driven_; }
   /// Returns whether motors are driven, apart from pauses of up to kDrivePause.
   bool drives(SimTime t) const { return t - last_driven_ < kDrivePause; }

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kLeft = 0.01;            // m from the start, at which a try begins
 constexpr double kAtStart = 0.05;         // m from the start, within which the robot is on the start
-constexpr double kByHand = 0.02;          // m in a tick: a larger move is a manual move
-constexpr SimTime kStopped = kSecond;     // at rest on the disc
-constexpr double kOffForStopping = 10.0;  // s
+constexpr double kByHand = 0.02;          // m: a larger movement in one tick is a manual move
+constexpr SimTime kStopped = kSecond;     // time at rest on the disc that counts as a stop
+constexpr double kOffForStopping = 10.0;  // s, deducted for a stop on the disc
 
 std::vector<Vec2> points_of(const map::Area& disc) {
   constexpr int kRound = 24;

@@ -51,7 +51,7 @@ class MazeTries {
   int tries_;
   std::vector<Vec2> disc_;  ///< points of the disc
   Phase phase_ = Phase::waiting;
-  int done_ = 0;  ///< completed tries
+  int done_ = 0;  ///< number of completed tries, including tries without a result
   std::vector<Try> finished_;
   std::optional<Vec2> seen_at_;
   Vec2 waited_at_;

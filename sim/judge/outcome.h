@@ -1,4 +1,4 @@
-// The result of a run.
+// Defines the outcome of a run: the verdict, its explanation, and the measurements.
 #pragma once
 
 #include <optional>
@@ -18,13 +18,13 @@ namespace robosim::judge {
 enum class Verdict {
   reached,      ///< the goal was reached
   lost,         ///< the wheels have turned 1 m with no sensor over a line
-  stuck,        ///< motors driven for 3 s, and the robot neither moved 1 mm nor turned 1 degree
+  stuck,        ///< motors were driven for 3 s, and the robot neither moved 1 mm nor turned 1 degree
   toppled,      ///< the robot tipped over, or fell off an edge
-  hung,         ///< no API call for 2 s, motors driven
-  ended,        ///< no API call for 2 s, motors off: the robot parked itself
+  hung,         ///< no API call for 2 s, and none can follow; motors are driven
+  ended,        ///< no API call for 2 s, and none can follow; motors are off, so the robot is parked
   crashed,      ///< the firmware cannot continue
   over_budget,  ///< a budget of the robot file is exceeded (chip targets)
-  timeout,      ///< simulated time is up
+  timeout,      ///< the time limit of the run is up
   interrupted,  ///< interrupted by the user
 };
 
@@ -41,7 +41,7 @@ struct NextStep {
   By by = By::none;
 };
 
-/// The text of a moment at which the motors stopped for good.
+/// Decisive::text for a moment at which the motors stopped for good.
 inline constexpr const char* kMotorsStayOff = "its motors stopped here and stayed off";
 
 /// The moment at which the run went wrong, for `robosim why`.
@@ -49,7 +49,7 @@ struct Decisive {
   SimTime t = 0;
   std::string text;            ///< "the robot left the line near column 20, row 4"; empty = none
   bool motors = false;         ///< requests an explanation of the motor commands
-  bool place = false;          ///< requests an explanation of where the firmware is
+  bool place = false;          ///< requests the firmware's position in its source code
   SimTime off_since = kNever;  ///< time since which the motors are off; kNever = driven at the end
 };
 
@@ -66,7 +66,7 @@ struct Outcome {
   std::vector<exec::DivisionByZero> divisions_by_zero;
   std::vector<exec::Lack> lacks;
   std::vector<exec::Detected> detected;
-  std::optional<exec::Resources> resources;  ///< of a chip target
+  std::optional<exec::Resources> resources;  ///< used on a chip target
   result::Usage usage;
   std::vector<result::RunEvent> events;  ///< the last few events
   std::string serial;                    ///< the firmware's output, up to kSerialKept bytes
@@ -76,7 +76,7 @@ struct Outcome {
   std::string trace_hash;
 };
 
-/// The maximum size of the stored serial output, bytes. The trace hash includes more.
+/// The maximum size of the stored serial output, bytes. The trace hash also covers later output.
 constexpr std::size_t kSerialKept = 1 << 20;
 constexpr std::size_t kShownKept = 1 << 16;
 

@@ -1,7 +1,7 @@
 // Times a lap from the start line of the map's [race] to its goal line.
 //
 //   robotrace  NTF, rules 1-7 and 2-8: the robot must also come to rest between the two lines
-//   ukmars     UK line follower: the run ends 2 s after the finish line, so that the sketch can report it
+//   ukmars     UK line follower: the run ends 2 s after the goal line, so that the sketch can report its time
 //
 // The time between the lines is the score.
 #pragma once
@@ -30,7 +30,7 @@ class Race {
 
  private:
   /// Returns the score: the time from the start line to the goal line, s. A line is passed when the body's
-  /// outline first covers the line's middle, as in a light gate.
+  /// outline first covers the line's middle, like the beam of a light gate.
   double time_s() const { return static_cast<double>(ended_ - began_) * 1e-9; }
   void advance(const RulesInput& now, Events& events);
   bool rests(const RulesInput& now);

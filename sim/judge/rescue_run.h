@@ -1,6 +1,6 @@
 // Scores RoboCupJunior Rescue Line, or Line Entry ([rescue] league). The robot follows the whole first path,
 // tile by tile. The points for Line are those of the organisers' scoring software for 2025 and 2026
-// (rcj-rescue-cms, scoreCalculatorRules). The points for Entry are those of its rules
+// (rcj-rescue-cms, scoreCalculatorRules). The points for Entry are those of the rules
 // (rescue-line-entry-rules, May 2026, 4.7). n is the number of lacks of progress:
 //
 //                                Line           Entry
@@ -25,11 +25,11 @@
 // to 10 mm high: neighbouring tiles may differ by 3 mm. A tile is a ramp if a higher hill rises or falls by
 // more than 10 mm on the tile.
 //
-// A lack of progress occurs when the robot leaves its last tile and the tile's neighbours on the path. Around
-// an obstacle, the robot may be anywhere within 1.5 tiles. A lack also occurs when the robot would be lost or
-// stuck (verdicts.md), or when a script picks it up. The captain then puts the robot on the last checkpoint,
-// or on the start. After the third lack in a row, the captain puts it on the next checkpoint; the tiles in
-// between do not count.
+// A lack of progress occurs when the robot leaves its last tile and the tile's neighbours on the path. Near
+// an obstacle, the robot may be anywhere within 1.5 tiles of the obstacle. A lack of progress also occurs if
+// the robot is lost or stuck (judge.h), or a script picks the robot up. The captain then puts the robot on
+// the last checkpoint, or on the start. After the third lack in a row, the captain puts the robot on the next
+// checkpoint; the tiles in between do not count.
 //
 // The time limit is 8 min (Entry: 6 min) from the beginning of the run. Not modelled: evacuation zone and
 // victims.
@@ -54,7 +54,7 @@ class RescueRun {
   bool over(SimTime t) const { return t >= time_limit_; }
   /// Counts a lost or stuck robot as a lack of progress.
   void give_up(Events& events);
-  /// Returns the place where the captain will put the robot, if any, and clears it.
+  /// Returns the pose at which the captain will put the robot, and clears the pending move; nullopt = none.
   std::optional<Pose> take_hand();
   std::string summary() const;
   void score(result::Metrics& metrics) const;

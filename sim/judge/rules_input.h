@@ -1,4 +1,4 @@
-// The input of a competition's rules in each tick.
+// Defines the data that a competition's rules receive in each tick.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ struct RulesInput {
   const world::Body& body;
   SimTime t = 0;
   bool at_rest = false;
-  bool moved = false;  ///< the body moved 4 mm or a degree since this was last true, or has just stopped
+  bool moved = false;  ///< since this was last true, the body moved 4 mm, turned a degree, or stopped
 };
 
 }  // namespace robosim::judge

@@ -1,4 +1,5 @@
-// The history of the board's supply. A verdict mentions the supply if it caused a robot to stop or get lost.
+// Summarises the history of the board's supply. The explanation of a verdict mentions the supply if it may
+// have caused the verdict.
 #pragma once
 
 #include <optional>
@@ -9,19 +10,19 @@
 namespace robosim::judge {
 
 struct SupplySummary {
-  bool on = true;                ///< the chip runs
-  bool switched_on = true;       ///< the script has not switched it off
+  bool on = true;                ///< the board has power
+  bool switched_on = true;       ///< the script has not switched the supply off
   SimTime since = 0;             ///< time of the last change
   int resets = 0;                ///< number of resets because of low voltage
-  std::optional<double> charge;  ///< of a [battery], 0..1; below 0 its voltage collapses
-  double volts = 0.0;            ///< V, of the battery under load
-  double needed = 0.0;           ///< V, of the battery, required for the chip to run
+  std::optional<double> charge;  ///< charge of a [battery], 0..1; below 0 the voltage collapses
+  double volts = 0.0;            ///< V, voltage of the battery under load
+  double needed = 0.0;           ///< V, battery voltage that the chip requires to run
 
   bool empty() const { return charge && *charge <= 0.0; }
 };
 
-/// Returns "the board has had no power since 7.28 s: its battery is empty"; empty if the supply explains
-/// nothing.
+/// Returns a clause such as "the board has had no power since 7.28 s: its battery is empty". Returns "" if
+/// the supply has not affected the run.
 std::string told(const SupplySummary& power);
 
 }  // namespace robosim::judge

@@ -14,8 +14,8 @@ constexpr double kSteady = 0.1;  // share of the supply
 struct Unit {
   std::string name;
   std::vector<Pin> pins;
-  bool reports;  ///< firmware reads it
-  bool obeys;    ///< firmware drives it, and does not read it
+  bool reports;  ///< firmware reads the part
+  bool obeys;    ///< firmware drives the part, and does not read it
 };
 
 bool reports(const std::string& type) {

@@ -21,21 +21,22 @@ struct FittedRobot {
   std::string own_board;  ///< the board that was replaced; empty = no board was replaced
 };
 
-/// Fits the robot to `boards`; empty = any board. The first of `boards` replaces an unsuitable board. Throws
-/// the exceptions of `describe`, also if the replacement lacks a pin that the robot uses.
+/// Returns the robot with one of `boards`; empty = any board. The first of `boards` replaces an unsuitable
+/// board. Throws the exceptions of `describe`, also if the replacement lacks a pin that the robot uses.
 FittedRobot fit_robot(const std::string& robot, const std::vector<std::string>& boards,
                       const Describe& describe);
 
-/// A robot that suits a sketch's target, or its project.
+/// A robot whose board suits a sketch's target or its project.
 struct Carrier {
   Choice robot;
   wire::RobotInfo info;
   std::string announcement;  ///< sentence about a replaced board; empty = not replaced
 };
-/// Returns the robot on the board that its project specifies.
+/// Returns the robot on the board that the sketch's project specifies.
 Carrier on_its_board(const Choice& robot, const Describe& describe);
-/// Returns the robot on its project's board if that board has a chip of the target, and otherwise on another
-/// board. Throws InputError if no board of the target has all pins that the robot uses.
+/// Returns the robot on a board that has a chip of the target. Prefers the board of the sketch's project,
+/// then the robot's own board, then any other board. Throws InputError if no board of the target has all pins
+/// that the robot uses.
 Carrier fit_to_target(const Choice& robot, const std::string& target, const Describe& describe);
 
 /// Returns a robot's board.

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 32;
 
-/// Returns a path relative to the file's folder.
+/// Prefixes a relative path with the fleet file's folder.
 std::string named_path(const fs::path& folder, const std::string& word, const Place& place) {
   const std::string path = path_from(folder, word);
   check_in_scope(path, place);
@@ -61,7 +61,7 @@ class MemberReader {
   }
 
  private:
-  /// Returns a word, or "" if the key is missing. Throws InputError for an empty word.
+  /// Returns the word at a key, or "" if the key is missing. Throws InputError for an empty word.
   std::string word_at(const char* key) {
     const ConfigValue* value = reader_.find(key);
     if (!value) return "";
@@ -71,7 +71,8 @@ class MemberReader {
                        fmt::format("{}: expected a word, got an empty string; omit the key", key));
     return word;
   }
-  /// Returns a path relative to the file's folder.
+  /// Returns the path at a key, prefixed with the fleet file's folder. A name that is not a path stays
+  /// unchanged, unless `always` is true.
   std::string path_at(const char* key, bool always = false) {
     const std::string word = word_at(key);
     if (word.empty() || !(always || is_path(word))) return word;
@@ -113,7 +114,8 @@ class MemberReader {
   fs::path folder_;
 };
 
-/// Throws the error again, with the robot's name and the robot's place in a file.
+/// Throws the error again, with the robot's name. If the error has no place in a file, adds the robot's place
+/// in the fleet file.
 [[noreturn]] void blame(const Member& member, const InputError& error) {
   if (error.place().file.empty())
     throw InputError(member.place, fmt::format("robot {}: {}", member.name, error.message()));

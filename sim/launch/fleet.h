@@ -1,4 +1,5 @@
-// Prepares several robots on one map: converts the user's names for all robots to one request.
+// Prepares several robots on one map: converts the user's names for all robots to one request. A fleet file
+// has a table for each robot:
 //
 //   [[agent]]
 //   name = "A"
@@ -21,7 +22,7 @@ namespace robosim::launch {
 struct Member {
   std::string name;
   Launch launch;  ///< the script's text is in the request; the map is ignored
-  Place place;    ///< in the fleet file
+  Place place;    ///< position of the table in the fleet file, for messages
 };
 
 struct Fleet {
@@ -69,11 +70,12 @@ std::vector<result::RunResult> results_of(result::RunResult first);
 /// with that robot's name. The time is the longest time of a robot. Distance, energy and collisions are sums,
 /// and outputs are concatenated.
 ///
-/// All other values come from the robot in `why`, or from the first robot. The result of a single robot stays
-/// unchanged.
+/// The hashes of image and robot come from the first robot. All other values come from the robot in `why`, or
+/// from the first robot if all have reached their goals. The result of a single robot stays unchanged.
 result::RunResult whole_of(const result::RunResult& result, const wire::RunRequest& request);
 
-/// Returns a runner's error about a robot, "robot B: …", with the place in the fleet file.
+/// Adds the place in the fleet file to a runner's error about a robot, "robot B: …". Returns any other error
+/// unchanged.
 InputError with_place(const Fleet& fleet, const InputError& error);
 
 }  // namespace robosim::launch

@@ -27,11 +27,11 @@ struct Launch {
   std::string map;
   std::string robot;
   std::string target;
-  std::string environment;             ///< in platformio.ini, or a profile of sketch.yaml
+  std::string environment;             ///< environment of platformio.ini, or profile of sketch.yaml
   std::vector<std::string> libraries;  ///< folders of libraries
   bool sanitize = false;               ///< run-time checks in the sketch
   bool count_lines = false;            ///< counts which of the sketch's lines run
-  bool untrusted = false;              ///< sketch by a stranger: refused if this machine cannot confine it
+  bool untrusted = false;              ///< sketch by a stranger: not run if this machine cannot confine it
   wire::RunRequest request;            ///< goal, seed …; Launcher adds image, map and robot
 };
 
@@ -79,8 +79,8 @@ class Launcher {
  public:
   explicit Launcher(Listener listener = {}) : listener_(std::move(listener)) {}
 
-  /// Prepares a run. `runner` is the runner that will execute it, or the host's runner. Throws InputError,
-  /// ToolMissing, and the exceptions of `describe`.
+  /// Prepares a run. `runner` is the first message of the runner that will execute the run, or of the host's
+  /// runner. Throws InputError, ToolMissing, and the exceptions of `describe`.
   Prepared prepare(const Launch& launch, Chosen chosen, const Describe& describe, const wire::Hello& runner);
 
  private:

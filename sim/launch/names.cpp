@@ -29,7 +29,7 @@ bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Throws InputError unless this version or a later version has the target.
+/// Throws InputError if no build of Robosim has the target.
 void check_exists(const std::string& target) {
   const std::vector<std::string> all{"host", "avr", "stm32"};
   if (!is_one_of(target, all)) throw InputError("--target: " + unknown_name("target", target, all));
@@ -55,8 +55,8 @@ void check_path(const std::string& what, const std::string& path) {
   throw InputError({path, 0, 0}, "no such file (a " + what + " with / or . in its name is a path)");
 }
 
-/// Returns the beginning of a file. Returns nothing unless the file is regular: a read from a pipe would
-/// block.
+/// Returns the first bytes of a regular file. Returns nothing for any other file, because a read from a pipe
+/// would block.
 std::string beginning_of(const fs::path& path) try {
   const Descriptor file = open_to_read(path);
   char buffer[4096];
@@ -74,8 +74,8 @@ std::string file_hint(const std::string& name, const std::string& ending) {
   return " (a name with / or . is a path)";
 }
 
-/// Returns whether a .map file is a linker's list of sections, not a floor. Recognises the headings of GNU
-/// ld.
+/// Returns whether a .map file is the memory map of a linker, not a map of a floor. Recognises the first
+/// lines of GNU ld's map files.
 bool is_linkers(const fs::path& map) {
   std::istringstream file(beginning_of(map));
   std::string first;
@@ -244,7 +244,8 @@ Choice choose_robot(const std::string& name, const SketchChoice& sketch, const s
   const BoardSpec* const other = named ? nullptr : sketch.project.stand_in;
   Choice choice = choose_robot(name, sketch.folder, target, other ? other : board);
   choice.board = board;
-  // A robot chosen by the user determines its board.
+  // A replacement board applies only to an automatically chosen stock robot. Any other robot has its own
+  // board.
   const bool is_ours = name.empty() && !is_path(choice.path.string());
   if (other && is_ours) {
     choice.board = other;

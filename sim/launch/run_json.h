@@ -1,4 +1,4 @@
-// `robosim run --json`, schema robosim.run/1: docs/reference/json.md describes every key.
+// Writes the JSON of `robosim run --json`, schema robosim.run/1. docs/reference/json.md describes every key.
 #pragma once
 
 #include <optional>
@@ -22,17 +22,18 @@ struct RunInputs {
   std::string compiler;
   bool sanitize = false;
 };
-/// `robosim`: the version that a runner reports.
+/// Returns the inputs of a prepared run. `robosim` is the version that the runner reports.
 RunInputs inputs_of(const Prepared& run, const std::string& robosim);
 
-/// Returns one object, indented by two spaces, with a line feed at its end. `wall_s`: only with --timing.
+/// Returns one JSON object, indented by two spaces, with a line feed at its end. `wall_s` is the run's wall
+/// time in seconds; only --timing includes it.
 std::string run_json(const RunInputs& inputs, const result::RunResult& result, std::optional<double> wall_s,
                      const std::optional<result::Finding>& finding = {});
 
 /// Returns the object in one line, for JSON Lines.
 std::string run_json_line(const RunInputs& inputs, const result::RunResult& result);
 
-/// One of several robots.
+/// One robot of a fleet, with its result.
 struct RobotRun {
   std::string name;
   RunInputs inputs;

@@ -1,4 +1,4 @@
-// The user's settings of a run, as the command line or a file of checks states them.
+// Defines the user's settings of a run, as given on the command line or in a file of checks.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace robosim::launch {
 struct RunSettings : Launch {
   Fleet fleet;                    ///< several robots; without members, the single robot of the base class
   std::string script;             ///< a file
-  std::vector<std::string> send;  ///< texts in scenario syntax, between its double quotes
+  std::vector<std::string> send;  ///< texts that the script sends to the firmware, escaped as in a script
   bool chip_only = false;         ///< the default target is the chip of the robot's board, not the host
 };
 
@@ -21,16 +21,18 @@ struct RunSettings : Launch {
 struct RunTexts {
   std::string duration, clock, seed;
 };
-/// Stores the texts in the settings, and checks the profile. Throws InputError.
+/// Converts the texts, stores the values in the settings, and checks the profile. Throws InputError.
 void take(const RunTexts& texts, RunSettings& settings);
 
-/// Returns the scenario's text: the file of `script`, then a line for each text of `send`. Throws InputError.
+/// Returns the script's text: the content of the file `script`, then a line for each text of `send`. Throws
+/// InputError.
 std::string scenario_text(const RunSettings& settings);
 
-/// Returns the launch, with its scenario. Throws InputError.
+/// Returns the launch, with its script's text. Throws InputError.
 Launch launch_of(const RunSettings& settings);
 
-/// Copies each common setting to the robots of the fleet that do not have their own value. Throws InputError.
+/// Copies the settings that all robots share to each robot of the fleet. A robot's own value takes
+/// precedence. Throws InputError.
 void fill_up(Fleet& fleet, const RunSettings& all);
 
 }  // namespace robosim::launch

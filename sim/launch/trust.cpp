@@ -17,7 +17,7 @@ namespace {
 
 struct Lack {
   const char* what;
-  const char* else_;  ///< the consequence of `what`
+  const char* else_;  ///< the consequence if `what` is not confined
   std::string why;
 };
 
@@ -42,8 +42,8 @@ std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const
 
 namespace {
 
-/// Returns whether a program lies where a build tool puts it, for a sketch in `folder`: in the folder itself,
-/// or in a folder of `build` or `.pio/build`.
+/// Returns whether a program lies where a build tool puts the program of a sketch in `folder`. This is the
+/// folder itself, or a folder in `build` or `.pio/build`.
 bool is_built_in(const fs::path& image, const fs::path& folder) {
   std::error_code error;
   const fs::path real = fs::canonical(image, error), real_folder = fs::canonical(folder, error);
@@ -77,7 +77,7 @@ void check_folder(const SketchChoice& sketch) {
 }
 
 void check_robot(const SketchChoice& sketch, const Choice& robot) {
-  constexpr int kMostBases = 8;  // the runner refuses more
+  constexpr int kMostBases = 8;  // the runner refuses a longer chain of bases
   fs::path file = parse_robot_name(robot.path.string()).robot;
   if (!is_path(file.string()) || !build::lies_in(file, sketch.folder)) return;
   for (int bases = 0; bases <= kMostBases; ++bases) {

@@ -8,9 +8,9 @@
 
 namespace robosim::launch {
 
-/// Returns sentences on confinement that this machine lacks. `host_runner` is the description of
-/// robosim-host, which is not used for chip targets. Throws ToolMissing if anything is missing and the launch
-/// is untrusted.
+/// Returns a sentence for each kind of confinement that this machine lacks. `host_runner` is the first
+/// message of robosim-host; it is ignored for chip targets. Throws ToolMissing if any confinement is missing
+/// and the launch is untrusted.
 std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const wire::Hello& host_runner);
 
 /// Checks an untrusted launch. Throws InputError if the project or image refers to a folder outside the

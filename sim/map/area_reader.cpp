@@ -1,3 +1,4 @@
+// Reads the [[area]] tables of a map (course_reader.h), and lists the areas that sensors see (course.h).
 #include <fmt/format.h>
 
 #include <string>

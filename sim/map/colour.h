@@ -6,8 +6,8 @@
 // 80 % as much as a white card. For bright metal they state 110 to 160 %, since metal reflects like a mirror
 // if emitter and receiver look straight down.
 //
-// Green is therefore much nearer to white than to black. Infra-red alone cannot distinguish a single green
-// square from a dirty floor.
+// In infra-red, green is therefore much nearer to white than to black. An infra-red sensor alone cannot
+// distinguish a single green square from a dirty floor.
 #pragma once
 
 #include <array>

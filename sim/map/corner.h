@@ -1,5 +1,5 @@
-// A bend: a line cell with two neighbours at a right angle, and the radius of its arc. An implementation
-// detail of Stripes.
+// Finds the bends of a map's lines. A bend is a line cell with two neighbours at a right angle. Its legs are
+// the two straight lines that leave the cell. This header is an implementation detail of Stripes.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@ namespace robosim::map {
 
 struct Corner {
   CellAt cell;
-  Direction first;    ///< first leg; the arc runs counter-clockwise from it to the second
-  Direction second;   ///< second leg: `first` turned right
-  double radius = 0;  ///< m; 0 = square
+  Direction first;    ///< direction of the first leg; the arc runs counter-clockwise from this leg
+  Direction second;   ///< direction of the second leg: `first` turned right
+  double radius = 0;  ///< radius of the arc, m; 0 = square
 
   /// Returns the distance along a leg from the corner to the arc's middle: (1 - 1/sqrt 2) radius.
   double middle() const { return radius * 0.29289321881345243; }
@@ -22,10 +22,10 @@ struct Corner {
 /// corner radius.
 std::optional<Corner> corner_at(const Map& map, CellAt cell);
 
-/// Returns the bend whose arc replaces the centre of a line cell, if any.
+/// Returns the bend whose arc replaces the straight line through a cell's centre, if there is one.
 std::optional<Corner> corner_over(const Map& map, CellAt cell);
 
-/// Returns whether the legs are too short for the map's corner radius.
+/// Returns whether the bend's legs are too short for the map's corner radius.
 bool is_tight(const Map& map, const Corner& corner);
 
 }  // namespace robosim::map

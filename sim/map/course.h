@@ -1,4 +1,5 @@
-// The parts of a map other than cells: paths, marks next to them, and painted areas.
+// Defines the parts of a map other than its cells: paths, marks, painted areas, hills, surfaces, joints, and
+// the tables of races and Rescue courses.
 #pragma once
 
 #include <optional>
@@ -12,9 +13,9 @@
 
 namespace robosim::map {
 
-/// A painted bar of the line's colour: Robotrace's corner, start and goal markers.
+/// A painted bar next to a path, such as Robotrace's corner, start and goal markers.
 struct Mark {
-  int path = 0;              ///< index of the path that the mark stands next to
+  int path = 0;              ///< index in Course::paths
   double along = 0.0;        ///< m from the path's beginning
   double away = 0.0;         ///< m from the path to the mark's middle, positive to the left
   Pose middle;               ///< m; heading along the long side, across the path
@@ -39,14 +40,14 @@ struct Area : Shape {
   double gloss = 0.0;       ///< as Paint::gloss
 };
 
-/// Start and goal lines of a race: distances along a path, m. The path is closed unless there is a braking
-/// distance.
+/// Start and goal lines of a race, as distances along a path in m. A race with a braking distance is a drag
+/// race. Any other race requires a closed path.
 struct RaceLines {
   int path = 0;  ///< index in Course::paths
   double start = 0.0;
   double goal = 0.0;
-  double braking = 0.0;  ///< m after the goal line of a drag race; 0 = not a drag race
-  double signal = 0.0;   ///< s, starting signal of a drag race; 0 = none
+  double braking = 0.0;  ///< braking distance after a drag race's goal line, m; 0 = not a drag race
+  double signal = 0.0;   ///< time of a drag race's starting signal, s; 0 = no signal
 };
 
 /// A course of tiles along the whole first path: RoboCupJunior's Rescue Line.
@@ -54,7 +55,7 @@ struct RescueCourse {
   double tile = 0.3;                ///< m, side of a tile
   Vec2 origin;                      ///< m, a corner of a tile
   bool to_zone = false;             ///< the path ends at the evacuation zone, not at the end tile
-  std::vector<double> checkpoints;  ///< m along the path, ascending; the tiles there are checkpoints
+  std::vector<double> checkpoints;  ///< m along the path, ascending; each selects the tile at that distance
   bool is_entry = false;            ///< the rules of Rescue Line Entry apply
 };
 

@@ -18,7 +18,8 @@ void read_areas(const ConfigValue& value, double gloss, Course& course, Draw dra
 /// Reads [rescue]. Throws InputError.
 void read_rescue(const ConfigValue& value, Course& course);
 
-/// Reads [race]. Throws InputError. The path must be closed within `line_m`, except in a drag race.
+/// Reads [race]. Throws InputError. The path's end must be within `line_m` of its beginning, except in a drag
+/// race.
 void read_race(const ConfigValue& value, double line_m, Course& course);
 
 }  // namespace robosim::map

@@ -36,8 +36,8 @@ class FloorImage {
   double wide_m() const { return width_ * pixel_m_; }
   double high_m() const { return height_ * pixel_m_; }
 
-  /// Returns the exact mean darkness, 0..1, of a square of side `side` m around `p`. The cost is the same for
-  /// any side. The square must not exceed 10 million pixels.
+  /// Returns the exact mean darkness, 0..1, of a square of side `side` m around `p`. The cost does not depend
+  /// on the side. The square must not exceed 10 million pixels.
   double darkness(Vec2 p, double side) const {
     return darkness_in({p.x - 0.5 * side, p.y - 0.5 * side}, {p.x + 0.5 * side, p.y + 0.5 * side});
   }
@@ -50,7 +50,8 @@ class FloorImage {
   }
 
  private:
-  // Returns the sum of all pixels above and to the left, modulo 2^32. Differences of such sums are exact.
+  // Returns the total darkness of all pixels above `row` and left of `column`, modulo 2^32. Differences of
+  // such sums are exact.
   std::uint32_t sum(int column, int row) const {
     return sums_[static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
                  static_cast<std::size_t>(column)];

@@ -31,7 +31,7 @@ struct FrontMatter {
   };
 
   Map settings;              ///< contains only the values that do not depend on the cells
-  std::optional<Vec2> size;  ///< m, of a floor without rows
+  std::optional<Vec2> size;  ///< width and height of a floor without rows, m
   Place size_place;
   std::string picture;  ///< name of the file; "" = none
   Place picture_place;
@@ -50,8 +50,8 @@ FrontMatter read_front_matter(std::string_view text, const std::string& file, in
 /// map has no other paint. Throws InputError at `place`.
 void check_picture(const Map& map, const Place& place);
 
-/// Throws InputError at `place` unless the cell is a line cell: "13, 2 is outside the map", "13, 2 is floor,
-/// not line".
+/// Throws InputError at `place` if the cell is outside the map or not a line cell. `what` names the cell's
+/// purpose in the message, such as "the start".
 void require_line(const Map& map, CellAt cell, const Place& place, const std::string& what);
 
 }  // namespace robosim::map

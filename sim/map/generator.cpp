@@ -115,8 +115,8 @@ Lattice tree(std::size_t stations, std::size_t least_nodes, Chance& chance) {
   }
 }
 
-// Connects a random quarter, and at least one, of the unconnected pairs of lattice neighbours that are not
-// dead ends. Returns false if there is no such pair.
+// Connects unconnected pairs of lattice neighbours that are not dead ends. Connects each pair with a
+// probability of one in four, and at least one pair. Returns false if there is no such pair.
 bool close_cycles(Lattice& lattice, Chance& chance) {
   const auto inner = [&](std::uint32_t i) { return lattice.degree(i) >= 2; };
   std::vector<std::pair<std::uint32_t, Direction>> pairs;
@@ -161,7 +161,7 @@ class Groups {
 
 // A city with crossings on the even rows and columns of the lattice. The middle of a block is on an odd row
 // and column. It may be a station, connected to the middle of one of the block's four sides. Each side is a
-// street of two steps.
+// street of two lattice steps.
 class City {
  public:
   City(std::size_t stations, Chance& chance)

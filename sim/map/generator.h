@@ -35,9 +35,9 @@ std::optional<Family> family_of(std::string_view name);
 /// Returns the map's name, such as "tree-100-7" for 100 stations and seed 7.
 std::string generated_name(Family family, int stations, std::uint64_t seed);
 
-/// Returns a connected map with exactly `stations` stations; throws std::invalid_argument beyond the limits.
-/// The map's goal is `tour`; its `generator` contains family, version, stations and seed. A map of a million
-/// stations has about 55 (tree, cycles) or 70 (grid) cells per station.
+/// Returns a connected map with exactly `stations` stations; throws std::invalid_argument if the number is
+/// outside the limits above. The map's goal is `tour`; its `generator` contains family, version, stations and
+/// seed. A map of a million stations has about 55 (tree, cycles) or 70 (grid) cells per station.
 Map generate(Family family, int stations, std::uint64_t seed);
 
 }  // namespace robosim::map

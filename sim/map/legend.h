@@ -1,4 +1,4 @@
-// [legend] of a map: the meaning of the digits 3 to 9.
+// Reads and writes the [legend] of a map, which defines the meaning of the digits 3 to 9.
 //
 //   3 = "gap"                                  # a cell
 //   4 = "wet"                                  # a surface: floor that is wet
@@ -39,7 +39,8 @@ class LegendWriter {
   /// Assigns the digits. Throws std::invalid_argument if seven digits are not enough.
   explicit LegendWriter(const Map& map);
 
-  /// Returns the digit for a kind of cell and a surface; 0 = none, since the cell has a character.
+  /// Returns the digit for a kind of cell and a surface. Returns 0 if the cell has its own character, and so
+  /// needs no digit.
   char digit(Cell cell, std::size_t surface) const { return digit_[index(cell, surface)]; }
   /// Returns the table [legend], or "".
   const std::string& text() const { return text_; }

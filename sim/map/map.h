@@ -97,7 +97,8 @@ struct Map {
   double corner_m = 0.0;    ///< radius of the arc that replaces each bend; 0 = square
   bool raster = false;      ///< floor = "raster": whole cells are painted, instead of stripes
   bool light_line = false;  ///< paint = "white on black"
-  /// Standard deviation of the floor's brightness, as a share of the brightness; nullopt = the profile's.
+  /// Standard deviation of the floor's brightness, as a share of the brightness; nullopt = the value of the
+  /// profile.
   std::optional<double> variation;
   double worn = 0.0;          ///< default Paint::worn of lines and marks
   double gloss = 0.0;         ///< default Paint::gloss of the floor and everything painted on it
@@ -106,8 +107,8 @@ struct Map {
   std::shared_ptr<const FloorImage> image;
   Course course;               ///< everything except the cells, such as paths and marks
   std::optional<Start> start;  ///< from [start] or S
-  /// The front matter's goal; "" = none. Without such a goal, a map with a goal cell gets "station:NAME".
-  /// NAME is the station on the goal cell: "goal", unless [stations] names it.
+  /// The front matter's goal; "" = none. If the front matter has no goal, but the map has a goal cell, this
+  /// is "station:NAME". NAME is the station on the goal cell: "goal", unless [stations] names it.
   std::string goal;
   Place goal_place;                 ///< where `goal` was written
   std::optional<CellAt> goal_cell;  ///< from G or [goal]; also one of `stations`
@@ -144,7 +145,7 @@ struct Map {
 
 /// Maximum number of columns, and of rows.
 constexpr int kMaxSide = 100'000;
-constexpr std::size_t kMaxCells = 64'000'000;  ///< of a map; a command and its runner use 3 bytes per cell
+constexpr std::size_t kMaxCells = 64'000'000;  ///< maximum; a command and its runner use 3 bytes per cell
 /// Maximum number of cells of a map without rows, so that a short file cannot use much memory.
 constexpr std::size_t kMaxBareCells = 4'000'000;
 

@@ -26,7 +26,7 @@ std::string toml_string(std::string_view text) {
   return quoted + '"';
 }
 
-// Returns the character for lines: `.`, or `1` if readers could take `.` and `#` for swapped
+// Returns the character for lines: `.`, or `1` if the parser could suspect that `.` and `#` are swapped
 // (docs/reference/maps.md).
 char line_character(const Map& map) {
   const auto lines = static_cast<std::size_t>(std::count(map.cells.begin(), map.cells.end(), Cell::line));

@@ -16,7 +16,7 @@ struct Station {
 
 /// The part of the network that is reachable along the line from one start.
 struct Network {
-  std::vector<Station> stations;  ///< dead ends in numbering order, then named places that are not dead ends
+  std::vector<Station> stations;  ///< dead ends in the order of their ids, then other named places
   std::vector<CellAt> junctions;  ///< nodes of degree 3 or 4, in the order of the walk
   std::vector<CellAt> unreachable;  ///< dead ends and named places without an obstacle-free line to the start
   /// The nodes in the order of travel from the start, if the reachable network is one closed loop; else
@@ -31,8 +31,8 @@ struct Network {
 
 Network trace_network(const Map& map, const Start& start);
 
-/// Returns the network without `unreachable`, which requires a scan of the whole map. Use this for many
-/// starts on one map.
+/// Returns the network without `unreachable`, because finding these cells requires a scan of the whole map.
+/// Use this for many starts on one map.
 Network trace_reachable(const Map& map, const Start& start);
 
 }  // namespace robosim::map

@@ -1,6 +1,6 @@
-// A line that does not follow cells: a sequence of straights, arcs and corners. Each piece begins where the
-// previous piece ends, and in the direction in which it ends. Courses of most competitions consist of such
-// lines: [[path]] of a map (docs/reference/maps.md).
+// A line that does not follow cells: a sequence of straights, arcs and corners. Each piece begins at the end
+// of the previous piece, in the same direction. Courses of most competitions consist of such lines: [[path]]
+// of a map (docs/reference/maps.md).
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct PathPiece {
   double length = 0;    ///< m, along the centre line
   double turn = 0;      ///< rad, positive to the left; 0 = straight
   double radius = 0;    ///< m; 0 = straight, or a corner
-  bool is_gap = false;  ///< followed, but not painted
+  bool is_gap = false;  ///< a part that the robot must follow, but that is not painted
   int paint = 0;        ///< index in paints_of()
 
   /// Returns the centre of an arc.

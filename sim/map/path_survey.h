@@ -15,8 +15,8 @@ struct PathSurvey {
 };
 
 /// Surveys a path. A path counts as closed if its ends are within `closed_within` m of each other. Crossings
-/// are found between chords of 5 mm. Crossings that are closer together may be missed, as well as places
-/// where the path only touches itself.
+/// are found between chords of 5 mm. The survey may miss crossings that are closer together than 5 mm. It may
+/// also miss places where the path only touches itself.
 PathSurvey survey_path(const Path& path, double closed_within);
 
 }  // namespace robosim::map

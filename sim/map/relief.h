@@ -20,7 +20,7 @@ struct Course;
 /// that are higher than the floor next to them are steps.
 struct Hill : Shape {
   std::vector<double> heights;  ///< m, at even distances from the beginning to the end, linear in between
-  double pivot = 0.0;     ///< m, height of a seesaw's axis; 0 = no seesaw. At first its beginning is down
+  double pivot = 0.0;     ///< m, height of a seesaw's axis (0 = no seesaw); the beginning is down at first
   double plank_kg = 0.0;  ///< mass of a seesaw's plank
 
   /// Returns the hill's height at a point, m; 0 for a seesaw, which has no fixed height.

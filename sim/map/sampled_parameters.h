@@ -33,7 +33,7 @@ class SampledParameters {
               double most) const {
     return drawn(read_parameter(table, key, dimension, {usual, 0.0}, least, most), key);
   }
-  /// Reads a value. Throws InputError unless its whole range is within the bounds.
+  /// Reads a value. Throws InputError if the value with its spread exceeds the bounds.
   double read(const ConfigValue& value, const char* key, Dimension dimension, double least,
               double most) const {
     return drawn(as_parameter(value, key, dimension, least, most), key);

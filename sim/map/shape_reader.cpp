@@ -1,3 +1,4 @@
+// Reads and checks the shapes of a map's areas, hills, surfaces and joints (shape.h).
 #include "sim/map/shape.h"
 
 #include <fmt/format.h>

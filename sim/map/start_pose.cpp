@@ -1,4 +1,4 @@
-// Parses a robot's start.
+// Parses a robot's start, and determines the default start (map.h).
 #include <fmt/format.h>
 
 #include <algorithm>

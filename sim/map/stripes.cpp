@@ -28,7 +28,7 @@ struct Leg {
 
   /// Returns the gaps among the first `count` cells, sorted and without overlap. Paint reaches half a line's
   /// width beyond a stripe's end, so a gap shortens the neighbouring stripes by this length. A single painted
-  /// cell between gaps always remains in part.
+  /// cell between gaps always remains partly painted.
   std::vector<Gap> gaps(int count) const {
     const double beside = std::min(map.line_m / 2, map.cell_m * 0.45);
     std::vector<Gap> found;

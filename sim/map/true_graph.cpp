@@ -107,8 +107,8 @@ class Survey {
     }
   }
 
-  // Throws InputError if there are too many nodes for the size of the map. A node uses about 400 bytes, and
-  // as much again in text, while a cell uses one byte.
+  // Throws InputError if there are too many nodes for the size of the map. A node uses about 400 bytes of
+  // memory, and about 400 bytes of text output. A cell uses one byte.
   void check_count() const {
     constexpr std::size_t kAlways = 100'000, kCellsEach = 8, kMost = 300'000;
     const std::size_t most = std::min(kAlways + map_.cells.size() / kCellsEach, kMost);

@@ -39,7 +39,7 @@ struct GraphJunction {
   CellAt cell;
   /// The arms by slot. Slot 0 is the arm by which the walk first arrives. The other slots follow
   /// counter-clockwise: right, straight, left. If the walk starts on the junction, slot 0 is the arm that the
-  /// walk takes last (of right, straight, left, back).
+  /// walk takes last: the last existing arm in the order right, straight, left, back.
   std::vector<Arm> arms;
   bool operator==(const GraphJunction&) const = default;
 };

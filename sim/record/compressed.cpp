@@ -14,8 +14,8 @@
 namespace robosim::record {
 namespace {
 
-constexpr int kFastest = 1, kMemory = 7;  // small: zlib clears a part of its memory for each piece
-constexpr int kBare = -15;                // no zlib header or checksum; a window of 32 KB
+constexpr int kFastest = 1, kMemory = 7;  // kMemory is small: zlib clears part of its memory for each piece
+constexpr int kBare = -15;                // raw deflate without zlib header or checksum; window of 32 KB
 constexpr std::size_t kPiece = std::size_t{1} << 16;
 constexpr std::string_view kLastBlock("\x03\x00", 2);  // an empty block
 

@@ -14,8 +14,8 @@ struct z_stream_s;
 
 namespace robosim::record {
 
-/// Packs like zlib's fastest level, into blocks that do not refer to earlier blocks and end with a whole
-/// byte.
+/// Compresses each piece with zlib's fastest level. The output of a piece does not refer to earlier pieces,
+/// and ends at a byte boundary.
 class Deflater final : public Packer {
  public:
   Deflater();
@@ -30,13 +30,13 @@ class Deflater final : public Packer {
   std::unique_ptr<z_stream_s> stream_, unpacking_;  ///< unpacking_ is null until needed
 };
 
-/// Receives output, piece by piece.
+/// A callback that receives the output, piece by piece.
 using Put = std::function<void(std::string_view)>;
 
-/// Writes a whole stream from packed bytes.
+/// Writes a complete zlib stream from compressed bytes.
 class Compressed {
  public:
-  explicit Compressed(const Put& put) : put_(put) { put_("\x78\x01"); }  // window of 32 KB, fastest level
+  explicit Compressed(const Put& put) : put_(put) { put_("\x78\x01"); }  // 32 KB window, fastest level
   void add(const CompressedBytes& bytes);
   void add(std::string_view bytes);
   /// Ends the stream.
@@ -51,11 +51,11 @@ class Compressed {
 };
 
 std::string deflated(std::string_view bytes);
-/// Unpacks bytes piece by piece. Throws InputError if the bytes are damaged or truncated. An exception of
-/// `put` stops the unpacking, and is passed on.
+/// Unpacks bytes piece by piece. Throws InputError if the bytes are damaged or truncated. If `put` throws,
+/// unpacking stops, and the caller receives the exception.
 void inflate(std::string_view bytes, const Put& put);
-/// Unpacks the result of deflated(). Throws InputError if it is damaged or truncated, or longer than
-/// `most_bytes`.
+/// Unpacks the result of deflated(). Throws InputError if `bytes` are damaged or truncated, or if the
+/// unpacked text is longer than `most_bytes`.
 std::string inflated(std::string_view bytes, std::size_t most_bytes);
 
 }  // namespace robosim::record

@@ -9,7 +9,8 @@
 
 namespace robosim::record {
 
-/// Compresses pieces independently: sim/record/compressed.h.
+/// The interface of a compressor whose pieces can be unpacked independently. Deflater
+/// (sim/record/compressed.h) implements it.
 class Packer {
  public:
   /// Packed bytes. Further pieces can be appended.
@@ -20,7 +21,7 @@ class Packer {
   };
 
   virtual ~Packer() = default;
-  /// Adds a piece.
+  /// Compresses a piece, and appends the result to `to`.
   virtual void pack(std::string_view piece, Packed& to) = 0;
   /// Unpacks one piece, or several consecutive pieces.
   virtual std::string unpacked(std::string_view packed, std::size_t unpacked_size) = 0;
@@ -53,8 +54,8 @@ class CompressedBytes {
   std::string_view rest() const { return rest_; }
 
  private:
-  // Larger pieces compress slightly better. At the end of the run, however, half a piece per column, on
-  // average, is left to pack.
+  // Larger pieces compress slightly better, but leave more work for the end of the run. On average, half a
+  // piece per column must be packed there.
   static constexpr std::size_t kPiece_bytes = 4096;
 
   void pack_rest() {

@@ -13,7 +13,8 @@ void CompressedStream::add(const wire::Rows& rows) {
     throw wire::BadValue("bytes", "expected as many as the columns of " + rows.stream);
   if (is_thin_) return thinner_->add(rows.bytes, rows.count);
   all_.add(rows);
-  // Reads twice as fast as rows arrive, and so catches up when the number of rows has doubled.
+  // The thinner reads two earlier rows for each new row. It has therefore caught up when the number of rows
+  // has doubled.
   constexpr std::size_t kFaster = 2;
   if (thinner_) thinner_->follow(all_, kFaster * static_cast<std::size_t>(rows.count));
 }

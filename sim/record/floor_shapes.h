@@ -1,6 +1,6 @@
 // Describes the floor of a map as shapes, for drawing. The shapes are the geometry that the simulation uses
-// (sim/map/stripes.h), not the map's characters. Lengths in mm, x east and y north, from the map's
-// bottom-left corner.
+// (sim/map/stripes.h), not the map's characters. Lengths are in mm. The origin is the map's bottom-left
+// corner; x points east and y points north.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct FloorShapes {
     double width_mm = 0.0;         ///< 0 = the usual width
     std::string colour;            ///< in HTML syntax; "" = the usual colour
     double worn = 0.0;             ///< share of the paint that is gone
-    /// Returns whether both stripes are drawn with the same pen.
+    /// Returns whether this stripe and `o` are drawn with the same pen.
     bool is_like(const Stripe& o) const {
       return width_mm == o.width_mm && colour == o.colour && worn == o.worn;
     }
@@ -35,14 +35,14 @@ struct FloorShapes {
     bool over_lines = false;
   };
   struct Light {
-    std::optional<std::array<double, 2>> at;  ///< sun's patch, or the point below a lamp; none = everywhere
+    std::optional<std::array<double, 2>> at;  ///< a sun patch, or the point below a lamp; none = uniform
     double radius_mm = 0.0;                   ///< radius of a patch of sun
     std::array<double, 2> moves_mm_s{};       ///< velocity of the patch
   };
   double width_mm = 0.0, height_mm = 0.0;
   double cell_mm = 0.0;
   double line_mm = 0.0;  ///< width of the painted stripes; their ends and joints are round
-  /// A floor that is a picture. Its lower left corner is that of the map.
+  /// A picture that covers the floor. The lower left corners of the picture and of the map coincide.
   struct Picture {
     std::string png;  ///< the file in base64
     double width_mm = 0.0, height_mm = 0.0;
@@ -52,7 +52,7 @@ struct FloorShapes {
   std::vector<Stripe> stripes;
   std::vector<std::array<double, 5>> marks;      ///< bars: from x, y to x, y, and width; ends are straight
   std::vector<Area> areas;                       ///< in the order of painting
-  std::vector<Rectangle> dark;                   ///< raster floor: painted cells, joined along rows
+  std::vector<Rectangle> dark;                   ///< on a raster floor: painted cells, joined along rows
   std::vector<Rectangle> walls;                  ///< joined along rows
   std::vector<std::array<double, 2>> obstacles;  ///< centres of cells
   std::vector<Light> lights;                     ///< in the order of their numbers

@@ -1,3 +1,4 @@
+// Implements Gatherer, which collects the data of a run (recording.h).
 #include <algorithm>
 #include <filesystem>
 #include <system_error>

@@ -7,10 +7,12 @@
 namespace robosim::record {
 namespace {
 
-// The line counts as left if no sensor has seen it for this duration. Crossing a gap takes less time.
+// The robot has left the line if no sensor has seen the line for this duration. Crossing a gap in the line
+// takes less time.
 constexpr std::int64_t kLeft_us = 20'000;
-// Each sensor has its own range. The line begins at a tenth of the range above the sensor's smallest reading.
-// A sensor with constant readings was over the line throughout, or never.
+// Each sensor has its own range of readings. A sensor sees the line if its reading exceeds the smallest
+// reading by more than kBegins of the range. If the range is kSpread or less, the sensor saw the line during
+// the whole run, or never: its smallest reading is then compared with kAlways.
 constexpr float kSpread = 0.2f, kBegins = 0.1f, kAlways = 0.5f;
 
 /// Returns the reading above which a sensor sees the line.
@@ -48,7 +50,7 @@ std::vector<LineEvent> LineWatch::events() const {
   std::vector<LineEvent> events;
   bool left = false;
   std::optional<std::size_t> last;  // the last sample that saw the line
-  std::size_t by = 0;               // a sensor of that sample that saw it
+  std::size_t by = 0;               // a sensor that sees the line in the current sample
   for (std::size_t i = 0; i < t_us_.size(); ++i) {
     of_sample = readings_.data() + i * names_.size();
     if (!(by < names_.size() && sees(by)))

@@ -9,8 +9,8 @@
 
 namespace robosim::record {
 
-/// The robot left the line, or found it again. The event has the time of the last sample that saw the line,
-/// or of the first that sees it again.
+/// Records that the robot left the line, or found it again. The time is that of a sample: the last one that
+/// saw the line, or the first one that sees it again.
 struct LineEvent {
   std::int64_t t_us = 0;
   std::string sensor;  ///< the sensor that saw the line best
@@ -24,7 +24,7 @@ void fields(V& v, result::Same<V, LineEvent>& e) {
   v("left", e.left, "false: it is found again");
 }
 
-/// Examines the samples of a run as they arrive.
+/// Collects the samples of a run as they arrive, and finds the events in them.
 class LineWatch {
  public:
   /// `sensors` are the sensors' names.

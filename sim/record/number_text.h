@@ -1,5 +1,5 @@
-// Formats numbers as fmt does: as the shortest text that is read back exactly. Most of the time for writing
-// tables and waveforms is spent here.
+// Formats numbers as fmt does: as the shortest text from which the same number is read. Most of the time for
+// writing tables and waveforms is spent here.
 #pragma once
 
 #include <fmt/compile.h>
@@ -12,7 +12,7 @@
 
 namespace robosim::record {
 
-/// The maximum length of a number.
+/// The maximum length of a number, in characters.
 inline constexpr std::size_t kLongestNumber = 32;
 
 /// Writes a number, and returns the end of its text.

@@ -1,11 +1,11 @@
-// Provides the whole page of sim/view/page as one text, without a recording.
+// Provides the HTML page that replays recordings (sim/view/page), as one text and without a recording.
 #pragma once
 
 #include <string_view>
 
 namespace robosim::record {
 
-/// Returns the page. Defined in a source file that CMake makes from sim/view/page
+/// Returns the page. CMake generates the source file with this function from sim/view/page
 /// (toolchain/cmake/bundle_page.cmake).
 std::string_view page_text();
 

@@ -18,7 +18,8 @@ class CsvRecorder final : public Recorder {
   void finish(const result::RunResult&) override;
 
  private:
-  /// For each column of the table: index of the robot's reading, or kEmpty. Missing columns are empty, too.
+  /// For each column of the table: index of the robot's reading, or kEmpty. Columns beyond the end of this
+  /// list are empty, too.
   using Cells = std::vector<std::size_t>;
   static constexpr std::size_t kEmpty = static_cast<std::size_t>(-1);
 

@@ -12,7 +12,7 @@
 namespace robosim::record {
 namespace {
 
-// The page's source contains an empty element with this beginning and end.
+// The page's source contains two empty elements. They begin with kBegin and kOver, and end with kEnd.
 constexpr std::string_view kBegin = R"(<script id="recording" type="application/octet-stream">)";
 constexpr std::string_view kOver = R"(<script id="over" type="application/octet-stream">)";
 constexpr std::string_view kEnd = "</script>";

@@ -46,7 +46,7 @@ class PageRecorder final : public RecRecorder {
 };
 
 /// Returns the content of a .rec: the argument itself, or the recording inside a page. Throws InputError,
-/// without a place, for anything else.
+/// without a file name, for any other content.
 std::string recording_in(std::string content);
 
 }  // namespace robosim::record

@@ -12,9 +12,9 @@ namespace robosim::record {
 namespace {
 
 constexpr const char* kPainter = "rsvg-convert";
-constexpr const char* kTwice = "--zoom=2";  // for the resolution of today's screens
+constexpr const char* kTwice = "--zoom=2";  // doubles the resolution, for today's screens
 
-/// Returns a file in memory.
+/// Returns a new file that exists only in memory.
 Descriptor nameless() {
   Descriptor file(::memfd_create("robosim", MFD_CLOEXEC));
   if (!file.is_open()) throw std::system_error(errno, std::generic_category(), "memfd_create");

@@ -1,5 +1,5 @@
-// Writes pictures of a run as .svg: the robot's path on its floor, its speed, and the end. The pictures are
-// suitable for papers and READMEs, because equal runs give equal bytes.
+// Writes pictures of a run as .svg: the robot's path on the floor, its speed along the path, and the end of
+// the path. The pictures are suitable for papers and READMEs, because equal runs give equal bytes.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ class SvgRecorder : public Recorder {
   /// The part of a sample that is drawn.
   struct Point {
     double x_mm = 0.0, y_mm = 0.0, speed_mm_s = 0.0;
-    bool carried = false;  ///< moved here manually
+    bool carried = false;  ///< a manual move brought the robot here
   };
 
  protected:

@@ -19,7 +19,7 @@ namespace {
 constexpr int group_of(std::size_t robot) { return static_cast<int>(2 * robot) + 1; }
 constexpr int pins_of(std::size_t robot) { return group_of(robot) + 1; }
 constexpr int kHappened = 1, kSerial = 2;  // rows of a robot's group
-constexpr int kWholeGroup = 0;             // used instead of a row
+constexpr int kWholeGroup = 0;             // used instead of a row, to name the group
 constexpr std::string_view kNext = ",\n";
 constexpr int kDecimalsOfMicroseconds = 3;
 
@@ -51,7 +51,8 @@ std::string pulses(double duty, double tone_hz) {
   return tone_hz > 0.0 ? fmt::format("{} Hz", tone_hz) : fmt::format("PWM {:.0f} %", 100.0 * duty);
 }
 
-/// Multiplies without overflow: damaged recordings may contain any values.
+/// Multiplies with wraparound, because damaged recordings may contain any values. Signed overflow would be
+/// undefined behaviour.
 std::int64_t product(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
 }
@@ -137,7 +138,7 @@ void TraceFile::count(Counter& counter, std::int64_t t_ns, std::int64_t steps) {
   file_.added(std::copy(kEnd.begin(), kEnd.end(), to));
 }
 
-/// Draws a pin: high and pulsing as bars, other states as gaps.
+/// Draws the states of a pin: a high or pulsing pin as a bar, any other state as a gap.
 void TraceFile::add_pin(std::size_t robot, const std::string& stream,
                         const std::vector<wire::ColumnSpec>& specs,
                         const std::vector<std::vector<std::int64_t>>& columns) {

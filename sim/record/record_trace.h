@@ -13,7 +13,7 @@
 
 namespace robosim::record {
 
-/// A trace that is written as its data arrives. Data may come stream by stream, or in pieces of several
+/// Writes a trace as its data arrives. Data may arrive stream by stream, or in pieces that alternate between
 /// streams.
 class TraceFile {
  public:
@@ -87,7 +87,7 @@ class TraceRecorder final : public Recorder {
   std::vector<std::map<std::string, Stream>> streams_;  ///< per robot
 };
 
-/// Writes a trace of a recording that was read.
+/// Writes a recording as a trace.
 void write_trace(const Recording& recording, const std::filesystem::path& file);
 
 }  // namespace robosim::record

@@ -1,6 +1,6 @@
 // Writes recordings as .vcd: the signals at the board's pins, for GTKWave, PulseView and other wave viewers
-// (IEEE 1364-2005, chapter 18). docs/reference/recordings.md lists the signals. Each of several robots has
-// its own scope.
+// (IEEE 1364-2005, chapter 18). docs/reference/recordings.md lists the signals. Each robot has its own scope
+// in the file.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,7 @@ class VcdRecorder final : public Recorder {
     std::map<std::string, PinSignals> pins;
     /// A cache of the few pins with events. The keys are the bytes of the pins' names.
     std::vector<std::pair<std::uint64_t, const PinSignals*>> met;
-    std::uint32_t sent[2], received[2];  ///< the byte, and a wire that toggles with each byte
+    std::uint32_t sent[2], received[2];  ///< signals: the byte, and a wire that toggles with each byte
     bool flipped[2] = {false, false};
     std::size_t end = 0;  ///< end of the board's signals, which begin at the previous board's end
   };

@@ -36,7 +36,7 @@ struct RecordedRun {
   std::string target;
   wire::RobotInfo robot_info;
   wire::RunRequest request;
-  std::vector<RecordedRobot> robots = {};  ///< all robots, including the first, if there are several
+  std::vector<RecordedRobot> robots = {};  ///< empty if there is only one robot; otherwise all robots
 };
 
 class Recorder {
@@ -48,7 +48,7 @@ class Recorder {
 
   /// Subscribes to the events that this recorder needs. The subscription does not affect the run's result.
   virtual void ask(wire::RunRequest& request) const;
-  /// Called before the first event. Throws InputError.
+  /// Receives the description of the run, before the first event. Throws InputError.
   virtual void begin(const RecordedRun&) {}
   virtual void add(const wire::Event& event) = 0;
   /// Writes the whole file, or nothing. Throws InputError.
@@ -57,11 +57,12 @@ class Recorder {
 
 /// Returns the supported file name extensions: ".csv", ".html" …
 const std::vector<std::string>& record_endings();
-/// Throws InputError, with the extensions of pictures, unless the file has one of them.
+/// Throws InputError if the file name does not have the extension of a picture. The message lists the valid
+/// extensions.
 void check_is_picture(const std::filesystem::path& file);
 
-/// Returns the recorder for a file. Throws InputError, with the supported extensions, for an unknown
-/// extension.
+/// Returns the recorder for a file. Throws InputError if the extension is unknown. The message lists the
+/// supported extensions.
 std::unique_ptr<Recorder> make_recorder(const std::filesystem::path& file);
 
 /// Several recorders, one for each file.

@@ -16,8 +16,8 @@ namespace robosim::record {
 namespace {
 
 // Gatherer's recordings stay far below these limits: an hour of one robot has 5 million numbers.
-constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // size of a file, also of a page
-constexpr std::size_t kBeginning_bytes = std::size_t{64} << 10;      // detects the wrong kind of file early
+constexpr std::size_t kMostRecording_bytes = std::size_t{64} << 20;  // size of a .rec or a page
+constexpr std::size_t kBeginning_bytes = std::size_t{64} << 10;      // enough to detect the kind of the file
 constexpr std::size_t kMostHeader_bytes = std::size_t{16} << 20;
 constexpr std::size_t kMostBody_bytes = std::size_t{64} << 20;
 constexpr std::uint64_t kMostNumbers = 16'000'000;

@@ -1,5 +1,5 @@
-// Collects the data of a run while it lasts, and reads recordings. A run.rec contains only the recording. A
-// run.html contains the recording inside a page.
+// Collects the data of a run during the run, and reads recordings. A .rec file contains only the recording.
+// A .html file contains the recording inside a page.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,7 @@ class Gatherer {
   }
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
-  /// Returns the header so far. Result and streams are missing until content() or encode().
+  /// Returns the header so far. content() or encode() add the result and the streams.
   const RecordingHeader& header() const { return header_; }
   std::string content(const result::RunResult& result);
   void encode(const result::RunResult& result, const Put& put);
@@ -78,14 +78,14 @@ class Gatherer {
 /// A recording, read from a file.
 class Recording {
  public:
-  /// Reads a .rec, or a page that contains one. Throws InputError with one sentence for any other file, and
-  /// for a file that is damaged or from a newer version.
+  /// Reads a .rec, or a page that contains a recording. Throws InputError for any other file, for a damaged
+  /// file, and for a file from a newer version of Robosim. The message is one sentence.
   static Recording read(const std::filesystem::path& file);
   static Recording decode(std::string_view bytes, const std::string& file);
 
   const RecordingHeader& header() const { return header_; }
-  /// Returns a stream's columns in their units; empty if there is no such stream. `robot` is the robot's
-  /// number.
+  /// Returns a stream's columns in their units. Returns no columns if there is no such stream. `robot` is the
+  /// robot's number.
   std::vector<std::vector<double>> stream(const std::string& name, std::size_t robot = 0) const;
   /// Returns a stream's columns as integers: values times the column's scale.
   std::vector<std::vector<std::int64_t>> steps(const std::string& name, std::size_t robot = 0) const;

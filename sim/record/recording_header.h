@@ -23,7 +23,7 @@ inline bool is_recording(std::string_view content) { return content.starts_with(
 struct ColumnInfo {
   std::string name;
   double scale = 1.0;  ///< divisor: the stored value is an integer
-  int order = 1;       ///< sim/wire/columns.h; 0 = raw bytes (text)
+  int order = 1;       ///< encoding of the integers (sim/wire/columns.h); 0 = raw bytes (text)
   std::int64_t bytes = 0;
 };
 
@@ -43,8 +43,9 @@ struct RobotRecord {
   std::vector<std::string> pins;  ///< names of the board's pins, by number
   wire::Started started;
   result::RunResult result;
-  std::vector<LineEvent> line;              ///< when the robot left the line, and found it again
-  std::vector<result::SourceLine> sources;  ///< lines of the sketch that drove pins, counted from 1
+  std::vector<LineEvent> line;  ///< when the robot left the line, and found it again
+  /// Lines of the sketch that drove pins. The column `source` of a pin's stream contains indices from 1.
+  std::vector<result::SourceLine> sources;
   /// Only the last change of a pin or voltage in each span of this length is stored; 0 = every change.
   std::int64_t thinned_ns = 0;
   std::vector<StreamInfo> streams;
@@ -52,7 +53,7 @@ struct RobotRecord {
 
 /// Describes the run, and its first robot.
 struct RecordingHeader : RobotRecord {
-  std::string robosim;  ///< version of Robosim that wrote it
+  std::string robosim;  ///< version of Robosim that wrote the recording
   std::string map;
   std::string map_text;  ///< empty, like `floor`, if the map is too large
   std::optional<FloorShapes> floor;

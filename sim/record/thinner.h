@@ -32,9 +32,9 @@ class Thinner {
   /// `packer` works as in CompressedBytes.
   Thinner(const std::vector<wire::ColumnSpec>& specs, std::int64_t span_ns, Packer* packer);
 
-  /// Thins at most `most_rows` further rows of `all`, ignoring rows that are not packed yet. Throws
-  /// wire::BadValue, like the next two functions, if the columns do not contain as many numbers as there are
-  /// rows.
+  /// Thins at most `most_rows` further rows of `all`. Ignores rows that are not packed yet. Throws
+  /// wire::BadValue if the columns do not contain as many numbers as there are rows. The next two functions
+  /// throw the same error.
   void follow(const CompressedRows& all, std::size_t most_rows);
   /// Thins all remaining rows of `all`.
   void catch_up(const CompressedRows& all);

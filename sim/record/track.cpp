@@ -43,7 +43,7 @@ std::optional<Found> find(const std::vector<std::string>& names, const std::stri
   return std::nullopt;
 }
 
-/// Splits a line into cells. If commas do not separate the cells, they are decimal commas.
+/// Splits a line into cells. If `separator` is not a comma, reads commas as decimal points.
 std::vector<std::string> cells_of(const std::string& line, char separator) {
   std::vector<std::string> cells;
   if (separator == ',')

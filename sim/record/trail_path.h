@@ -1,5 +1,4 @@
-// Approximates a trail by few straight pieces, each in one colour. An implementation detail of
-// record_svg.cpp.
+// Approximates a trail by few straight pieces, each in one colour. Only record_svg.cpp uses these functions.
 #pragma once
 
 #include <cstddef>

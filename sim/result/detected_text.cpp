@@ -1,3 +1,4 @@
+// Converts the finding of a detector to sentences (run_result.h).
 #include <fmt/format.h>
 
 #include "sim/result/run_result.h"

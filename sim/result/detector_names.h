@@ -10,7 +10,7 @@ namespace robosim::result {
 
 struct DetectorName {
   std::string_view name;
-  std::string_view targets;  ///< targets on which it works: "all", "host, avr" or "avr"
+  std::string_view targets;  ///< targets on which the detector works: "all", "host, avr" or "avr"
   std::string_view finds;    ///< a sentence in Markdown: the finding
 };
 
@@ -48,7 +48,7 @@ inline constexpr DetectorName kDetectorNames[] = {
     {"clock_wrap", "avr", "The robot behaves differently when `millis()` or `micros()` wraps to 0."},
 };
 
-/// Returns `name`. Does not compile unless the list contains it.
+/// Returns `name`. Fails to compile if the list does not contain `name`.
 consteval const char* detector(const char* name) {
   const auto is_it = [name](const DetectorName& one) { return one.name == name; };
   if (std::none_of(std::begin(kDetectorNames), std::end(kDetectorNames), is_it)) throw "not a detector";

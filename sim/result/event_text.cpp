@@ -1,3 +1,4 @@
+// Converts the events of a run to sentences (events.h).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,7 +15,7 @@ std::string fault_text(const std::string& part, const std::vector<std::string>& 
   return text;
 }
 
-/// Formats "2,3 9,3" as prose.
+/// Converts two cells, "2,3 9,3", to "2,3 to 9,3". A single cell stays unchanged.
 std::string stretch(std::string cells) {
   const std::size_t space = cells.find(' ');
   return space == cells.npos ? cells : cells.replace(space, 1, " to ");

@@ -1,5 +1,5 @@
-// Defines the events of a run, as values. Programs compare these values; only text_of() converts them to
-// sentences. A sketch that prints "collision" therefore causes no event.
+// Defines the events of a run as structs. Programs compare the structs; only text_of() converts them to
+// sentences. Text that a sketch prints, such as "collision", is therefore never mistaken for an event.
 #pragma once
 
 #include <array>
@@ -52,10 +52,11 @@ void fields(V& v, Same<V, CollisionBegan>& e) {
 /// The script acted, or an action of limited duration ended: a lifted robot is put down, an obstacle removed.
 struct ScriptActed {
   static constexpr const char* kKind = "script_acted";
-  std::string verb;  ///< a verb of the scenario language: press, release, send, place, lift, lower, cover,
-                     ///< obstacle, clear, paint, erase, door, light, restore
-  std::string part;  ///< press, release, cover, and send to a part; else empty
-  std::string text;  ///< send: the bytes; place: "X,Y,DIR"; obstacle, clear: "X,Y"
+  std::string verb;  ///< a verb of the scenario language: press, release, send, place, lift, lower, tilt,
+                     ///< sweep, cover, uncover, obstacle, clear, paint, erase, door, light, restore
+  std::string part;  ///< press, release, cover, uncover, send: the part; light: on, off; door: shut, open
+  std::string text;  ///< send: the bytes; place: "X,Y,DIR"; obstacle, clear: "X,Y"; paint, erase, door:
+                     ///< "X,Y X,Y"; light: its number or "all"
   std::array<double, 3> disc_mm{};  ///< obstacle: x and y of its centre, and its radius
   std::array<double, 3>
       moves{};  ///< obstacle: its target x and y, mm, and the duration in seconds; 0 s = it does not move
@@ -83,12 +84,12 @@ void fields(V& v, Same<V, ScriptActed>& e) {
     {.unit = "mm", .presence = when(e.box_mm[2] > 0.0)});
 }
 
-/// The script broke something.
+/// The script has injected a fault.
 struct FaultBegan {
   static constexpr const char* kKind = "fault_began";
   std::string part;                    ///< a part of the robot, or power, serial, eeprom, clock
   std::vector<std::string> arguments;  ///< the kind of fault, then its arguments: {"stuck", "1023"}
-  bool resets_chip = false;            ///< the supply no longer suffices for the chip
+  bool resets_chip = false;            ///< the supply voltage has become too low for the chip
 };
 
 template <class V>
@@ -161,7 +162,7 @@ void fields(V& v, Same<V, PartTold>& e) {
 /// A score under the rules of a competition.
 struct Scored {
   static constexpr const char* kKind = "scored";
-  std::string what;    ///< "gap", "try 1, 24.31 s"
+  std::string what;    ///< the reason for the score: "gap", "try 1, 24.31 s"
   double value = 0.0;  ///< value of the score
   std::string unit;    ///< "s" or "points"
 };

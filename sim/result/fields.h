@@ -1,4 +1,5 @@
-// Describes the keys of a message: once, next to its struct, for all code that writes, reads or documents it.
+// Describes the JSON keys of a message, once, next to its struct. All code that writes, reads or documents
+// the message uses this description.
 //
 //   struct Reading { std::string part; double volts = 0.0; };
 //
@@ -10,7 +11,7 @@
 //
 // fields() calls the visitor V for each key in the order of writing. The visitor in json_writer.h writes
 // JSON. The one in json_reader.h reads and checks JSON. The one in tables.cpp makes the tables in docs/. This
-// file does not depend on JSON, so a struct and its description cost little to include.
+// file does not depend on JSON, so a header with a struct and its description compiles quickly.
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@ namespace robosim::result {
 template <class V, class T>
 using Same = std::conditional_t<V::kReads, T, const T>;
 
-/// The presence of a key.
+/// Determines whether a reader requires a key, and whether a writer writes the key.
 struct Presence {
   bool required = true;  ///< a reader requires the key; otherwise a missing key keeps its default
   bool written = true;
@@ -46,7 +47,7 @@ struct Rules {
   std::int64_t most = std::numeric_limits<std::int64_t>::max();
   std::int64_t multiple_of = 1;
   bool not_empty = false;  ///< text: "" is not allowed
-  /// For text: all allowed values, unless empty.
+  /// For text: all allowed values. An empty list allows every value.
   std::initializer_list<const char*> one_of = {};
 };
 
@@ -73,7 +74,7 @@ struct PinsByUse {
 template <class List>
 PinsByUse(List&) -> PinsByUse<List>;
 
-/// A member that a visitor can descend into.
+/// A type that has its own fields(), which a visitor can call.
 template <class V, class T>
 concept Described = requires(V& v, Same<V, T>& t) {
   fields(v, t);

@@ -1,4 +1,5 @@
-// Describes a delay of a sketch, as if its code took longer. A negative delay shortens the next delay().
+// Describes a delay that is injected into a sketch, as if the sketch's code took longer. A negative delay
+// shortens the sketch's next delay().
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Defines the result of a run: its measurements, the chip's resources, a crash. The simulation fills these
-// in, and every client reads them.
+// Defines the result of a run: its measurements, the chip's resources, a crash. The simulation sets these
+// values, and every client reads them.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace robosim::result {
 
-/// A line of the sketch; empty and 0 if unknown.
+/// A line of the sketch. If the line is unknown, `function` and `file` are empty, and `line` is 0.
 struct SourceLine {
   std::string function;
   std::string file;  ///< as the user named it ("Blink.ino")
@@ -33,7 +33,7 @@ struct Crash {
   SourceLine where;
   std::vector<SourceLine> calls;  ///< innermost call first, including calls in the core; chip targets only
   std::string registers;          ///< registers of the chip's processor, for display; else empty
-  std::string check;              ///< the check that found it: "mul_overflow", "sandbox"; else empty
+  std::string check;              ///< the check that found the crash: "mul_overflow", "sandbox"; else empty
 };
 
 template <class V>
@@ -52,7 +52,7 @@ void fields(V& v, Same<V, Crash>& c) {
     {.presence = when(!c.registers.empty())});
 }
 
-/// The finding of the first check that failed in a second run, with checks (--sanitize).
+/// The first check that failed in a second run, whose firmware is built with checks (--sanitize).
 struct Finding {
   Crash fault;
   double time_s = 0.0;  ///< simulated time of the finding
@@ -67,7 +67,8 @@ void fields(V& v, Same<V, Finding>& f) {
   v("time_s", f.time_s, "when it was found", {.unit = "s"});
 }
 
-/// A line of the sketch that divided an integer by zero and continued, as on a chip. Reported on the host.
+/// A line of the sketch that divided an integer by zero and continued, as on a chip. Only runs on the host
+/// report this.
 struct DivisionByZero {
   SourceLine where;
   double first_s = 0.0;  ///< simulated time of the first division
@@ -81,8 +82,8 @@ void fields(V& v, Same<V, DivisionByZero>& d) {
   v("times", d.times, "how often it did");
 }
 
-/// A feature of the chip that the sketch used, but that the run's target lacks. From then on, the run may
-/// differ from the chip's behaviour. Reported on the host.
+/// A feature of the chip that the sketch used, but that the run's target lacks. After the first use, the run
+/// may differ from the chip's behaviour. Only runs on the host report this.
 struct Lack {
   std::string what;  ///< name of the feature in a sketch: "CLKPR"
   SourceLine where;
@@ -125,8 +126,8 @@ struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
   std::int64_t ram_bytes = 0;        ///< variables
   std::int64_t stack_bytes_max = 0;  ///< the maximum in use, including handlers
-  std::int64_t loops = 0;            ///< passes of loop(); 0 = this and the next two are unknown
-  double loop_us_max = 0.0;          ///< longest time from one beginning of loop() to the next, or to now
+  std::int64_t loops = 0;            ///< number of passes of loop(); 0 = unknown, as are the next two values
+  double loop_us_max = 0.0;          ///< longest time from one beginning of loop() to the next or to the end
   double loop_us_mean = 0.0;
   double interrupt_share = 0.0;  ///< share of the time in interrupt handlers: 0..1
   double cpu_load = 0.0;         ///< share of the time awake, including waiting loops: 0..1
@@ -170,18 +171,18 @@ void fields(V& v, Same<V, ScorePart>& p) {
 struct Metrics {
   double distance_m = 0.0;          ///< path of the axle's centre
   std::vector<double> laps_s;       ///< duration of each lap, on a loop
-  double cross_track_rms_mm = 0.0;  ///< sensors' midpoint to nearest centre line, after the first 0.5 s
-  double cross_track_max_mm = 0.0;  ///< maximum of this distance, also after the first 0.5 s
+  double cross_track_rms_mm = 0.0;  ///< RMS distance of the sensors' midpoint from the nearest centre line
+  double cross_track_max_mm = 0.0;  ///< maximum of this distance; both values ignore the first 0.5 s
   double off_line_s = 0.0;          ///< time with no sensor over a line
   int collisions = 0;
-  double energy_j = 0.0;              ///< drawn by the motors
-  std::vector<std::string> stations;  ///< visited stations, in order
+  double energy_j = 0.0;              ///< energy drawn by the motors
+  std::vector<std::string> stations;  ///< visited stations, in the order of the first visit
   int junctions = 0;                  ///< number of different junctions visited
   double score = kNone;               ///< competition score, s or points; kNone = none yet
   std::string score_unit;             ///< "s" or "points"; empty = no competition
   double run_s = kNone;               ///< time on the competition's clock
   std::vector<ScorePart> score_parts;
-  double energy_back_j = 0.0;  ///< recovered from the motors
+  double energy_back_j = 0.0;  ///< energy recovered from the motors
 
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 };
@@ -216,17 +217,17 @@ void fields(V& v, Same<V, Metrics>& m) {
     {.presence = when(!m.score_parts.empty())});
 }
 
-/// The robot's wiring, as used by the firmware.
+/// Lists where the firmware's use of pins and parts differs from the robot's wiring.
 struct Usage {
   struct Loose {
     std::string pin;  ///< "D7"
     std::string how;  ///< "driven" or "read"
   };
   struct Steady {
-    std::string part;   ///< for an array: the element
+    std::string part;   ///< name of the part; for an array, of its element
     std::string reads;  ///< "HIGH", "LOW" or "4.3 V"
   };
-  std::vector<Loose> unwired;       ///< pins that were used without any wiring
+  std::vector<Loose> unwired;       ///< pins that the firmware used, although nothing is wired to them
   std::vector<std::string> unused;  ///< parts that were never driven, read or awaited
   std::vector<Steady> steady;       ///< buttons and sensors that were read and never changed
 };
@@ -288,7 +289,7 @@ struct RunResult {
   std::string verdict;  ///< "reached", "lost", …
   std::string why;      ///< one sentence
   std::string next;     ///< the suggested next step; may be empty
-  std::string next_by;  ///< how to take that step: "host" (a run there), "watching" or "script"; else empty
+  std::string next_by;  ///< kind of that step: "host" (a run on the host), "watching", "script"; else empty
   int status = 0;       ///< exit status of the verdict
   double time_s = 0.0;
   Metrics metrics;
@@ -312,8 +313,8 @@ struct RunResult {
   std::string map_sha256;
   std::string robot_sha256;
   std::string image_sha256;
-  std::vector<RunResult> others;  ///< results of the run's further robots
-  std::vector<RunResult> ways;    ///< results of the second and all further ways of a run that branches
+  std::vector<RunResult> others;  ///< results of all robots except the first
+  std::vector<RunResult> ways;    ///< results of all branches except the first, if the run has branches
 };
 
 template <class V>

@@ -14,7 +14,7 @@ namespace robosim::result {
 struct Stop {
   enum class Kind {
     serial,   ///< the firmware has sent `text`, at or after byte number `from`
-    line,     ///< it has sent a line, at or after byte `from`, that matches the regular expression `text`
+    line,     ///< the firmware has sent, from byte `from` on, a line that matches the regex `text`
     note,     ///< an event has occurred whose text_of() contains `text`
     event,    ///< an event of this kind has occurred: "collision_began" (event_kinds())
     visited,  ///< station `text` has been visited
@@ -22,13 +22,13 @@ struct Stop {
     reading,  ///< the part `text` reads at least 0.5 (`level`), or less (not `level`)
     pin,      ///< the firmware drives pin `text` high or with PWM (`level`), or low (not `level`)
     motors,   ///< a motor is driven (`level`), or no motor is (not `level`)
-    rest,     ///< no wheel has turned for `rest_ns`, counted from the last resume
+    rest,     ///< no wheel has turned for `rest_ns`, counted from the last resume of the run
   };
   Kind kind = Kind::rest;
   std::string text;          ///< text, regular expression, station, part or pin
-  std::size_t from = 0;      ///< serial, line: number of the first byte that counts
-  bool level = true;         ///< reading, pin, motors
-  std::int64_t rest_ns = 0;  ///< rest
+  std::size_t from = 0;      ///< for serial and line: number of the first byte that counts
+  bool level = true;         ///< for reading, pin and motors: the expected state
+  std::int64_t rest_ns = 0;  ///< for rest: the duration
   int agent = 0;             ///< number of the robot
 
   static Stop serial(std::string text, std::size_t from = 0) { return {Kind::serial, std::move(text), from}; }

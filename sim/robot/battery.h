@@ -1,5 +1,5 @@
-// [battery]: cells that discharge, and whose voltage sags under load. Without this table, the motors' voltage
-// is always `supply` of [motors].
+// Models the table [battery] of a robot file: cells that discharge, and whose voltage sags under load.
+// Without this table, the motors' voltage is always `supply` of [motors].
 //
 //   V = cells OCV(charge) - R I
 //   I = board + sum over the motors of |drive| max(0, V - drop - k_e w) / (motor ohms)
@@ -15,12 +15,12 @@
 //
 //   V = (E + R (2 drop / R_m - board)) / (1 + 2 R / R_m)
 //
-// Below a charge of 0 the cells collapse: the voltage falls linearly to 0 V at -2 %.
+// Below a charge of 0 the cells collapse: the voltage falls linearly to 0 V at a charge of -2 %.
 //
-// battery.cpp has the open-circuit voltages of a cell. Those of li-ion were measured by
-// github.com/little-porter, battery_health_inference_RJ. Those of nimh and alkaline are estimates from
-// makers' discharge curves at 0.2 C. Without `resistance`, each cell has a typical value of its kind. This
-// value is not measured, and is the same at any charge.
+// battery.cpp has the open-circuit voltages of a cell. The values for li-ion were measured by
+// github.com/little-porter, battery_health_inference_RJ. The values for nimh and alkaline are estimates from
+// makers' discharge curves at 0.2 C. Without the key `resistance`, each cell has a typical resistance of its
+// kind, which is not measured. The resistance does not depend on the charge.
 //
 // Not modelled: recovery after load, temperature, and the cut-off of a protection circuit. Current flows back
 // into the battery only if the motors have an inductance.
@@ -34,8 +34,8 @@ namespace robosim::robot {
 
 struct BatteryKind {
   const char* name;
-  double ohms;       ///< of a cell
-  double volts[11];  ///< of a cell at rest, at 100, 90 ... 0 % of its charge
+  double ohms;       ///< resistance of a cell
+  double volts[11];  ///< voltages of a cell at rest, at 100, 90 ... 0 % of its charge
 };
 
 struct Battery {
@@ -47,7 +47,7 @@ struct Battery {
   Parameter board;        ///< A, the current of everything except the motors
 };
 
-/// Reads [battery]. Throws InputError.
+/// Reads the table [battery]. Throws InputError.
 Battery read_battery(const ConfigValue& table);
 
 /// One robot's battery, with its sampled parameters.

@@ -1,3 +1,4 @@
+// Derives the parameters of a robot's body from its description (describe.h).
 #include <algorithm>
 #include <cstring>
 
@@ -27,8 +28,8 @@ double plate_inertia(const Chassis& chassis) {
   return moment / (6.0 * area2);
 }
 
-// Returns the default x of the caster: three quarters of the way from the axle to the rear. Uses the front
-// if the chassis has no rear behind the axle.
+// Returns the default x of the caster: three quarters of the way from the axle to the rear. If the chassis
+// does not extend behind the axle, the front replaces the rear.
 double usual_caster(const Chassis& chassis) {
   double rear = chassis.circle_centre.x - chassis.circle_radius,
          front = chassis.circle_centre.x + chassis.circle_radius;

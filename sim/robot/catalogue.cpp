@@ -1,3 +1,4 @@
+// Lists the stock robots, the part types and the motor driver chips.
 #include <algorithm>
 
 #include "sim/base/did_you_mean.h"
@@ -110,11 +111,13 @@ const std::vector<DriverChip>& driver_chips() {
   // Sources: the makers' datasheets. L298N (ST DS0218): 2.55 V at 1 A, 3.7 V at 2 A, typical; L293D (TI
   // SLRS008): 1.4 V high side + 1.2 V low side at 0.6 A; TB6612FNG (Toshiba): 0.5 ohm, both sides; DRV8833
   // (TI SLVSAR1): 0.36 ohm; DRV8835 (TI SLVSB18): 0.305 ohm. The first two chips are bipolar: the drop occurs
-  // at any current. Freewheeling diodes: L298N modules have 1N5822 or FR107, of at most 1.2 V as ST's data
-  // sheet requires. L293D has an internal clamp of 1.3 V; TB6612FNG has 1 V, typical. The other chips use a
-  // MOSFET's body diode, estimated at 0.8 V.
+  // at any current.
+  //
+  // Freewheeling diodes: L298N modules have 1N5822 or FR107, of at most 1.2 V as ST's data sheet requires.
+  // L293D has an internal clamp of 1.3 V; TB6612FNG has 1 V, typical. The other chips use a MOSFET's body
+  // diode, estimated at 0.8 V.
   static const std::vector<DriverChip> chips = {
-      // EN low: open. EN high: the two half bridges follow IN1 and IN2.
+      // A low EN opens the bridge. While EN is high, the two half bridges follow IN1 and IN2.
       {"l298n",
        1.4,
        1.15,
@@ -127,28 +130,28 @@ const std::vector<DriverChip>& driver_chips() {
        1.3,
        false,
        {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
-      // "EN" is PWM. The bridge is open while both inputs are low; otherwise, PWM low brakes.
+      // "EN" is the chip's input PWM. The bridge is open while IN1 and IN2 are low; else a low PWM brakes.
       {"tb6612",
        0.0,
        0.5,
        1.0,
        true,
        {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},
-      // IN/IN only; "EN" is nSLEEP.
+      // The chip has the IN/IN mode only. "EN" is its input nSLEEP.
       {"drv8833",
        0.0,
        0.36,
        0.8,
        true,
        {{{open, open}, {open, open}}, {{open, reverse}, {forward, shorted}}}},
-      // PHASE/ENABLE: ENABLE low brakes. IN/IN: as drv8833.
+      // In the mode PHASE/ENABLE, a low ENABLE brakes. The mode IN/IN works as in the drv8833.
       {"drv8835",
        0.0,
        0.305,
        0.8,
        true,
        {{{open, shorted}, {shorted, shorted}}, {{open, reverse}, {forward, shorted}}}},
-      // One transistor per motor, with a diode: no reverse, no brake.
+      // One transistor per motor, with a diode. The motor can neither reverse nor brake.
       {"transistor",
        0.1,
        0.1,

@@ -1,4 +1,5 @@
-// A robot's description for clients (describe_robot in docs/reference/runner-protocol.md) and for the world.
+// Summarises a robot's description for clients (describe_robot in docs/reference/runner-protocol.md), and
+// derives the parameters of its body in the simulated world.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,7 @@ struct PartSummary {
 /// Wheels that a servo steers, for drawing.
 struct SteeredWheels {
   std::string servo;    ///< name of the steering servo
-  double base = 0.0;    ///< m, from the driven axle
+  double base = 0.0;    ///< m, distance from the driven axle
   int wheels = 1;       ///< 1, or 2 that are `track` apart
   double middle = 0.0;  ///< rad, the servo's reading when the wheels point ahead
   double ratio = 0.0;   ///< rad of steering to the left per rad of the reading

@@ -40,7 +40,8 @@ const BoardSpec& read_board(TableReader& reader) {
   throw InputError(value.place, fmt::format("board: {}", expected_one_of(value.string, board_names())));
 }
 
-// Returns whether every corner lies to the left of every side. A star that only turns left is not convex.
+// Returns whether every corner lies to the left of every side. It is not enough to test that each corner
+// turns left, because a star-shaped outline also passes that test.
 bool convex(const std::vector<Vec2>& corners) {
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -129,7 +130,7 @@ Chassis read_chassis(const ConfigValue& table) {
   chassis.downforce = read_parameter(reader, "downforce", Dimension::mass, {}, 0.0, 5.0);
   if (const ConfigValue* const steering = reader.find("steering")) {
     chassis.steering = read_steering(*steering, reader);
-    // The steered wheels carry the rest of the weight.
+    // The steered wheels carry the rest of the weight, so that the share is at most 0.95.
     read_parameter(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 0.95);
   }
   read_outline(reader, chassis);
@@ -193,7 +194,7 @@ Driver read_driver(const ConfigValue& table, const Terminals& terminals, std::ve
   return driver;
 }
 
-// Returns all registers before any part is read, since a part may refer to a register further down.
+// Collects all registers before any part is read. A part may refer to a register further down in the file.
 std::vector<Register> registers_of(const ConfigValue* parts) {
   std::vector<Register> registers;
   if (!parts) return registers;

@@ -1,5 +1,5 @@
-// A robot file (robot.toml), read and checked. docs/reference/robots.md lists every key with unit, range and
-// default.
+// Reads and checks a robot file (robot.toml), and represents its content. docs/reference/robots.md lists
+// every key with unit, range and default.
 #pragma once
 
 #include <cstdint>
@@ -88,7 +88,7 @@ struct DriverChip {
   Bridge action[2][2][2];
 };
 
-/// [driver]
+/// [driver]: the motor driver's chip, its electrical values, and its standby pin.
 struct Driver {
   const DriverChip* chip = nullptr;
   Parameter drop;        ///< V
@@ -123,7 +123,7 @@ struct MountSpec;
 /// The result of driven_wheel() for a motor that drives both wheels through a differential.
 constexpr int kBothWheels = 2;
 
-/// One [[part]], as read from the file. Immutable; shared by all robots of a description.
+/// One [[part]], as read from the file. The object is immutable, and all robots of a description share it.
 class PartSpec {
  public:
   std::string name;
@@ -132,7 +132,7 @@ class PartSpec {
   std::vector<Wire> wires;
 
   virtual ~PartSpec() = default;
-  /// Makes the part of one robot.
+  /// Creates this part for one robot.
   virtual std::unique_ptr<Part> make(PartContext&) const = 0;
   /// Returns the part's floor sensors.
   virtual std::vector<SensorPlace> sensors() const { return {}; }
@@ -145,12 +145,12 @@ class PartSpec {
 };
 
 /// [budget]: limits of firmware on the board's chip. `robosim build` fails if a sketch exceeds the flash or
-/// RAM. A run on a chip ends as over_budget if the sketch exceeds the stack or time.
+/// RAM. A run on an emulated chip ends with the verdict over_budget if the sketch exceeds the stack or time.
 struct Budget {
   std::int64_t flash_bytes = 0;  ///< 0 = the chip's limit
   std::int64_t ram_bytes = 0;    ///< variables, without the stack; 0 = the chip's limit
   std::int64_t stack_bytes = 0;  ///< maximum during a run; 0 = the chip's limit
-  double loop_s = 0.0;           ///< the longest pass of loop(); 0 = any
+  double loop_s = 0.0;           ///< s, for one pass of loop(); 0 = no limit
 };
 
 /// A file from which a robot was read.
@@ -162,7 +162,7 @@ struct SourceText {
 struct Description {
   std::string name;  ///< the file's stem; if the board is replaced, with @ and the new board's name
   std::filesystem::path file;
-  std::string sha256;  ///< hash of the file and its bases; also of "@" and a replacement board's name
+  std::string sha256;  ///< hash of the file, its bases and, for a replaced board, "@" and the board's name
   const BoardSpec* board = nullptr;
   Budget budget;
   Chassis chassis;
@@ -171,12 +171,12 @@ struct Description {
   Electronics electronics;
   Battery battery;
   std::vector<Register> registers;  ///< of shift registers and PWM drivers, numbered as in netlist.h
-  std::vector<std::shared_ptr<const PartSpec>> parts;  ///< in the file's order, after those of the base
+  std::vector<std::shared_ptr<const PartSpec>> parts;  ///< in the file's order, after the parts of the base
   std::vector<SourceText> texts;                       ///< the file and its bases
 };
 
-/// Finds a robot's file by a path, which contains '/' or '.', or by the name of a stock robot. Throws
-/// InputError with a list of the stock robots.
+/// Finds a robot's file by a path, which contains '/' or '.', or by the name of a stock robot. For an unknown
+/// name, throws InputError with a list of the stock robots.
 std::filesystem::path find_robot(const std::string& name_or_path);
 
 /// Returns the names of the stock robots, sorted.
@@ -186,13 +186,13 @@ std::vector<std::string> stock_robots();
 /// Throws InputError with file and line.
 Description load_description(const std::string& robot_name);
 
-/// Returns a robot's file merged with its bases, as one file without a base and without defaults. Lines from
-/// bases have a comment with their place. Throws InputError.
+/// Returns a robot's file merged with its bases, as one file without a base and without defaults. Each line
+/// from a base ends with a comment that names the base and the line. Throws InputError.
 std::string full_text(const std::string& robot_name);
 
 /// Parses a robot from text. `file` is for messages, and locates the file's `base`. The board `instead`, if
-/// not null, replaces the file's own board. Pins then keep their names (5, A0), and voltages of sensors keep
-/// their share of the supply. The budget does not apply to another board.
+/// not null, replaces the file's own board. Pins then keep their names (5, A0), and sensors' voltages keep
+/// their share of the supply. The file's budget is dropped.
 Description parse_description(std::string_view text, const std::filesystem::path& file,
                               const BoardSpec* instead = nullptr);
 

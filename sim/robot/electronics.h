@@ -1,19 +1,20 @@
-// [electronics]: the path from the battery through the board's supply to its ADC. Without this table, the
-// supply is constant and the ADC is exact.
+// Models the table [electronics] of a robot file: the path from the battery through the board's supply to
+// its ADC. Without this table, the supply is constant and the ADC is exact.
 //
 //   supply = min(nominal, battery - drop of the board's regulator)    if fed_by_battery; also the ADC's
 //                                                                     reference
 //   code   = volts / supply * steps + adc_noise g                     g: standard normal, new per conversion
 //
 // A sensor that outputs volts (a battery's divider, an infra-red distance sensor) therefore reads higher when
-// the supply drops. A sensor that outputs a share of the supply (a reflectance sensor's divider, a current
-// sensor around its half) reads the same. The brightness of emitters drops with the current through their
-// resistor:
+// the supply drops. A sensor that outputs a share of the supply reads the same value. Examples are a
+// reflectance sensor's divider, and a current sensor whose zero is at half the supply.
+//
+// The brightness of emitters drops with the current through their resistor:
 //   (supply - 1.2 V) / (nominal - 1.2 V)    1.2 V: forward voltage of infra-red LEDs, by their data sheets
 //
-// Other references (INTERNAL) and the bandgap do not drop. The emulated AVR applies these references itself.
-// For this purpose, it receives the ratio of supply to nominal voltage (RobotPort::feed). Not modelled: a
-// reset of the chip by low supply; an STM32's VREFINT.
+// Other references of the ADC (INTERNAL) and the bandgap do not drop. The emulated AVR applies these
+// references itself. For this purpose, the AVR receives the ratio of supply to nominal voltage
+// (RobotPort::feed). Not modelled: a reset of the chip by low supply; an STM32's VREFINT.
 #pragma once
 
 #include <memory>
@@ -37,15 +38,15 @@ Electronics read_electronics(const ConfigValue& table);
 
 /// The current state of a board's supply.
 struct Supply {
-  double share = 1.0;  ///< relative to the nominal voltage
-  double led = 1.0;    ///< brightness of an infra-red LED with a resistor, relative to nominal voltage
+  double share = 1.0;  ///< supply voltage, relative to the nominal voltage
+  double led = 1.0;    ///< brightness of an infra-red LED with a resistor; 1 at nominal voltage
 };
 Supply supply_at(double battery_volts, const BoardSpec& board);
 
-/// The reference of a sensor's volts.
+/// The quantity to which a sensor's output voltage is proportional.
 enum class Scale {
-  volts,            ///< none: the sensor outputs volts
-  share_of_supply,  ///< the board's supply: the volts are proportional to it
+  volts,            ///< none: the voltage does not depend on the supply
+  share_of_supply,  ///< the board's supply
 };
 
 /// The ADC's inputs of a robot with [electronics].

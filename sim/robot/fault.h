@@ -1,4 +1,4 @@
-// Faults of a robot's parts.
+// Defines the faults of a robot's parts that scripts can inject.
 #pragma once
 
 namespace robosim::robot {
@@ -6,7 +6,7 @@ namespace robosim::robot {
 class Breakable;
 class Sensor;
 
-/// All faults. Each part supports some of them; scripts use the same names.
+/// All faults. Each part supports some of them. Scripts use the names of these enumerators.
 enum class Failure { ok, dead, weak, reversed, stuck, swapped, noisy, offset, pressed, released };
 const char* name_of(Failure failure);
 
@@ -15,9 +15,9 @@ struct FaultKind {
   enum class Argument { none, number, sensor };
 
   Failure failure;
-  const char* meaning;  ///< one clause, for lists
+  const char* meaning;  ///< a description in one clause, for messages
   Argument argument = Argument::none;
-  double least = 0.0;  ///< bounds of a number, inclusive
+  double least = 0.0;  ///< inclusive bounds of the number
   double most = 0.0;
 };
 
@@ -28,7 +28,7 @@ struct Fault {
   Sensor* sensor = nullptr;
 };
 
-/// A fault and its part. Valid during the lifetime of the robot.
+/// A fault and its part. The pointers are valid during the lifetime of the robot.
 struct PartFault {
   Breakable* part = nullptr;
   Fault fault;

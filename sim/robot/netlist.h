@@ -1,5 +1,5 @@
 // The wires between the microcontroller and the parts: the board's pins, and the outputs of the robot's shift
-// registers and PWM drivers. A part that follows a level works with wires of both kinds.
+// registers and PWM drivers. A part that only follows a level, such as an LED, may use either kind of wire.
 //
 //   number                 wire
 //   0 .. kMaxPins - 1      the board's pin of that number
@@ -18,10 +18,10 @@
 
 namespace robosim::robot {
 
-constexpr int kRegisterOutputs = 8;  ///< of one register
-constexpr int kMostRegisters = 16;   ///< of one robot
+constexpr int kRegisterOutputs = 8;  ///< number of outputs of one register
+constexpr int kMostRegisters = 16;   ///< maximum number of registers of one robot
 
-/// Eight outputs of a part.
+/// Eight outputs of a part: a shift register, or half of a PWM driver.
 struct Register {
   std::string part;
   int first_channel = -1;  ///< number of the first output of a PWM driver; else -1
@@ -29,8 +29,8 @@ struct Register {
   friend bool operator==(const Register&, const Register&) = default;
 };
 
-/// Returns the wire at output `q` of register number `index`. If `q` exceeds the register, the count
-/// continues in the next register.
+/// Returns the wire at output `q` of register number `index`. A `q` of 8 or more refers to the registers that
+/// follow.
 constexpr Pin output_pin(int index, int q) {
   return static_cast<Pin>(kMaxPins + kRegisterOutputs * index + q);
 }

@@ -1,4 +1,4 @@
-// One part of a robot. It is wired to pins, drives them and observes them.
+// Declares the interfaces of a robot's parts. A part is wired to pins, which it drives or observes.
 #pragma once
 
 #include <span>
@@ -37,7 +37,8 @@ class Pressable {
   virtual const std::string& name() const = 0;
   /// Presses or releases the object from `t` on.
   virtual void hold(bool down, SimTime t) = 0;
-  /// Returns the button that needs begin_tick() after hold() until it has settled; null = none.
+  /// Returns the button whose contact may bounce after hold(); null = none. The robot calls the button's
+  /// begin_tick() until the contact has settled.
   virtual ButtonPart* bounces() { return nullptr; }
 
  protected:
@@ -50,7 +51,7 @@ class Receiver {
   virtual const std::string& name() const = 0;
   /// Throws InputError if this part cannot receive the message.
   virtual void check(const Message&) const = 0;
-  /// Delivers the message from `t` on; `t` is in the current tick or later.
+  /// Starts the delivery of the message at `t`, which is in the current tick or later.
   virtual void send(const Message&, SimTime t) = 0;
 
  protected:
@@ -61,7 +62,8 @@ class Receiver {
 class TextOutput {
  public:
   virtual const std::string& name() const = 0;
-  /// Returns the new text at `t`, the end of a tick; "" = none. Called once per tick.
+  /// Returns the new text at `t`, the end of a tick; "" = none. The robot calls this
+  /// function once per tick.
   virtual std::string poll_text(SimTime t) = 0;
 
  protected:
@@ -95,7 +97,7 @@ struct PartRegistry {
   WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side
   bool differential = false;                  ///< the left motor drives both wheels
 
-  /// Returns Robot::sight().
+  /// Computes the result of Robot::sight().
   double sight() const;
   /// Returns whether begin_tick() of the ticking parts would do nothing.
   bool idles() const;
@@ -104,15 +106,16 @@ struct PartRegistry {
 class Part {
  public:
   virtual ~Part() = default;
-  /// Registers the part. Called once, when all parts exist.
+  /// Registers the part. The robot calls this function once, when all parts exist.
   virtual void register_with(PartRegistry&) = 0;
-  /// Finds the part on which this part is mounted. Called once, when all parts are registered.
+  /// Finds the part on which this part is mounted. The robot calls this function once, when all parts are
+  /// registered.
   virtual void resolve_mounts(const PartRegistry&) {}
   /// Schedules the pin edges of the tick that begins at `t`, from the world's state at `t`.
   virtual void begin_tick(SimTime) {}
   /// Returns whether begin_tick() does nothing until something acts on the part, or touches the body.
   virtual bool idles() const { return false; }
-  /// Reports that the board's supply is switched off or on again.
+  /// Handles a switch-off or switch-on of the board's supply.
   virtual void power(bool on, SimTime) { static_cast<void>(on); }
   /// Appends the part's displayed readings, except those of floor sensors. Consumes no noise.
   virtual void read(std::vector<Reading>&) const {}

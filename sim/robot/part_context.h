@@ -51,8 +51,8 @@ struct View {
   std::size_t body_number = 0;  ///< number of `body` in `world`
   world::RadioChannel* radio = nullptr;
 
-  /// Returns the pose at `t`, a time inside the current tick. Inlined, so that the result need not pass
-  /// through memory.
+  /// Returns the pose at `t`, a time inside the current tick. The function is always inlined, so that the
+  /// result stays in registers.
   [[gnu::always_inline]] Pose pose_at(SimTime t) const {
     const bool stands = body->speed() == 0.0 && body->side_speed() == 0.0 && body->turn_rate() == 0.0;
     return stands ? body->standing_pose() : body->pose_after(static_cast<double>(t - tick_start) * 1e-9);

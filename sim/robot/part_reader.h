@@ -1,4 +1,4 @@
-// Reads one [[part]] table key by key.
+// Reads one [[part]] table of a robot file, key by key.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;  ///< rad
 /// The function that a wire requires of its pin.
 enum class PinUse {
   digital,  ///< any pin except those that are only analog inputs
-  driven,   ///< followed by the part: a digital pin, or an output of a shift register or PWM driver
+  driven,   ///< a digital pin, or an output of a shift register or PWM driver, whose level the part follows
   analog,   ///< a pin with an ADC channel
 };
 
@@ -59,7 +59,7 @@ class PartReader {
                                  double most, std::size_t count);
   /// Reads a voltage of each of `count` elements, like volts().
   std::vector<Parameter> volts_of_each(const char* key, Parameter fallback, std::size_t count);
-  /// Reads PinSource::source_ohms() of a source that an ADC converts.
+  /// Reads the key `source_ohms` of a source that an ADC converts (PinSource::source_ohms).
   Parameter source_ohms() { return figure("source_ohms", Dimension::resistance, {}, 0.0, 10e6); }
   Vec2 point(const char* key, Vec2 fallback);
   /// Reads an angle in rad; the bounds are inclusive.
@@ -69,17 +69,18 @@ class PartReader {
   Pin pin(const char* key, PinUse use);
   /// Reads the wire of an optional key, or returns kNoPin.
   Pin optional_pin(const char* key, PinUse use);
-  /// Wires the board's SDA and SCL, which several parts may share. Throws InputError for a board without
-  /// them.
+  /// Connects the part to the board's SDA and SCL, which several parts may share. Throws InputError for a
+  /// board without these pins.
   void take_two_wire();
-  /// Reads the key `key` as an array; the roles are `role`, or the part's name, followed by 1, 2, …
+  /// Reads the key `key` as an array of pins. The roles of the wires are `role` followed by 1, 2, … If
+  /// `role` is empty, the part's name replaces it.
   std::vector<Pin> pin_list(PinUse use, std::size_t most, const char* key = "pins", const char* role = "");
   /// Reads the key `pins` as a table of roles, which must match one of `groups` exactly. Returns the pins in
   /// the group's order. Sets `chosen` to the group's index.
   std::vector<Pin> pin_table(const std::vector<std::vector<const char*>>& groups, std::size_t& chosen,
                              PinUse use = PinUse::digital);
 
-  /// Reads the key `wheel`, or else the part's name: left or right.
+  /// Reads the key `wheel`, "left" or "right". If the key is missing, finds the side in the part's name.
   Side wheel();
   /// Reads the key `key`, "high" or "low", and returns whether it is "high".
   bool high(const char* key, bool fallback);

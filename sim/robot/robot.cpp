@@ -83,7 +83,7 @@ struct Robot::Impl {
     body.supply(load.volts);
     find_supply();
   }
-  // Collects the servos that steer wheels; they act in each tick.
+  // Connects the steering servo to the body's wheels, and registers the servo for begin_tick() in each tick.
   void find_steering() {
     const Chassis& chassis = description.chassis;
     const Steering& steering = chassis.steering;
@@ -122,8 +122,8 @@ struct Robot::Impl {
     std::vector<ButtonPart*> bouncing;
     bool edges = false;  // the board requested edges in the last tick
     world::WheelCommand command[2];
-    std::size_t last_seen = 0;  // the sensor that saw the line last
-    double charge = 0.0;        // of a battery, 0..1
+    std::size_t last_seen = 0;  // index of the sensor that last detected the line
+    double charge = 0.0;        // charge of the battery, 0..1
     bool is_forced = false;     // a script sets the battery's voltage
   };
 

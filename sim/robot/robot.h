@@ -33,7 +33,7 @@ Description load_description(const std::string& robot_name);
 /// A level for display, without noise. Reading it does not consume a noise sample.
 struct Reading {
   std::string_view part;  ///< "S1" … for elements of an array, else the part's name; owned by the robot
-  double value;           ///< sensor: 0 white .. 1 black; LED, button: 0 or 1
+  double value;           ///< floor sensor: 0 white .. 1 black; LED: 0..1; button: 0 or 1; Gauge: in its unit
 };
 
 /// A pin of the board and the part wired to it, so that a verdict can name the part ("pin 2, the button
@@ -74,8 +74,8 @@ class Robot {
   /// Performs step 3 of a tick: averages the motor commands over the tick that ends at `t`. Returns whether a
   /// command has changed.
   bool end_tick(SimTime t);
-  /// Returns whether begin_tick() and end_tick() would do nothing in further ticks. Then only
-  /// begin_idle_tick() is needed. The idle state ends when anything touches the body, firmware accesses the
+  /// Returns whether begin_tick() and end_tick() would do nothing in further ticks. The caller may then call
+  /// begin_idle_tick() instead. The idle state ends when anything touches the body, firmware accesses the
   /// board, or a script acts.
   bool idles() const;
   void begin_idle_tick(SimTime t);
@@ -102,19 +102,20 @@ class Robot {
   bool has_text_outputs() const { return has_text_outputs_; }
   /// Collects the text that the parts report at `t`, the end of a tick.
   void poll_text(SimTime t, std::vector<PartText>& told);
-  /// Returns whether the last tick's commands drive a motor. The smallest pulses of a chip's PWM do not count
-  /// (1/256 at OCR0A = 0), unless they reach half the power that turns the wheel from rest.
+  /// Returns whether the last tick's commands drive a motor. Drives up to 1/128 of full power do not count,
+  /// because a chip's PWM outputs 1/256 even at OCR0A = 0. If less than 1/64 of full power turns a wheel
+  /// from rest, the limit is half of that power.
   bool driven() const {
     return std::abs(command_[0].drive) > driven_from_[0] || std::abs(command_[1].drive) > driven_from_[1];
   }
 
-  /// Switches the board's supply off or on: parts that share it lose their state.
+  /// Switches the board's supply off or on. Parts on this supply lose their state.
   void power(bool on, SimTime t);
 
   /// Returns the voltage of a healthy battery ([motors] supply, as sampled for this robot).
   double battery() const;
-  /// Fixes the battery's voltage, which affects the motors and the parts that measure it. nullopt restores
-  /// the healthy voltage; a [battery] then sags and discharges by itself.
+  /// Fixes the battery's voltage, which affects the motors and the parts that measure the voltage. A nullopt
+  /// restores the healthy voltage; a [battery] then sags and discharges by its own model.
   void set_battery(std::optional<double> volts);
   /// Returns the voltage of a [battery] under its present load; nullopt without a [battery], or if a script
   /// sets the voltage.
@@ -136,9 +137,9 @@ class Robot {
   /// Press or release a button from `t` on; `t` must not be before the current tick.
   void press(const std::string& part, SimTime t);
   void release(const std::string& part, SimTime t);
-  /// Sends a message to a receiver; `t` as in press().
+  /// Sends a message to a receiver at `t`, which must not be before the current tick.
   void send(const std::string& part, const Message& message, SimTime t);
-  /// Covers a sensor, or all of an array, so that it sees black.
+  /// Covers or uncovers a sensor, or all sensors of an array. A covered sensor detects black.
   void cover(const std::string& part, bool covered);
   /// Breaks a sensor, motor, button or encoder, until the next fault of the same part ("ok" repairs it).
   /// Kinds and arguments are in docs/reference/robots.md.
@@ -151,7 +152,8 @@ class Robot {
   /// Returns the names that fault() accepts.
   std::vector<std::string> breakable() const;
 
-  // Check whether the calls above would be accepted. They throw the same InputError, and change nothing.
+  // The next functions check the arguments of the functions above. They throw the same InputError, and change
+  // nothing.
   void check_press(const std::string& part) const;
   void check_send(const std::string& part, const Message& message) const;
   /// Checks that a part of this name exists and may report text.
@@ -178,8 +180,8 @@ class Robot {
   bool take_commands(SimTime t);
 
   std::unique_ptr<Impl> impl_;
-  const world::WheelCommand* command_ = nullptr;  // of the last tick, by world::Side
-  double driven_from_[2] = {0.0, 0.0};            // set once, by world::Side
+  const world::WheelCommand* command_ = nullptr;  // commands of the last tick, by world::Side
+  double driven_from_[2] = {0.0, 0.0};            // limits of driven(), by world::Side
   bool has_battery_ = false, has_text_outputs_ = false;
 };
 

@@ -50,7 +50,7 @@ std::vector<ConfigValue>& parts_of(ConfigValue& tree) {
   return parts->items;
 }
 
-// Returns the part of that name, or end().
+// Returns the part named `name`, or end().
 std::vector<ConfigValue>::iterator find_part(std::vector<ConfigValue>& parts, const std::string& name) {
   return std::find_if(parts.begin(), parts.end(),
                       [&](const ConfigValue& p) { return text_of(p, "name") == name; });

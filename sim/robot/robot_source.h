@@ -1,5 +1,5 @@
-// A robot file merged with its bases, as one tree. The derived file overrides its base key by key in
-// [chassis], [motors], [driver], [budget] and [electronics]. It overrides parts by name.
+// Reads a robot file and merges it with its bases into one tree. The derived file overrides its base key by
+// key in [chassis], [motors], [driver], [budget] and [electronics]. It overrides parts by name.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace robosim::robot {
 struct RobotSource {
   ConfigValue tree;
   std::vector<SourceText> texts;  ///< texts of the file, then of its bases
-  /// The place that names each base: the key `base` of the derived file.
+  /// For each base file, the place of the key `base` that names it.
   std::map<std::string, Place> based_on;
 };
 
@@ -30,7 +30,7 @@ std::string place_text(const RobotSource& source, const Place& place);
 /// in `remove`, or more than 8 bases.
 RobotSource read_source(std::string_view text, const std::filesystem::path& file);
 
-/// Returns the text of a key in a table; empty if the table has no such text.
+/// Returns the string value of a key in a table; empty if the table has no string with this key.
 std::string text_of(const ConfigValue& table, const char* key);
 
 }  // namespace robosim::robot

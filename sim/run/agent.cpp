@@ -172,7 +172,8 @@ void Agent::tell_events(SimTime t, SimTime tick, int step) {
 }
 
 void Agent::look_to_the_side() {
-  constexpr double kAside = 0.002, kShare = 0.1;  // m; weight of each check in the mean
+  // kAside, in m: smaller lateral offsets of the line are ignored. kShare: weight of each check in the mean.
+  constexpr double kAside = 0.002, kShare = 0.1;
   const double side = robot_.line_side();
   if (std::abs(side) < kAside) return;
   state_.line_side = side;

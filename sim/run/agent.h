@@ -35,8 +35,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     PreparedMap& prepared_map;
   };
 
-  /// Throws InputError if the set-up is invalid. `number` counts from 0. It is the agent's place in the order
-  /// in which agents act, and selects its noise streams.
+  /// Throws InputError if the set-up is invalid. `number` counts from 0. Agents act in the order of their
+  /// numbers. The number also selects the agent's noise streams.
   Agent(const AgentSetup& own, const Stage& stage, int number);
   Agent(const Agent&) = delete;
   Agent& operator=(const Agent&) = delete;
@@ -46,7 +46,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // The steps of a tick, numbered as in simulation.h. All agents complete a step before any agent begins the
   // next one.
-  /// Step 1: runs the script at `t`; the parts schedule their edges.
+  /// Step 1: runs the script at `t`; the parts schedule their pin edges.
   void act(SimTime t) {
     if (robot_.has_battery() || detectors_ || player_.next_act(t) <= t || !state_.happened.empty())
         [[unlikely]]
@@ -57,18 +57,18 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// Steps 2 and 3: runs the firmware to `end`, and sets the motors' commands. Returns whether a pin or a
   /// motor's command has changed since the tick began.
   bool run_firmware(SimTime end);
-  /// Steps 1 to 3 for the tick at `t`. Returns the time until which these steps have no work. `wakes` is the
-  /// result of the previous call; 0 = unknown.
+  /// Runs steps 1 to 3 of the tick at `t`. Returns the time until which these steps have no work. `wakes` is
+  /// the result of the previous call; 0 = unknown.
   SimTime step_or_sleep(SimTime t, SimTime wakes);
-  /// Step 4: goal and judge examine the world at `end`. Returns whether there is a verdict: the agent is then
-  /// finished.
+  /// Step 4: goal and judge examine the world at `end`. Returns whether they reach a verdict, which finishes
+  /// the agent.
   bool evaluate(SimTime end);
 
   // --- turns of several ticks, for a robot far from all others ---
   /// A report, delayed until all agents have reached its time.
   struct Untold {
     SimTime tick;  ///< beginning of the report's tick
-    int step;      ///< step of the tick, as above
+    int step;      ///< number of the step within the tick
     int agent;
     Listener* listener;
     std::variant<result::RunEvent, Sample> what;
@@ -76,16 +76,17 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// Returns whether the agent may ever run several ticks in one turn.
   bool may_take_turns() const;
   double sight() const { return robot_.sight(); }
-  /// Returns when the agent's script acts next; kNever if the agent has its verdict.
+  /// Returns the time of the script's next action; kNever if the agent has its verdict.
   SimTime acts_at(SimTime t) const { return finished() ? kNever : player_.next_act(t); }
-  /// Collects events and samples in `untold` from now on, instead of reporting them. Null: reports them
-  /// immediately.
+  /// From now on, collects events and samples in `untold` instead of reporting them. If `untold` is null,
+  /// reports them immediately.
   void tell_later(std::vector<Untold>* untold) { untold_ = untold; }
 
   // --- ticks of a robot at rest (rest_optimization.cpp) ---
-  /// Returns the time until which the agent rests; `end` if it does not rest. In ticks that begin before that
-  /// time, act() (without the parts) and evaluate() would only repeat their results. This holds as long as
-  /// nothing in the world moves and no event occurs. Call it directly after evaluate() at `end`.
+  /// Returns the time until which the agent rests; `end` if the agent does not rest. In ticks that begin
+  /// before that time, act() (without the parts) and evaluate() would only repeat their results. This holds
+  /// as long as nothing in the world moves and no event occurs. Call this function directly after evaluate()
+  /// at `end`.
   SimTime rests_until(SimTime end) const;
   /// Performs step 1 in a tick of rest.
   void begin_rest(SimTime t) {
@@ -95,17 +96,17 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   bool has_crashed() const { return crash_.has_value(); }
   /// Performs step 4 at the end of a tick of rest.
   void rest(SimTime end);
-  /// Updates the state after ticks of rest, as if all of them had been evaluated. Call it before anything
-  /// else happens at `t`.
+  /// Updates the state after ticks of rest, as if all of them had been evaluated. Call this function before
+  /// anything else happens at `t`.
   void catch_up(SimTime t);
 
   /// Ends the agent's run with this verdict.
   void finish(judge::Verdict verdict, SimTime t);
-  /// Ends the agent's run because the time is up. The verdict is "reached" if there was no goal.
+  /// Ends the agent's run because the time is up. The verdict is "timeout"; without a goal, it is "reached".
   void time_out(SimTime limit);
   bool finished() const { return state_.outcome.has_value(); }
-  /// Leaves a finished agent on the floor while others continue. Its firmware is off, and it reports nothing
-  /// any more.
+  /// Switches off the firmware of a finished agent while others continue. The robot stays on the floor, and
+  /// its listener receives no more reports.
   void detach(SimTime t);
   const judge::Outcome* outcome() const { return finished() ? &*state_.outcome : nullptr; }
   judge::Outcome take_outcome() { return std::move(*state_.outcome); }
@@ -118,8 +119,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   int met() const { return stops_.met(); }
   void check(const Leg& leg) const { stops_.check(leg); }
   void add(std::vector<scenario::Step> steps) { player_.add(std::move(steps), progress_); }
-  /// Prepares state() and sample() for a pause at `t`. `stop_met`: number of the stop that ended the leg, of
-  /// any agent.
+  /// Prepares state() and sample() for a pause at `t`. `stop_met` is the number of the stop that ended the
+  /// leg, for any agent; -1 = none.
   void publish_pause_state(SimTime t, int stop_met);
   const run::State& state() const { return state_.shown; }
   const Sample& sample() const { return state_.sample; }
@@ -128,10 +129,10 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   // --- snapshots (simulation.h) ---
   struct State {
     Listener* listener;                                               ///< null once the agent has left
-    std::string exceeded;                                             ///< the exceeded budget, as a sentence
-    Vec2 midpoint = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< sensors' midpoint, last measured
-    double cross_track = 0.0;                                         ///< at the midpoint
-    world::NearStripe line;                                           ///< stripe near the midpoint
+    std::string exceeded;                                             ///< the exceeded budget; "" = none
+    Vec2 midpoint = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< m, midpoint of the line sensors
+    double cross_track = 0.0;                                         ///< m, at `midpoint`
+    world::NearStripe line;                                           ///< stripe near `midpoint`
     double cross_track_squares = 0.0;
     double cross_track_max = 0.0;
     std::int64_t cross_track_ticks = 0;
@@ -146,7 +147,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     judge::Events happened;  ///< events in this tick
     std::deque<result::RunEvent> events;
     SimTime sent_at = -1;  ///< time of the last byte sent
-    std::string told;      ///< reports of parts, one per line
+    std::string told;      ///< texts that parts have shown, one per line
     run::State shown;
     Sample sample;
     std::vector<bool> went_high, was_output, was_pulled_up;
@@ -219,7 +220,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   robot::Robot robot_;
   scenario::ScenarioPlayer player_;
   judge::Judge judge_;
-  std::optional<detect::Detectors> detectors_;  ///< unset unless detectors are on
+  std::optional<detect::Detectors> detectors_;  ///< empty if detectors are off
   trace::TraceHash hash_;
   const Vec2 sensor_midpoint_;
   State state_;
@@ -278,7 +279,7 @@ inline bool Agent::is_undisturbed(SimTime end) const {
          body_.collisions() == state_.collisions_told;
 }
 
-// Evaluates most ticks only in part. Evaluates silent firmware in full, so that a hang is detected.
+// Evaluates most ticks only in part. If the firmware is silent, evaluates in full, to detect a hang.
 [[gnu::always_inline]] inline bool Agent::evaluate(SimTime end) {
   if (!is_undisturbed(end)) return evaluate_in_full(end);
   const bool checks_progress = !progress_.passes_by(body_);

@@ -19,7 +19,7 @@ struct DueChecks {
   int next;  ///< number of ticks until the next check
 };
 
-/// The checks, by the tick's number in kRestSpan. Reading a table in every third tick is faster than
+/// The checks for each tick of a period of kRestSpan. Reading this table in every third tick is faster than
 /// computing several remainders.
 constexpr auto kCheckSchedule = [] {
   std::array<DueChecks, kRestSpan / kTick> looks{};

@@ -1,4 +1,4 @@
-// A regular expression that is matched in linear time.
+// Matches a regular expression in a time that is linear in the length of the text.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// The initial state of simulations on a map. It does not depend on their seeds. A process that forks for each
-// run builds this state first, so that all forks share it.
+// The initial state of simulations on a map, which does not depend on their seeds. A process that forks for
+// each run builds this state first, so that all forks share it.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace robosim::run {
 
-/// A robot's start and goal. If empty, those of the map are used.
+/// A robot's start and goal. An empty member selects the start or the goal of the map.
 struct Mission {
   std::optional<map::Start> start;
   std::optional<judge::Goal> goal;
@@ -33,8 +33,8 @@ struct ResolvedMission {
 
 class PreparedMap {
  public:
-  /// Prepares a map, which must outlive this object. Throws InputError if its lines are too long in total
-  /// (map::Stripes).
+  /// Prepares a map, which must outlive this object. Throws InputError if the total length of the map's lines
+  /// is too large (map::Stripes).
   explicit PreparedMap(const map::Map& map);
 
   /// Resolves an agent's mission in advance, for a later call of resolve().
@@ -43,7 +43,7 @@ class PreparedMap {
   ResolvedMission resolve(std::size_t number, const Mission& mission) const;
 
   const map::Stripes& stripes() const { return stripes_; }
-  /// Returns the world. It is in the map's initial state until a simulation uses it.
+  /// Returns the world. The world is in the map's initial state until a simulation uses it.
   world::World& world() { return world_; }
 
  private:

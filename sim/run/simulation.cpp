@@ -99,7 +99,7 @@ inline bool Simulation::Impl::tick(SimTime t) {
 }
 
 // Runs ticks of a single robot without a controller, from clock.t to the next check for rest, or fewer.
-// Afterwards clock.t is the last of these ticks.
+// Afterwards clock.t is the beginning of the last of these ticks.
 void Simulation::Impl::go_alone(SimTime end) {
   Agent& agent = *agents.front();
   SimTime until = std::min(end, clock.t - clock.t % kRestSpan + kRestSpan);

@@ -3,7 +3,7 @@
 //
 // A tick is [t, t+1 ms):
 //   1. The scenario acts at t, and parts schedule their pin edges from the state at t.
-//   2. Firmware runs to t+1 ms; its reads inside the tick are extrapolated from the state at t.
+//   2. Firmware runs to t+1 ms; the inputs that it reads in the tick are extrapolated from the state at t.
 //   3. Each motor's command becomes the time average of its pins over the tick.
 //   4. The world integrates to t+1 ms; then goal and judge examine it.
 // All agents perform a step, in the order of their numbers, before the next step begins. An agent's effect on
@@ -75,8 +75,8 @@ class Listener {
   virtual void byte_received(std::uint8_t, SimTime) {}
   virtual void happened(const result::RunEvent&) {}
   /// Returns whether the order of reports of independent robots matters. If not, up to 100 ms of one robot's
-  /// pins and bytes may be reported before another robot's. Samples and events are always sorted by time.
-  /// Called once.
+  /// pin changes and bytes may be reported before those of another robot. Samples and events are always
+  /// sorted by time. Called once.
   virtual bool minds_turns() const { return true; }
 };
 
@@ -84,8 +84,8 @@ class Listener {
 struct AgentSetup {
   const robot::Description* robot = nullptr;
   exec::Executor* executor = nullptr;  ///< not shared with any other run or agent
-  std::optional<map::Start> start;     ///< if empty, the map's
-  std::optional<judge::Goal> goal;     ///< if empty, the map's
+  std::optional<map::Start> start;     ///< if empty, the map's start is used
+  std::optional<judge::Goal> goal;     ///< if empty, the map's goal is used
   std::vector<scenario::Step> scenario;
   Listener* listener = nullptr;  ///< may be null
 };
@@ -97,7 +97,8 @@ constexpr SimTime kLoading = -1;
 
 struct Setup {
   const map::Map* map = nullptr;
-  /// The prepared map, or null. The first simulation takes it; later ones make their own.
+  /// The prepared map, or null. The first simulation takes ownership of the map; later simulations prepare
+  /// their own.
   std::unique_ptr<PreparedMap>* prepared_map = nullptr;
   std::vector<AgentSetup> agents;  ///< at least one
   SimTime limit = kDefaultLimit;   ///< simulated time
@@ -113,7 +114,7 @@ struct Setup {
   /// Receives the time that the run has reached, for watchdogs. Set to kLoading before any firmware is
   /// loaded. May be null.
   std::atomic<SimTime>* reached = nullptr;
-  std::atomic<int>* acting = nullptr;  ///< receives the number of the running firmware; may be null
+  std::atomic<int>* acting = nullptr;  ///< receives the number of the agent whose firmware runs; may be null
 };
 
 /// Reports an invalid set-up of one agent.
@@ -121,7 +122,7 @@ class BadAgent : public InputError {
  public:
   BadAgent(const InputError& error, int number) : InputError(error), agent(number) {}
   int agent;       ///< number of the agent
-  int other = -1;  ///< the agent it starts on top of; -1 = no other agent is involved
+  int other = -1;  ///< number of the agent on top of which it starts; -1 = no other agent is involved
 };
 
 /// A run that can pause between two ticks, be saved there, and continue from there any number of times.
@@ -148,8 +149,8 @@ class Simulation {
   /// Adds steps to the end of the first robot's script, between two ticks. Throws InputError for the same
   /// errors as a script.
   void add(std::vector<scenario::Step> steps);
-  /// Ends the run. Agents without a verdict have used up the time. Returns the outcomes of all agents, in the
-  /// order of their numbers.
+  /// Ends the run. Agents without a verdict get the verdict of a run whose time is up. Returns the outcomes
+  /// of all agents, in the order of their numbers.
   std::vector<judge::Outcome> end();
 
   /// Saves all changing state: chips with their boards, robots, world, scripts, goals, judges and trace

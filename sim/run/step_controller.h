@@ -66,8 +66,8 @@ class Standstill {
 class StepController {
  public:
   virtual ~StepController() = default;
-  /// Returns the next leg. Called at t = 0 and after each leg, also if a leg ends by the verdict of one robot
-  /// while others continue.
+  /// Returns the next leg. Called at t = 0 and after each leg. A leg also ends when one robot gets its
+  /// verdict while others continue.
   virtual Leg next(Standstill& standstill) = 0;
 };
 

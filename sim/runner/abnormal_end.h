@@ -1,4 +1,4 @@
-// Reports results of runs whose process was killed or ended without a result.
+// Makes results for runs whose process was killed, or ended without sending a result.
 #pragma once
 
 #include <cstddef>
@@ -19,18 +19,19 @@ constexpr int kWatchdogStatus = 99;
 constexpr const char* kLoops = "it loops without end inside a library function";
 constexpr const char* kNeverLoads = "it loops without end while it is loaded";
 
-/// Returns the number of the robot whose sketch ended the process. `suspects`: the robots whose sketches are
-/// native code; `acting`: the last number that the process recorded. Throws InputError if a sketch has
-/// overwritten `acting`. Throws std::runtime_error if a chip was being emulated: the emulator has a fault, or
-/// a sketch wrote to invalid memory.
+/// Returns the number of the robot whose sketch ended the process. `suspects` are the robots whose sketches
+/// run as native code. `acting` is the last robot number that the process recorded. Throws InputError if a
+/// sketch has overwritten `acting` and there are several suspects. Throws std::runtime_error if a chip was
+/// being emulated: the emulator has a fault, or a sketch wrote to invalid memory.
 std::size_t guilty_robot(const wire::RunRequest& request, const std::vector<std::size_t>& suspects,
                          int acting);
 
-/// Returns the result for a crash of robot `guilty` at `time`. `cause` is a clause; `check` as in Crash.
+/// Returns the result for a crash of robot `guilty` at `time`. `cause` is a clause, such as kLoops. `check`
+/// is the value of result::Crash::check.
 result::RunResult result_of_crash(const wire::RunRequest& request, const std::string& cause,
                                   const std::string& check, std::size_t guilty, SimTime time);
-/// Returns the answer for a process that ran out of memory. If the machine limits the runner's memory, this
-/// is an error, not a crash.
+/// Returns the answer for a process that ran out of memory. If the machine limits the runner's memory, the
+/// answer is an error, not a crash.
 wire::Answer answer_without_memory(const wire::RunRequest& request, std::size_t guilty, SimTime time);
 
 /// Returns a clause that describes how a process ended.

@@ -1,4 +1,4 @@
-// Makes the target avr of runner programs, with its detectors.
+// Provides the target avr for runner programs: executors for emulated AVR chips, with the detectors for them.
 #pragma once
 
 #include "sim/detect/avr/chip_detectors.h"

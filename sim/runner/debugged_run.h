@@ -1,5 +1,5 @@
-// A run that a debugger can halt and run in reverse. The run is saved at intervals, and parts of it are
-// repeated from these snapshots (sim/exec/gdb/history.h). Its results and reports are the same as without a
+// A run that a debugger can halt and run in reverse. The run is saved at intervals, and parts of the run are
+// repeated from these snapshots (sim/exec/gdb/history.h). The results and reports are the same as without a
 // debugger.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Collects frequent events between a run and its listener. Passes them on in batches (wire/batch.h), without
-// changing their order among all events.
+// Collects the frequent events of a run, and passes them to a listener in batches (wire/batch.h). The order
+// of all events stays the same.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@ namespace robosim::runner {
 /// Receives events.
 using Tell = std::function<void(wire::Event)>;
 
-/// Batches that another process reads from shared memory. Empty = there is no such memory, and batches are
-/// passed to Tell.
+/// Batches that another process reads from shared memory. If `first` is null, there is no shared memory, and
+/// Tell receives the batches.
 struct SharedBatches {
   wire::BatchMemory* first = nullptr;
-  /// Passes on the present batch. Returns the next one, which is empty.
+  /// Hands the present batch to the other process. Returns the next batch, which is empty.
   std::function<wire::BatchMemory*()> hand_on = {};
 };
 
@@ -53,8 +53,8 @@ class EventBatcher {
   void flush();
 
  private:
-  /// The longest delay of an event, for observers of a slow run. Each flush costs as much as a few hundred
-  /// events.
+  /// The longest delay of an event, in simulated time, so that the observer of a slow run sees progress. Each
+  /// flush costs as much as a few hundred events.
   static constexpr SimTime kLongest = 1 * kSecond;
 
   [[gnu::always_inline]] void look() {

@@ -17,8 +17,8 @@ namespace robosim::runner {
 
 class EventEncoder final : public run::Listener {
  public:
-  /// Reports the events to which `request` subscribes, for robot number `agent`. Frequent events go through
-  /// `batcher`, unless it is null. All arguments except `tell` must outlive this object.
+  /// Reports the events to which `request` subscribes, for robot number `agent`. If `batcher` is not null,
+  /// frequent events go through it. All arguments except `tell` must outlive this object.
   EventEncoder(const wire::RunRequest& request, int agent, const BoardSpec& board, exec::Executor& executor,
                Tell tell, EventBatcher* batcher);
 
@@ -33,8 +33,9 @@ class EventEncoder final : public run::Listener {
   void byte_received(std::uint8_t byte, SimTime t) override;
   void byte_sent(std::uint8_t byte, SimTime t) override;
 
-  /// Send buffered output: the sketch's incomplete line, and the columns.
+  /// Sends the sketch's serial output that is not a complete line yet.
   void flush_serial(SimTime t);
+  /// Sends the buffered columns.
   void flush_columns();
 
  private:
@@ -47,10 +48,10 @@ class EventEncoder final : public run::Listener {
   static bool goes_on(const EventBatcher* batcher, int agent, SimTime t, Pin pin) {
     return batcher && batcher->follows(agent, t, pin);
   }
-  // Handle the other events.
+  // Handle the events that the batcher does not accept unchanged.
   [[gnu::noinline]] void change_pin(Pin pin, const PinDrive& drive, SimTime t);
   [[gnu::noinline]] void see_volts(Pin pin, double volts, SimTime t);
-  // Report an event of a pin without a batcher.
+  // Report an event of a pin if there is no batcher.
   [[gnu::noinline]] void tell_pin(Pin pin, const PinDrive& drive, SimTime t);
   [[gnu::noinline]] void tell_level(Pin pin, bool level, SimTime t);
   [[gnu::noinline]] void tell_volts(Pin pin, double volts, SimTime t);
@@ -68,12 +69,12 @@ class EventEncoder final : public run::Listener {
   Tell tell_;
   EventBatcher* const batcher_;  ///< null = events and columns are passed on directly
   const bool wants_columns_, wants_pins_, wants_inputs_;
-  const bool hears_pins_;               ///< if false, pins need no work
-  EventBatcher* quick_pins_ = nullptr;  ///< the batcher, if it gets all pin events, without sources
-  EventBatcher* const quick_inputs_;    ///< the batcher, if it gets all input events
+  const bool hears_pins_;               ///< if false, changes of pins are ignored
+  EventBatcher* quick_pins_ = nullptr;  ///< the batcher if it gets all pin events, without sources; or null
+  EventBatcher* const quick_inputs_;    ///< the batcher if it gets all input events; or null
   std::string line_;
   std::optional<wire::RunColumns> columns_;
-  std::optional<wire::SourceNumbers> sources_;  ///< for columns made by the client
+  std::optional<wire::SourceNumbers> sources_;  ///< set if the client makes columns with sources
   wire::Sample sample_;                         ///< last sample
 };
 

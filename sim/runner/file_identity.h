@@ -6,8 +6,9 @@
 
 namespace robosim::runner {
 
-/// Identity, size and times of a file. Identities differ if the content differs, unless the file was written
-/// twice within the resolution of the file system's times. All zero if there is no such file.
+/// Device, inode, size and times of a file; all zero if the file does not exist. If the content of a file has
+/// changed, its identity has changed. The exception is a file that was written twice within the resolution of
+/// the file system's times.
 using FileIdentity = std::array<long long, 7>;
 
 /// Returns the size of the file in bytes.
@@ -15,7 +16,8 @@ constexpr long long size_in(const FileIdentity& identity) { return identity[2]; 
 
 FileIdentity identity_of(const std::filesystem::path& file);
 
-/// Returns whether an identity read at `now` (ns since 1970) is so old that any later write changes it.
+/// Returns whether any later write will change this identity: the file's times are older than `now` by more
+/// than the resolution of these times. `now` is the time at which the identity was read, in ns since 1970.
 bool is_settled(const FileIdentity& identity, long long now);
 
 }  // namespace robosim::runner

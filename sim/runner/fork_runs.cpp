@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t kMostWays = 64;
 
-/// Detects whether the sketch has sent a text. Of all other reports, only the beginning of the run is passed
-/// on.
+/// Detects whether the sketch has sent a text. Passes the beginning of the run to the next listener, and
+/// drops all other reports.
 class Ear final : public run::Listener {
  public:
   Ear(std::string text, run::Listener* next) : text_(std::move(text)), next_(next) {}
@@ -56,7 +56,8 @@ void check(const wire::RunRequest& request, bool may_copy) {
     throw InputError("a run that is split cannot stream events");
 }
 
-/// Returns the steps of a way's script. The run splits at `parted`, and no step is due earlier.
+/// Returns the steps of a way's script. The run splits at `parted`. Throws InputError if a step is due
+/// earlier.
 std::vector<scenario::Step> steps_of(const std::string& script, const wire::Ways& ways,
                                      const std::string& file, SimTime parted) {
   std::vector<scenario::Step> steps = scenario::parse_scenario(script, file);

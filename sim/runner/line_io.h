@@ -9,7 +9,7 @@
 namespace robosim::runner {
 
 class SandboxProxy;
-/// Passes all lines in both directions through `proxy` from now on. `proxy` must outlive all use of the
+/// From now on, passes all lines in both directions through `proxy`, which must outlive all calls of the
 /// functions below.
 void route_through(const SandboxProxy& proxy);
 

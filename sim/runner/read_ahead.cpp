@@ -74,7 +74,8 @@ void prepare_errands(ReadMap& read, const wire::RunRequest& request) {
   for (std::size_t i = 0; i < missions.size(); ++i) read.prepared_map->prepare(i, missions[i]);
 }
 
-/// Moves or adds the request's map to the front of `maps`, and returns it. Returns null if it cannot be read.
+/// Moves or adds the request's map to the front of `maps`, and returns it. Returns null if the map is too
+/// large or cannot be read.
 std::shared_ptr<ReadMap> add_map(const wire::RunRequest& request, std::vector<MapAhead>& maps,
                                  long long now) {
   try {

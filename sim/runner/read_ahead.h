@@ -1,5 +1,5 @@
-// Reads the files for a requested run before its process begins, so that the process finds them in the
-// runner's memory. Later requests use the same memory as long as the files are unchanged.
+// Reads the files for a requested run before the runner forks the run's process, which inherits them in
+// memory. Later requests use the same memory as long as the files are unchanged.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +16,14 @@ namespace robosim::runner {
 
 struct ImageAhead {
   std::shared_ptr<const exec::ImageContent> content;
-  FileIdentity identity{};  ///< identity of the file, if it alone proves that the file is unchanged
+  FileIdentity identity{};  ///< identity of the file; all zero if it was not settled (is_settled())
 };
 
 struct MapAhead {
   std::string name;         ///< name in the request
   map::Draw draw;           ///< seed and profile for which the map was read
-  FileIdentity identity{};  ///< identity of the file, if it alone proves that the file is unchanged
-  FileIdentity picture{};   ///< identity of the floor's picture, if it alone proves that it is unchanged
+  FileIdentity identity{};  ///< identity of the file; all zero if it was not settled (is_settled())
+  FileIdentity picture{};   ///< identity of the floor's picture; all zero if missing or not settled
   std::shared_ptr<ReadMap> read;
 };
 
@@ -41,10 +41,10 @@ long long wall_ns();
 /// Throws InputError.
 std::shared_ptr<const robot::Description> known_robot(const std::string& name, const Robots& last);
 
-/// Reads all robots, the map with the simulation's initial state, and the images of the robots whose numbers
-/// are in `confined`. Reuses everything in `last` whose files are unchanged. Skips a robot or map that cannot
-/// be read, since the run reports it. Skips a map whose file exceeds 1 MiB. Throws InputError if an image
-/// cannot be read. `now` is in ns since 1970.
+/// Reads all robots, and the map with the simulation's initial state. Reads the images of the robots whose
+/// numbers are in `confined`. Reuses everything in `last` whose files are unchanged. Skips a robot or map
+/// that cannot be read, because the run reports that error. Skips a map whose file exceeds 1 MiB. Throws
+/// InputError if an image cannot be read. `now` is in ns since 1970.
 ReadAhead read_ahead(const wire::RunRequest& request, const std::vector<std::size_t>& confined,
                      ReadAhead last, long long now = wall_ns());
 

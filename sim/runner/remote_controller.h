@@ -1,5 +1,5 @@
-// A run's controller for a client at the other end of the pipe: see docs/reference/runner-protocol.md,
-// "Driving a run step by step".
+// Lets the runner's client control a run step by step (docs/reference/runner-protocol.md, "Driving a run step
+// by step").
 #pragma once
 
 #include <atomic>

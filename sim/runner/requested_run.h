@@ -1,5 +1,5 @@
-// A run, from a client's request to its result. The caller decides where it runs (fork, confined process,
-// browser tab), what drives it, and where its events go.
+// A run, from a client's request to its result. The caller decides where the run executes (fork, confined
+// process, browser tab), what controls it, and who receives its events.
 #pragma once
 
 #include <deque>
@@ -22,7 +22,7 @@
 
 namespace robosim::runner {
 
-/// Makes an executor. `target` is the request's; empty = the runner's own target.
+/// Makes an executor for the target in the request; an empty `target` means the target of the runner program.
 using MakeExecutor = std::function<std::unique_ptr<exec::Executor>(
     const std::string& target, const BoardSpec& board, const std::filesystem::path& image)>;
 
@@ -47,7 +47,7 @@ struct ReadMap {
   ReadMap(const std::filesystem::path& file, map::Draw draw);
   const map::Map map;
   const std::string sha256;
-  std::unique_ptr<run::PreparedMap> prepared_map;  ///< for one simulation; null = it makes its own
+  std::unique_ptr<run::PreparedMap> prepared_map;  ///< for the first simulation, which sets it to null
 };
 
 /// Returns the missions of a request's robots on a map. Throws InputError if a mission is invalid.
@@ -73,9 +73,10 @@ class RequestedRun {
   /// Sends buffered output: incomplete lines of sketches, and columns.
   void flush(SimTime t);
 
-  /// Runs to the end. Call it only once. Reads no more files.
+  /// Runs to the end, without reading any more files. Call this function only once.
   result::RunResult go();
-  /// Returns the result for its robots' outcomes. Use it if another driver has completed the run.
+  /// Returns the result for the outcomes of the run's robots. Used by callers that run the simulation
+  /// themselves, instead of calling go().
   result::RunResult result_of(const std::vector<judge::Outcome>& outcomes);
 
  private:
@@ -96,7 +97,7 @@ class RequestedRun {
   const wire::RunRequest& request_;
   const std::shared_ptr<ReadMap> map_;
   Robots robots_;
-  std::unique_ptr<EventBatcher> batcher_;  ///< null = each event is passed on alone
+  std::unique_ptr<EventBatcher> batcher_;  ///< null = events are passed on one by one
   std::deque<Member> members_;
   run::Setup setup_;
   exec::gdb::Server* debugger_ = nullptr;

@@ -24,9 +24,10 @@ bool is_excused(pid_t process) {
 }
 
 constexpr std::int64_t kLongest_us = std::int64_t{kLongestSleep_s} * 1'000'000;
-/// A working run gets at least this fraction of a processor on a busy machine (1 / kBusyMachine).
+/// A working run gets at least 1 / kBusyMachine of the time of a processor, even on a busy machine.
 constexpr std::int64_t kBusyMachine = 20;
-/// If more time passes between two checks, the runner itself was stopped, and the excess does not count.
+/// If more time passes between two checks, the runner itself was stopped. The time above this limit does not
+/// count.
 constexpr std::int64_t kLongestLook_us = 1'000'000;
 
 }  // namespace

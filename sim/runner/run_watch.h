@@ -1,5 +1,5 @@
-// Ends a run that would never end. Watches it from outside, since native firmware may turn off anything in
-// its own process, intentionally or not.
+// Detects a run that would never end. Watches the run from another process, because native firmware may turn
+// off anything in its own process, intentionally or not.
 #pragma once
 
 #include <sys/types.h>
@@ -12,16 +12,16 @@
 
 namespace robosim::runner {
 
-/// Firmware that exceeds one of these limits in a tick (usually a microsecond for each robot), or in loading,
-/// never finishes. Either it loops in code that is not instrumented, such as a library function with an
-/// unterminated string, or it sleeps.
+/// Limits for one tick, and for loading the firmware. A tick usually takes a microsecond for each robot. If
+/// firmware exceeds a limit, it will never finish. It either sleeps, or loops in code that is not
+/// instrumented, such as a library function with an unterminated string.
 constexpr int kLongestTick_s = 5;    ///< processor time
 constexpr int kLongestSleep_s = 30;  ///< wall time with almost no processor time
 /// A whole run may take this processor time after loading its firmware, in addition to the simulated time.
 constexpr int kLongestRun_s = 60;
 
-/// Watches one run at a time: the shared memory is reused from earlier runs, which have ended. Native
-/// firmware may have written anything there.
+/// Watches one run at a time. Reuses the shared memory of earlier runs, which have ended; their native
+/// firmware may have written anything to it.
 class RunWatch {
  public:
   /// Prepares the shared memory for a new run. Throws std::system_error.
@@ -29,9 +29,9 @@ class RunWatch {
 
   // Functions for the run's process.
 
-  /// Receives the time that the run has reached.
+  /// Returns the variable to which the run writes the time that it has reached.
   std::atomic<SimTime>& reached() { return state_.reached; }
-  /// Receives the number of the robot whose firmware runs.
+  /// Returns the variable to which the run writes the number of the robot whose firmware runs.
   std::atomic<int>& acting() { return state_.acting; }
   void wait_for_client(bool waits) { state_.waits = waits; }
   /// Records that firmware runs next. Firmware cannot undo this, since the record leaves the process's
@@ -42,14 +42,14 @@ class RunWatch {
 
   struct Limits {
     SimTime until = 0;      ///< upper limit of the simulated time
-    double share = 1.0;     ///< allowed processor time per simulated time
+    double share = 1.0;     ///< allowed processor time, as a multiple of the simulated time
     bool may_wait = false;  ///< the run may wait for its client
   };
   void follow(pid_t run, const Limits& limits);
   /// Records that the run has sent a message.
   void heard() { silent_us_ = 0; }
   enum class Found { nothing, loops, sleeps, exhausts };
-  /// Checks the run. Call it repeatedly.
+  /// Checks the run. Must be called repeatedly.
   Found look() { return look(read()); }
   /// Returns the time that the run has reached, clamped to its limits.
   SimTime time() const;
@@ -58,7 +58,7 @@ class RunWatch {
   struct Reading {
     std::int64_t processor_ns = 0;
     std::int64_t wall_us = 0;
-    bool is_excused = false;  ///< halted by a debugger, or without a processor; only read in a long silence
+    bool is_excused = false;  ///< is halted by a debugger or waits for a processor; read in a long silence
   };
   Found look(const Reading& now);
 

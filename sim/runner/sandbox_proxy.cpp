@@ -84,7 +84,7 @@ SandboxProxy::SandboxProxy(bool batches, bool lines) {
     if (end) *end = at_least(kAside, std::move(*end));
   fill_random(&token_, sizeof token_);
   fill_random(key_, sizeof key_);
-  for (std::uint32_t& half : key_) half &= 0x7FFFFFFF;  // independent of sign extension in registers
+  for (std::uint32_t& half : key_) half &= 0x7FFFFFFF;  // sign extension in registers then has no effect
   make_as_short(told_.write.get(), STDOUT_FILENO);
   exec::prepare_to_confine();
 }
@@ -149,7 +149,7 @@ bool SandboxProxy::take_batches(std::size_t end, const wire::Id& id) {
   if (end - batch_ > (batches_ ? kBatches : 0)) return false;
   while (batch_ != end) {
     wire::BatchMemory& memory = *waiting();
-    // Limits the size, since firmware may have overwritten it.
+    // Limits the size, because firmware may have overwritten it.
     const std::size_t bytes =
         std::min<std::size_t>(memory.used.load(std::memory_order_relaxed), wire::BatchMemory::kRoom_bytes);
     if (bytes > 0) write_batch(wire::batch_line(id, bytes), {memory.bytes, bytes});

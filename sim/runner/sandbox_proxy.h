@@ -1,7 +1,7 @@
 // Connects a confined run to its runner. The run's process executes native firmware, which may write anything
-// to any descriptor. Therefore the process has no descriptor of the client. It reports to its runner, which
-// has never run firmware, and the runner reports to the client. Each message contains a token. The last
-// message counts only if the process then ends by itself.
+// to any descriptor. Therefore the process has no descriptor of the client. The process reports to its
+// runner, which has never run firmware, and the runner reports to the client. A random token in each message
+// reveals messages that firmware has forged. The last message counts only if the process then ends by itself.
 #pragma once
 
 #include <atomic>
@@ -28,14 +28,14 @@ using Ask = std::function<std::string(char what, const std::string& question)>;
 
 class SandboxProxy {
  public:
-  /// Prepares a connection. `batches`: there will be batches of events; `lines`: there will be lines from the
-  /// client. Throws std::system_error.
+  /// Prepares a connection. `batches` states whether the run will send batches of events. `lines` states
+  /// whether the client will send lines to the run. Throws std::system_error.
   SandboxProxy(bool batches, bool lines);
 
   /// In the run's process: closes all descriptors except those of exec::ConfinedDescriptor and those in
   /// `kept`. `kept` has the images' sealed descriptors (ImageContent::sealed()), in ascending order.
   void enter(const std::vector<int>& kept);
-  /// Confines this process permanently, if that is possible (sim/exec/host/confinement.h).
+  /// Confines this process permanently by calling exec::confine(), to which it passes `has_grown`.
   void confine(bool has_grown) const;
   /// Sends a line to the client immediately.
   void tell(const std::string& line) const;
@@ -45,10 +45,10 @@ class SandboxProxy {
   std::string ask(char what, const std::string& question) const;
   /// Reads input from the client.
   long read_some(char* to, std::size_t bytes) const;
-  /// Receives the time that the run has reached.
+  /// Returns the variable to which the run writes the time that it has reached.
   std::atomic<SimTime>& reached() const { return watch_->reached(); }
-  /// Returns the batch that collects events; null without batches. In the runner: the batch of events that
-  /// have not been handed on.
+  /// Returns the batch that collects events; null without batches. In the runner: returns the batch with the
+  /// events that have not been handed on.
   wire::BatchMemory* waiting() const {
     if (!batches_) return nullptr;
     return std::launder(reinterpret_cast<wire::BatchMemory*>((*batches_)->memories[batch_ % kBatches]));
@@ -56,7 +56,7 @@ class SandboxProxy {
   /// Passes the waiting events to the client, before any later report. Returns an empty batch for further
   /// events.
   wire::BatchMemory& hand_on();
-  /// Receives the number of the robot whose firmware runs.
+  /// Returns the variable to which the run writes the number of the robot whose firmware runs.
   std::atomic<int>& acting() const { return watch_->acting(); }
 
   struct Told {
@@ -65,7 +65,7 @@ class SandboxProxy {
     RunWatch::Found found = RunWatch::Found::nothing;
   };
   /// In the runner: serves `run` until its last message, a forged message, or a finding of the watch. `id` is
-  /// the request's. If there are lines, passes the client's input to the run.
+  /// the id of the request. If there are lines, passes the client's input to the run.
   Told serve(const Child& run, const Ask& ask, const wire::Id& id, RunWatch::Limits limits);
   /// In the runner: returns the time that the run has reached.
   SimTime time() const { return watch_->time(); }
@@ -92,23 +92,22 @@ class SandboxProxy {
   Pipe told_, answers_;
   std::optional<Pipe> lines_;
   std::unique_ptr<RunWatch> watch_ = std::make_unique<RunWatch>();
-  /// The number of batches by which the run may be ahead of its runner before it waits. For some
-  /// milliseconds, a reader may be busy compressing, or without a processor. A run fills three batches per
-  /// millisecond.
+  /// The number of batches by which the run may be ahead of its runner. At this limit, the run waits. A
+  /// reader may be busy compressing, or have no processor, for some milliseconds. A run fills three batches
+  /// per millisecond.
   static constexpr std::size_t kBatches = 32;
   /// The number of batches after which the run wakes the runner. Waking costs as much as a few hundred
   /// events.
   static constexpr std::size_t kWaking = 4;
   struct Batches {
-    /// The memory of the batches, which are used in turn. Zeroed memory is an empty batch. A run touches only
-    /// the pages that it needs, as each
-    /// costs a page fault.
+    /// The memory of the batches, a ring buffer. Zeroed memory is an empty batch. A run touches only the
+    /// pages that it needs, because each page costs a page fault.
     alignas(wire::BatchMemory) std::byte memories[kBatches][sizeof(wire::BatchMemory)];
     std::atomic<std::size_t> handed_on{0};  ///< number handed on by the run
     std::atomic<std::size_t> taken{0};      ///< number emptied by the runner
   };
   std::optional<Shared<Batches>> batches_;
-  std::size_t batch_ = 0;  ///< number handed on; in the runner: number taken
+  std::size_t batch_ = 0;  ///< number of batches handed on; in the runner: number of batches emptied
   std::uint64_t token_ = 0;
   std::uint32_t key_[2] = {};
 };

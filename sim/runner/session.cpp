@@ -42,8 +42,8 @@ constexpr int kLongestEnd_us = 2'000'000;
 std::atomic<bool> interrupted{false};
 std::atomic<SimTime> reached{-1};
 std::atomic<int> acting_robot{0};
-SimTime reached_at_last_look = -2;  // for the watchdog
-int acting_at_last_look = 0;        // for the watchdog
+SimTime reached_at_last_look = -2;  // at the watchdog's last check
+int acting_at_last_look = 0;        // at the watchdog's last check
 
 void on_interrupt(int) { interrupted.store(true, std::memory_order_relaxed); }
 
@@ -193,7 +193,7 @@ std::optional<wire::Answer> answer_of(Serve serve) {
   } catch (const std::exception& error) {
     const std::string fault = system_error_of(error);
     if (!fault.empty() && exec::is_confined())
-      exec::keyed_exit(exec::kNoMemoryStatus);  // once confined, a run can only run out of memory
+      exec::keyed_exit(exec::kNoMemoryStatus);  // in a confined run, only missing memory causes these errors
     if (!fault.empty()) return wire::ErrorAnswer{"tool", fault};
     return wire::ErrorAnswer{"internal", error.what()};
   }
@@ -226,7 +226,7 @@ bool was_refused(const Ending& ending) {
 }
 
 // Waits for the end of a process that has closed its pipes. Returns nothing if the process does not end soon:
-// firmware has then closed them.
+// its firmware has then closed the pipes.
 std::optional<Ending> end_of(Child& run) {
   for (int wait_us = 50, waited_us = 0; !run.has_ended();
        waited_us += wait_us, wait_us = std::min(2 * wait_us, 10'000)) {
@@ -236,7 +236,7 @@ std::optional<Ending> end_of(Child& run) {
   return run.wait();
 }
 
-// Sends the batch that a run's process left behind, if it is valid: firmware may have overwritten it.
+// Sends the batch that a run's process left behind. Skips an invalid batch, which firmware has overwritten.
 void tell_rest(const wire::RunRequest& request, const wire::Id& id, wire::BatchMemory* waiting) {
   const wire::Batch rest = wire::BatchWriter(waiting).take();
   try {
@@ -247,8 +247,8 @@ void tell_rest(const wire::RunRequest& request, const wire::Id& id, wire::BatchM
   if (!rest.bytes.empty()) write_line(wire::to_line(id, wire::Event(rest)));
 }
 
-/// Returns the processor time that a run may take per simulated time. Emulators may be slower than their
-/// chips.
+/// Returns the processor time that a run may take, as a multiple of the simulated time. In a fleet, emulators
+/// may be slower than the chips that they emulate.
 double share_of(const wire::RunRequest& request) {
   constexpr double kOfEachInFleet = 10.0;
   return request.agents.empty() ? 1.0 : kOfEachInFleet * static_cast<double>(request.agents.size() + 1);
@@ -259,7 +259,7 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                pid_t self, const ReadAhead& ahead) {
   SandboxProxy proxy(request.batches, request.interactive);
   Child child([&] { return run_in_child(factory, request, id, self, &proxy, ahead); });
-  bool finds_lines = true;  // false after a search for lines took too long: it is not repeated
+  bool finds_lines = true;  // false after a search for lines took too long: further searches are refused
   const SandboxProxy::Told told = proxy.serve(child,
                                               [&](char what, const std::string& question) {
                                                 if (what == kAskLines && !finds_lines) return std::string();

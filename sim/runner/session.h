@@ -16,12 +16,12 @@ struct BoardSpec;
 
 namespace robosim::runner {
 
-/// The parts that differ between runner programs.
+/// Makes the executors of a target. Runner programs differ only in their factories.
 struct ExecutorFactory {
-  std::string target;  ///< "host"
+  std::string target;  ///< name of the target, such as "host"
   std::function<std::unique_ptr<exec::Executor>(const BoardSpec&, const std::filesystem::path& image)> make;
-  /// Prepares the executor from make() for confinement (HostExecutor::prepare_for_confinement). Empty unless
-  /// the firmware is native code, whose process is confined.
+  /// Prepares the executor from make() for confinement (HostExecutor::prepare_for_confinement). Empty for
+  /// emulated chips: only a process that runs native code is confined.
   std::function<void(exec::Executor&, exec::AddressLines, std::shared_ptr<const exec::ImageContent> image)>
       prepare_for_confinement = nullptr;
   /// The other targets that this runner supports in runs of several robots.

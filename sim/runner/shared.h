@@ -9,8 +9,8 @@
 
 namespace robosim::runner {
 
-/// An object in shared memory, made by its default constructor and never destroyed. Untouched pages cost
-/// nothing.
+/// An object in shared memory. Its default constructor creates it; its destructor is never called. Untouched
+/// pages use no memory.
 template <class T>
 class Shared {
  public:

@@ -1,4 +1,4 @@
-// Stores snapshots of a run at intervals, so that there is one shortly before each time of the run.
+// Stores snapshots of a run at intervals, so that a snapshot exists shortly before each time of the run.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ class SnapshotIndex {
  public:
   static constexpr SimTime kEvery = 100 * kMillisecond;
 
-  /// Returns when the next snapshot is due.
+  /// Returns the time at which the next snapshot is due.
   SimTime next() const { return all_.empty() ? 0 : all_.back().t + every_; }
   /// Adds a snapshot after all others. If there are too many, drops every other one.
   void add(IndexedSnapshot moment) {
@@ -40,7 +40,7 @@ class SnapshotIndex {
   bool empty() const { return all_.empty(); }
   std::size_t size() const { return all_.size(); }
   const IndexedSnapshot& operator[](std::size_t i) const { return all_[i]; }
-  /// Returns the number of the last snapshot at or before `t`, or of the first one.
+  /// Returns the number of the last snapshot at or before `t`. If all snapshots are later, returns 0.
   std::size_t before(SimTime t) const {
     const auto behind = std::upper_bound(
         all_.begin(), all_.end(), t, [](SimTime at, const IndexedSnapshot& moment) { return at < moment.t; });

@@ -1,4 +1,4 @@
-// The targets that runner programs support.
+// Provides the target host for runner programs, and combines several targets in one program.
 #pragma once
 
 #include "sim/exec/host/host_executor.h"

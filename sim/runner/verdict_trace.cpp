@@ -33,7 +33,8 @@ SimTime whole_ticks(SimTime t) { return (t + kTick - 1) / kTick * kTick; }
 
 bool is_line_sensor(const robot::WiredPin& wired) { return wired.type.starts_with("reflectance"); }
 
-/// Returns the pins that turn wheels; if these are driven indirectly, the pins that lead to them.
+/// Returns the pins that drive wheels. If there are none, returns the pins of shift registers, whose outputs
+/// drive the wheels.
 std::vector<Pin> motor_pins(const std::vector<robot::WiredPin>& wiring) {
   std::vector<Pin> direct, between;
   for (const robot::WiredPin& wired : wiring) {
@@ -147,8 +148,8 @@ std::vector<std::uint8_t> Inquiry::bytes_at(std::size_t moment, const std::vecto
   return values;
 }
 
-/// Stops following values that have changed in the last 1 s before snapshot number `from`. A value that is
-/// written repeatedly, such as a sum, would be followed step by step.
+/// Stops following bytes that have changed within 1 s before snapshot number `from`. Following a value that
+/// is written repeatedly, such as a sum, would repeat the run for each of its steps.
 void Inquiry::give_up_what_changes(std::size_t from) {
   const std::vector<std::uint16_t> open = causes_.open_bytes();
   const std::vector<std::uint8_t> now = bytes_at(from, open);
@@ -241,7 +242,8 @@ std::vector<result::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
            fmt::format("for {:.0f} ms it read no line sensor, and was here", 1e3 * seconds(next - last)),
            {pause}});
     const bool stops_later = decisive.off_since != kNever && decisive.off_since != t;
-    // If nothing drives the motors, many lines contribute: uses fewer lines of each file, and more files.
+    // If nothing drives the motors, many lines contribute. The chain then has fewer lines of each file, and
+    // more files.
     if (decisive.off_since == t)
       add_links(steps, t, kMostLinks + kMostOfStopping, kFewLines, chain);
     else
@@ -280,7 +282,7 @@ void Inquiry::add_links(const Steps& steps, SimTime t, std::size_t most, std::si
     chain.push_back(std::move(link));
 }
 
-/// Adds the line that disabled interrupts, if they have been off for long.
+/// Adds the line that disabled interrupts, if interrupts have been off for kOffForLong or longer.
 void Inquiry::tell_of_interrupts(SimTime t, std::vector<result::Cause>& chain) {
   const auto on_at = [&](std::size_t moment) {
     simulation_.restore(moments_[moment].snapshot);

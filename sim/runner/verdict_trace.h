@@ -1,11 +1,12 @@
 // Runs a simulation, then traces the causes of its verdict.
 //
 //   - The run is saved at intervals.
-//   - The decisive moment of the verdict is repeated, and each instruction recorded (exec::CauseFinder).
-//   - If the causes include bytes that were written long before, the run is repeated in the same way between
-//     two snapshots: the last two between which any of these bytes changed.
-//   - The lines found become links of a chain: one for each file, one for everything that was read, and one
-//     for everything that was set long before.
+//   - The run is repeated around the decisive moment of the verdict, and each instruction is recorded
+//     (exec::CauseFinder).
+//   - The causes may include bytes that were written long before. The run is then also repeated between the
+//     last two snapshots between which any of these bytes changed.
+//   - The sketch's lines that were found become links of a chain: one link for each file, one for everything
+//     that was read, and one for everything that was set long before.
 #pragma once
 
 #include <map>
@@ -52,8 +53,8 @@ class Inquiry final : run::Listener {
 
   std::vector<result::Cause> chain_of(const judge::Decisive& decisive);
   void tell_of_stopping(SimTime t, SimTime end, std::vector<result::Cause>& chain);
-  /// Adds steps that are not in the chain yet, until it has `most` links. `lines`: limit for the lines of a
-  /// link.
+  /// Adds steps that are not in the chain yet, until the chain has `most` links. `lines` limits the number of
+  /// lines in a link.
   void add_links(const Steps& steps, SimTime t, std::size_t most, std::size_t lines,
                  std::vector<result::Cause>& chain) const;
   void tell_of_interrupts(SimTime t, std::vector<result::Cause>& chain);
@@ -73,7 +74,7 @@ class Inquiry final : run::Listener {
   std::vector<SimTime> looks_;                                        ///< times when line sensors were read
   std::map<Pin, std::vector<std::pair<SimTime, std::string>>> seen_;  ///< levels in the second run
 
-  run::Simulation simulation_;  // after the fields to which it reports when it begins
+  run::Simulation simulation_;  // its constructor already reports to the fields above
   SnapshotIndex moments_;
 };
 

@@ -8,33 +8,34 @@
 
 namespace robosim::testing {
 
-/// The file in the folder to open in a browser.
+/// The name of the saved page that replays the run in a browser.
 inline constexpr const char* kPage = "run.html";
 
 /// Returns the folder for the current test's next run, below ROBOSIM_ARTIFACTS or ./robosim-artifacts.
 /// Returns "" if ROBOSIM_ARTIFACTS is "none", and in silent runs. Does not create the folder.
 std::string artifact_folder();
 
-/// Returns the robosim command for a resolved trial, without --for. `script` selects whether the command
-/// names a script file.
+/// Returns the robosim command that repeats a resolved trial, without --for. `script` selects whether the
+/// command names a script file.
 std::string replay_command(const ResolvedTrial& resolved_trial, const std::string& folder, bool script);
 
 /// Creates the folder, and writes the files that the replay command names. Does nothing if `folder` is "".
 void keep_inputs(const std::string& folder, const ResolvedTrial& resolved_trial, const std::string& script);
 
-/// Returns the command for several robots. Their file is in the folder.
+/// Returns the robosim command that repeats a run of several robots. The folder contains the file that lists
+/// them.
 std::string replay_command(const FleetTrial& trial, const std::string& folder);
-/// Writes the robots' file and the files that it names; `scripts` contains each robot's script.
+/// Writes the file that lists the robots, and the files that it names. `scripts` are the robots' scripts.
 void keep_inputs(const std::string& folder, const launch::Fleet& fleet,
                  const std::vector<ResolvedTrial>& resolved_trials, const std::vector<std::string>& scripts);
 /// Saves one robot's log as text files.
 void keep_texts(const RunLog& log, const std::string& folder, const std::string& prefix);
-/// Runs several robots again, and records them. Returns an error message, or "".
+/// Runs several robots again, and records the run. Returns an error message, or "" on success.
 std::string record_again(const launch::Fleet& fleet, const std::vector<ResolvedTrial>& resolved_trials,
                          const std::vector<std::string>& scripts, const result::RunResult* expected,
                          std::int64_t until_ns, const std::string& folder, client::Runner& runner);
 
-/// Runs one robot again without stops, and writes the folder. Returns an error message, or "".
+/// Runs one robot again without stops, and writes the folder. Returns an error message, or "" on success.
 std::string keep(const RunLog& log, const ResolvedTrial& resolved_trial, const std::string& script,
                  client::Runner& runner);
 

@@ -26,7 +26,7 @@ std::string new_counter_file(const std::string& folder) {
 void keep_coverage(const std::string& folder, const std::string& counters, const build::Request& request,
                    const build::Image& image, const std::string& description) {
   std::error_code none;
-  if (!fs::exists(counters, none)) return;  // the run crashed its process
+  if (!fs::exists(counters, none)) return;  // the process crashed before it wrote the file
   const build::Coverage ran = build::read_coverage(request, image, read_file(counters));
   fs::remove(counters, none);
   build::add_to_folder(folder, request, image, ran, description);

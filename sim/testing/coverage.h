@@ -1,4 +1,5 @@
-// Collects the line coverage of a sketch by its tests: $ROBOSIM_COVERAGE, docs/howto/coverage.md.
+// Collects the line coverage of a sketch by its tests, in the folder that the environment variable
+// ROBOSIM_COVERAGE names (docs/howto/coverage.md).
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 
 namespace robosim::testing {
 
-/// Returns the coverage folder if runs on this target are counted, else "".
+/// Returns the coverage folder if lines are counted on this target, else "".
 std::string coverage_folder(const std::string& target);
 
 /// Creates the folder, and returns a new file in it for a run's counters.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kEventsTold = 6;
 
-/// Returns the last leg that ended by `t_ns`, or null.
+/// Returns the last leg that ended at or before `t_ns`, or null.
 const RunLog::Leg* leg_until(const RunLog& log, std::int64_t t_ns) {
   const RunLog::Leg* found = nullptr;
   for (const RunLog::Leg& leg : log.legs)
@@ -67,7 +67,7 @@ Moment Drive::worst() const {
   }
   if (!worst) return moments().empty() ? Moment{} : moments().front();
   // The leg stores only the time, place and error of its worst moment. The other values are those of the last
-  // sample before.
+  // sample before that moment.
   wire::Sample sample;
   for (const wire::Sample& s : log_->samples)
     if (s.t_us * 1000 <= worst->worst_ns) sample = s;

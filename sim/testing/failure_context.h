@@ -10,8 +10,8 @@
 
 namespace robosim::testing {
 
-/// A run that the test is driving. While this object exists, each failure that does not mention a run is
-/// followed by state_at_failure(). Equal states are printed only once.
+/// A run that the test is driving. While this object exists, state_at_failure() is printed after each failure
+/// that does not mention a run. Equal states are printed only once.
 class FailureContext {
  public:
   explicit FailureContext(std::shared_ptr<const RunLog> log);

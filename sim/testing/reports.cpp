@@ -75,7 +75,7 @@ class GithubListener final : public ::testing::EmptyTestEventListener {
 
   void OnTestProgramEnd(const ::testing::UnitTest& tests) override {
     if (summary_.empty()) return;
-    const bool alone = tests.test_to_run_count() == 1;  // as ctest runs tests: they share one table
+    const bool alone = tests.test_to_run_count() == 1;  // each process of ctest runs one test
     if (alone && rows_.empty()) return;
     const bool continued = alone && ends_in_table();
     std::ofstream out(summary_, std::ios::app | std::ios::binary);

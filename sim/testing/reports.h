@@ -7,7 +7,8 @@
 
 namespace robosim::testing {
 
-/// Records the run's values as properties of the current test. Google Test writes them to its XML (JUnit).
+/// Records measurements of the run as properties of the current test. Google Test writes the properties to
+/// its XML file (JUnit).
 void record_figures(const RunLog& log, const result::RunResult& result);
 
 /// Adds a hash to the sum of the trace hashes of the current test. The sum covers all finished runs,
@@ -17,8 +18,9 @@ void record_trace(const std::string& trace_hash);
 /// Records the artifact folder of a run of the current test. One property lists all such folders.
 void record_kept(const std::string& folder);
 
-/// Reports failures to GitHub if GITHUB_ACTIONS is set. Each failure from now on is also an annotation of its
-/// line. At the end, a table is appended to the file GITHUB_STEP_SUMMARY. Call it once.
+/// Reports failures to GitHub if GITHUB_ACTIONS is set. Each later failure also becomes an annotation of its
+/// source line. At the end, a table is appended to the file that GITHUB_STEP_SUMMARY names. Further calls do
+/// nothing.
 void report_to_github();
 
 }  // namespace robosim::testing

@@ -75,8 +75,8 @@ std::string word_for(const launch::Choice& choice) {
   return launch::is_path(choice.name) ? choice.path.string() : choice.name;
 }
 
-/// Returns the launcher of this process. It compiles each sketch once, and does not even read the cache on
-/// disk again.
+/// Returns the launcher of this process, which compiles each sketch once. When a test uses the sketch again,
+/// the launcher does not even read the cache on disk.
 launch::Launcher& launcher() {
   static launch::Launcher launcher;
   return launcher;

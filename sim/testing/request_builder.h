@@ -15,7 +15,7 @@
 
 namespace robosim::testing {
 
-/// A runner from a pool. The pool keeps it for later tests.
+/// A runner that is borrowed from a pool. The destructor returns the runner to the pool, for later tests.
 class Borrowed {
  public:
   explicit Borrowed(const std::string& target);
@@ -24,7 +24,8 @@ class Borrowed {
   Borrowed& operator=(const Borrowed&) = delete;
   client::Runner& operator*() { return *runner_; }
   client::Runner* operator->() { return runner_.get(); }
-  /// Marks the runner as broken: it violated the protocol or died. It does not return to the pool.
+  /// Marks the runner as broken, because it violated the protocol or died. A broken runner does not return to
+  /// the pool.
   void condemn() { sound_ = false; }
 
  private:
@@ -48,10 +49,10 @@ struct ResolvedTrial {
   std::string sketch_title;      ///< for messages: "PidFollower"
   std::optional<Built> counted;  ///< the build whose lines are counted; implies that request.counters is set
   bool map_is_text = false, robot_is_text = false;
-  std::filesystem::path scratch;  ///< folder of the files written for texts; empty = none
+  std::filesystem::path scratch;  ///< folder of files with the map and robot that are texts; empty = none
 };
 
-/// Returns the target of a finished .elf, or else the Trial's target.
+/// Returns the Trial's target. If the sketch is a finished .elf, returns the target of that file instead.
 std::string target_of(const Trial& trial);
 /// Returns the part of the map's graph that is reachable from the request's start.
 Graph graph_of_floor(const wire::RunRequest& request);
@@ -60,11 +61,11 @@ ResolvedTrial resolve_trial(const Trial& trial, client::Runner& runner);
 
 /// The resolved names of a FleetTrial.
 struct ResolvedFleetTrial {
-  std::vector<Trial> trials;  ///< each robot, as for a run without the others
+  std::vector<Trial> trials;  ///< for each robot: a Trial for a run without the others
   launch::Fleet fleet;
   launch::ChosenFleet chosen;
   bool map_is_text = false;
-  std::filesystem::path scratch;  ///< folder of the files written for texts; empty = none
+  std::filesystem::path scratch;  ///< folder of files with maps and robots that are texts; empty = none
 };
 /// Resolves a FleetTrial. Throws the same exceptions as Fleet's constructor.
 ResolvedFleetTrial resolve_fleet_trial(const FleetTrial& trial);

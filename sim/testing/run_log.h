@@ -1,4 +1,4 @@
-// Records a run so far. Drives are windows on this record.
+// Records a run until now. A Drive is a view of a part of this record.
 #pragma once
 
 #include <optional>
@@ -30,7 +30,7 @@ struct RunLog {
   };
 
   Trial trial;
-  std::string name;  ///< name of one of several robots; else empty
+  std::string name;  ///< name of the robot if there are several; else empty
   std::string sketch_name, map_name, robot_name;
   wire::Started started;
   std::vector<wire::Sample> samples;  ///< every 10 ms and at each pause; no moment twice
@@ -42,8 +42,8 @@ struct RunLog {
   std::optional<result::Resources> resources;
   std::optional<result::RunResult> result;
   std::string replay;                  ///< the command without its duration
-  std::string artifacts;               ///< the folder that is kept if the test fails; "" = none
-  mutable bool verdict_asked = false;  ///< the test expects that the run may end
+  std::string artifacts;               ///< the folder that is saved if the test fails; "" = none
+  mutable bool verdict_asked = false;  ///< the test has checked the verdict, or waits for it
 
   /// Inserts an entry at its time. Notes of a tick arrive at the tick's end, after the sketch's output in
   /// that tick.
@@ -57,7 +57,7 @@ std::string seconds(std::int64_t ns);
 std::string seconds(Duration time);
 /// Returns "at column 5, row 2 (x 512 mm, y 340 mm)".
 std::string place_of(const Pose& pose);
-/// Returns the text with line ends and similar characters as \n and \r.
+/// Returns the text on one line: replaces each line feed by \n and each carriage return by \r.
 std::string on_one_line(const std::string& text);
 /// Returns `text` in double quotes, with line ends and similar characters escaped.
 std::string in_quotes(const std::string& text);

@@ -54,7 +54,7 @@ struct Simulation::Impl {
   bool over() const { return log->result || shared->over(); }
   std::string verdict() const;
   const wire::Paused& state() const;
-  /// Fails the test if the run failed and no expectation checked its verdict.
+  /// Fails the test if the run failed and the test did not check its verdict.
   void complain_unasked(const result::RunResult& result) const;
   /// Fails the test if a detector has findings.
   void complain_detected(const result::RunResult& result) const;
@@ -65,8 +65,8 @@ struct Simulation::Impl {
   std::shared_ptr<SharedRun> shared;
   std::size_t number = 0;  ///< the robot's number
   std::size_t read = 0;    ///< number of serial bytes that have been searched
-  Spot ended;              ///< where the test was when the run ended
-  Spot last;               ///< where the test last continued the run
+  Spot ended;              ///< line of the test during which the run ended
+  Spot last;               ///< line of the test that last continued the run
 };
 
 }  // namespace robosim::testing

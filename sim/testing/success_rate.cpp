@@ -26,7 +26,7 @@ std::size_t workers() {
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// Removes the files that were written for texts.
+/// Removes the files with the map and robot that the trial contains as texts.
 struct Cleaner {
   const ResolvedTrial& resolved_trial;
   ~Cleaner() {

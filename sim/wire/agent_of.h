@@ -1,4 +1,4 @@
-// Returns the robot that an event of a run is about.
+// Finds the robot to which an event of a run belongs.
 #pragma once
 
 #include "sim/wire/stream.h"

@@ -1,3 +1,4 @@
+// Converts the answers of a runner to lines and back (protocol.h).
 #include <algorithm>
 #include <charconv>
 
@@ -15,7 +16,7 @@ using Json = nlohmann::json;
 constexpr const char* kEeprom = "eeprom";
 constexpr const char* kRefused = "refused";
 
-// Length of a line's beginning, which contains its id and the name of its event.
+// The first bytes of a line, which contain its id and the name of its event. Searching only these is fast.
 constexpr std::size_t kBegin_bytes = 64;
 
 // ---- Writing ----

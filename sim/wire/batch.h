@@ -14,12 +14,12 @@
 //        the duty cycle, a double; with tone its frequency, with source its number (four bytes each)
 //   'l'  a level that was read; `other` is 0 or 1
 //   'v'  volts that were read, a double
-//   'b'  a serial byte, in the place of the pin; `other` is 1 if the firmware sent it, 0 if it received it
+//   'b'  a serial byte, in the place of the pin; `other` is 1 if the firmware sent the byte, else 0
 //   'd'  announces that the robot's pin events have sources (lines of the sketch); precedes everything else
 //   'c'  a source, numbered from 1; pin is the length of the function's name, `other` that of the file's, and
 //        the number is the line. Then the names
 //
-// Batches carry no columns: BatchReader computes those for callers that request both.
+// Batches carry no columns. If a caller requests batches and columns, BatchReader computes the columns.
 #pragma once
 
 #include <array>
@@ -57,7 +57,7 @@ class BatchWriter {
   /// Largest used size at which at least one more event fits.
   static constexpr std::size_t kFull_bytes = BatchMemory::kRoom_bytes - 16'384;
 
-  static constexpr int kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;  ///< bits of 'p', besides the mode
+  static constexpr int kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;  ///< bits of `other` in a 'p'
 
   struct Head {
     char kind;
@@ -78,9 +78,9 @@ class BatchWriter {
                   const std::vector<double>& readings) {
     return add_sample(agent, t_us, kWithHeading, numbers, readings);
   }
-  /// Add a PinChange, LevelSeen, VoltsSeen or SerialByte. The robot chooses the numbers of its pins. `mode`:
-  /// 0 input, 1 input_pullup, 2 output. `source` is a source's number, 0 = none. The robot's number must be
-  /// less than kMostAgents, and a name at most kMostName long.
+  /// Add a PinChange, LevelSeen, VoltsSeen or SerialByte. `pin` is any number that identifies the pin within
+  /// its robot. `mode` is 0 for input, 1 for input_pullup, 2 for output. `source` is a source's number, 0 =
+  /// none. `agent` must be less than kMostAgents. A name must have at most kMostName bytes.
   void add_pin(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, int mode, bool level,
                bool pwm, double duty, std::uint32_t tone_hz, int source = 0) {
     begin_at_pin(agent, t_ns, pin, name);
@@ -110,7 +110,7 @@ class BatchWriter {
   }
   /// Announces that the robot's pin events will have sources, which are lines of the sketch.
   void add_sources(int agent);
-  /// Adds the robot's next source. Longer names are truncated.
+  /// Adds the robot's next source. Names are truncated to kMostName bytes.
   void add_source(int agent, const SourceLine& line);
 
   std::size_t size() const { return memory_->used.load(std::memory_order_relaxed); }
@@ -182,7 +182,7 @@ class BatchWriter {
   std::unique_ptr<BatchMemory> own_;
   BatchMemory* memory_;
   std::int64_t from_ns_ = 0, latest_ns_ = 0;
-  std::vector<std::uint32_t> named_in_;  ///< per robot and pin: number of the last batch with its name
+  std::vector<std::uint32_t> named_in_;  ///< per robot and pin: last batch that contains the pin's name
   std::uint32_t batch_ = 1;
 };
 
@@ -196,8 +196,8 @@ class BatchReader {
 
   /// Prepares for a robot's events. Must be called for each robot.
   void begin(const Started& started);
-  /// Reports the packed events in their order, if the request subscribes to them, and columns every
-  /// kColumnsEvery_ns. Throws RunnerError for an invalid batch, possibly after some events.
+  /// Reports the packed events in their order, if the request subscribes to them. Also reports columns every
+  /// kColumnsEvery_ns. Throws RunnerError for an invalid batch, possibly after it has reported some events.
   void read(std::string_view bytes, const OnEvent& on_event);
   /// Reports the waiting columns.
   void finish(const OnEvent& on_event);

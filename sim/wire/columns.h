@@ -1,14 +1,14 @@
 // Stores a run's numbers in compact columns. Writing every pin change and a sample every 10 ms as JSON lines
 // would take several times as long as the run.
 //
-// A column contains integers (value x scale, rounded). It stores their differences from the expected values;
-// a small difference takes one byte:
+// A column contains integers (value x scale, rounded). The column stores the difference of each integer from
+// an expected value; a small difference takes one byte:
 //
 //   order 1   expects the previous value      (constant values, or jumps)
 //   order 2   expects a steady change         (times, positions)
 //
-// A difference d is written as z = 2 d or -2 d - 1, in groups of seven bits, the lowest first. Each group is
-// a byte; all except the last have the highest bit set.
+// A difference d is written as z = 2 d if d >= 0, and as z = -2 d - 1 otherwise. z is stored in groups of
+// seven bits, the lowest bits first. Each group is a byte; all except the last have the highest bit set.
 #pragma once
 
 #include <algorithm>
@@ -29,7 +29,7 @@ using namespace result;  // the values that messages carry
 struct ColumnSpec {
   std::string name;
   double scale = 1.0;  ///< steps in one unit: 100 = hundredths
-  int order = 1;       ///< 1 or 2
+  int order = 1;       ///< 1 or 2, as described above
 };
 
 template <class V>
@@ -55,7 +55,7 @@ void fields(V& v, Same<V, Rows>& r) {
   v("bytes", r.bytes, "bytes of each column in base64; they continue the previous bytes");
 }
 
-/// The changes since the previous Columns.
+/// The rows and sources that were added since the previous Columns.
 struct Columns {
   static constexpr const char* kEvent = "columns";
   std::vector<Rows> streams;

@@ -10,11 +10,11 @@
 
 namespace robosim::wire {
 
-/// Returns JSON, with bytes as base64.
+/// Returns columns as JSON, with bytes as base64.
 std::string columns_text(const Columns& columns);
 
-/// Cuts the long texts out of the arrays of a line of JSON. Replaces each by "#" and its number, which is not
-/// valid base64.
+/// Cuts the long texts out of the arrays in a line of JSON, to save the JSON parser time.
+/// Replaces each text by "#" and a number, which is not valid base64.
 class LongTexts {
  public:
   /// Returns the line without its long texts, or the whole line if a text contains escapes. The line must

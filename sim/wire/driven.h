@@ -64,7 +64,7 @@ void fields(V&, Same<V, End>&) {}
 /// The requests that a run serves during a pause.
 using DrivenRequest = std::variant<Act, GoOn, ReadEeprom, End>;
 
-/// When and where the cross-track error was largest. Every tick counts.
+/// The largest cross-track error of all ticks since the last resume, with its time and place.
 struct Worst {
   double cross_track_mm = 0.0;
   std::int64_t t_ns = 0;
@@ -86,10 +86,10 @@ struct Paused {
   std::int64_t t_ns = 0;
   Sample sample;
   int stop = -1;  ///< index of the condition that paused the run; -1 = none
-  Worst worst;    ///< since the last resume
+  Worst worst;    ///< largest cross-track error since the last resume
   bool powered = true;
   bool driven = false;           ///< a motor is commanded
-  std::size_t serial_bytes = 0;  ///< sent by the firmware so far
+  std::size_t serial_bytes = 0;  ///< number of bytes that the firmware has sent so far
   Metrics metrics;
   std::optional<Resources> resources;  ///< only on a chip
   std::string verdict;                 ///< this robot's verdict while others continue; empty = none yet
@@ -134,7 +134,7 @@ struct Eeprom {
   std::vector<std::uint8_t> bytes;
 };
 
-/// The request was invalid: nothing happened.
+/// Rejects an invalid request. The request has had no effect.
 struct Refused {
   std::string message;
 };

@@ -1,4 +1,4 @@
-// Detects manual moves by a script, since the robot did not drive these parts of its path.
+// Detects manual moves by a script. They add parts to a robot's path that the robot did not drive.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
-// Reads JSON in the style of the protocol's programs, with a third of the instructions of nlohmann's parser.
-// Include only in .cpp files.
+// Parses JSON. For JSON in the style of the protocol's programs, this takes a third of the instructions of
+// nlohmann's parser. Include only in .cpp files.
 #pragma once
 
 #include <nlohmann/json.hpp>

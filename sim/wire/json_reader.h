@@ -1,9 +1,8 @@
 // Reads messages from JSON by their fields (fields.h), with checks. Include only in .cpp files: nlohmann's
 // header is slow to compile.
 //
-// Input may be hostile. The reader neither copies undescribed parts nor descends into them, so deep
-// nesting does no harm. A number out of range, a missing key, or a value of the wrong type is reported in one
-// sentence.
+// Input may be hostile. The reader ignores values that fields() does not describe, so deep nesting does no
+// harm. It reports a number out of range, a missing key, or a value of the wrong type in one sentence.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Includes all messages of the runner protocol (docs/reference/runner-protocol.md) as C++ values.
+// Defines or includes all messages of the runner protocol (docs/reference/runner-protocol.md) as C++ values.
 #pragma once
 
 #include "sim/result/run_result.h"
@@ -19,7 +19,7 @@ struct Hello {
   int protocol = 0;
   std::string version;       ///< Robosim's version: "0.1.0"
   std::string target;        ///< "host"
-  std::string sandbox = "";  ///< "on", "off", "missing"; empty if firmware is data
+  std::string sandbox = "";  ///< "on", "off", "missing"; empty if the chip is emulated
   std::string no_sandbox_why = "";
 };
 
@@ -39,7 +39,7 @@ void fields(V& v, Same<V, Hello>& h) {
     {.presence = when(!h.no_sandbox_why.empty())});
 }
 
-/// The request failed.
+/// Reports that a request has failed.
 struct ErrorAnswer {
   static constexpr const char* kKey = "error";
   std::string kind;  ///< "input", "tool" or "internal"

@@ -1,3 +1,4 @@
+// Converts the requests of a client to lines and back (protocol.h).
 #include <vector>
 
 #include "sim/wire/json_parse.h"
@@ -28,7 +29,8 @@ Id id_of(const Json& object) {
   return found->get<double>();
 }
 
-// Returns the alternative of Any whose name is requested, if any. Tries the alternatives from number I on.
+// Reads the alternative of Any whose name is `name`. Tries the alternatives from number I on. Returns nullopt
+// if no alternative has this name.
 template <class Any, std::size_t I = 0>
 std::optional<Any> read_named(const std::string& name, const Json& object) {
   if constexpr (I == std::variant_size_v<Any>) {

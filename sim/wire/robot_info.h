@@ -1,4 +1,4 @@
-// Defines the description of a robot for clients.
+// Defines the description of a robot that a runner sends to its client.
 #pragma once
 
 #include <array>

@@ -66,14 +66,14 @@ class RunColumns {
                const SourceLine* source = nullptr);
   void add_volts(std::size_t pin, std::int64_t t_ns, double volts);
 
-  /// Returns all rows since the last call; without streams if there are none.
+  /// Returns all rows since the last call. Omits streams without such rows.
   Columns take();
 
  private:
   /// The events at one pin. Rows without a change are skipped.
   struct Changes {
     Stream stream;
-    std::array<double, 4> last{-1.0};  ///< unused for missing columns; a time is never negative
+    std::array<double, 4> last{-1.0};  ///< the last row, which begins with its time; -1 = no row yet
   };
   void change(Changes& changes, const std::array<double, 4>& row, const SourceLine* source);
 

@@ -62,11 +62,11 @@ void fields(V& v, Same<V, AgentRequest>& a) {
   v("late", a.late, "when the sketch is late", {.otherwise = "never", .presence = when(!a.late.empty())});
 }
 
-/// The point at which a run branches, to continue in several ways from the same state.
+/// The point at which a run branches. From there, the run continues in several ways from the same state.
 struct Ways {
-  std::int64_t at_ns = 0;            ///< time since power-on, unless `after` is given; a multiple of 1 ms
-  std::string after;                 ///< the run branches when the sketch has sent this text, if not empty
-  std::vector<std::string> scripts;  ///< one per way
+  std::int64_t at_ns = 0;            ///< time since power-on, a multiple of 1 ms; unused if `after` is set
+  std::string after;                 ///< the run branches when the sketch has sent this text; "" = at_ns
+  std::vector<std::string> scripts;  ///< for each way, the lines that follow the common script
 };
 
 template <class V>
@@ -97,22 +97,22 @@ struct RunRequest {
   std::string script;                  ///< text of a scenario
   std::string script_file = "script";  ///< name of the scenario in messages
   std::int64_t samples_every_ns = 0;   ///< a multiple of 1 ms; 0 = no samples
-  std::int64_t columns_every_ns = 0;   ///< stream samples with this period, and all pin events, as columns
-  bool started = true;                 ///< report Started, which viewing clients wait for
+  std::int64_t columns_every_ns = 0;   ///< period of samples in columns, together with pin events; 0 = none
+  bool started = true;                 ///< report Started; clients with a display wait for this event
   bool pins = false;                   ///< stream pin changes
   bool serial = false;                 ///< stream the firmware's output
   bool notes = false;                  ///< stream events: "station 2 visited"
-  bool io = false;                     ///< stream the firmware's inputs, and bytes both ways
+  bool io = false;                     ///< stream the firmware's inputs, and serial bytes in both directions
   /// Streams pins and bytes only between these two times, with the responsible line of the sketch.
   std::optional<std::pair<std::int64_t, std::int64_t>> source_ns;
   bool batches = false;              ///< frequent events come in batches (batch.h), with a delay
-  bool interactive = false;          ///< driven step by step: see driven_run.h
+  bool interactive = false;          ///< the client drives the run step by step (driven.h)
   bool detect = false;               ///< turns on detectors for the sketches (docs/howto/sanitizers.md)
   bool why = false;                  ///< trace the verdict back to its causes
   std::string counters;              ///< file for the counts of the sketch's lines; empty = none
-  std::optional<Ways> ways;          ///< where the run branches; chips only
-  std::string name;                  ///< name of the robot, if there are several
-  std::string target;                ///< its firmware's target, if there are several; empty = the runner's
+  std::optional<Ways> ways;          ///< where the run branches; chip targets only
+  std::string name;                  ///< name of the first robot, if there are several
+  std::string target;                ///< target of the first of several robots; empty = the runner's
   std::vector<AgentRequest> agents;  ///< further robots: number 1, 2 …
 };
 

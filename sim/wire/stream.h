@@ -1,5 +1,5 @@
-// Defines the events that a run reports while it lasts. Times are simulated, lengths in millimetres, angles
-// in radians. World coordinates have x east and y north, with the origin at the map's bottom-left corner.
+// Defines the events that a run reports to its client. Times are simulated. Lengths are in millimetres,
+// angles in radians. In world coordinates, x points east and y north, from the map's bottom-left corner.
 #pragma once
 
 #include <array>
@@ -101,7 +101,7 @@ void fields(V& v, Same<V, Sample>& s) {
   agent_field(v, s.agent);
 }
 
-/// A pin is driven differently from before.
+/// The firmware drives a pin differently from before.
 struct PinChange {
   static constexpr const char* kEvent = "pin";
   std::int64_t t_ns = 0;
@@ -242,8 +242,8 @@ void fields(V& v, Same<V, DebuggerAwaited>& d) {
   v("port", d.port, "port of 127.0.0.1 on which the runner listens now");
 }
 
-/// Many events at once (batch.h), if the request allows batches. The raw bytes follow the line with their
-/// number. Listeners of a run get the events one by one.
+/// Many events at once (batch.h), if the request allows batches. The raw bytes follow the line that contains
+/// their number. Listeners of a run get the events one by one.
 struct Batch {
   static constexpr const char* kEvent = "batch";
   static constexpr std::int64_t kMost_bytes = std::int64_t{1} << 30;
@@ -259,8 +259,8 @@ void fields(V& v, Same<V, Batch>& b) {
 
 using Event = std::variant<Started, Sample, PinChange, SerialText, Note, LevelSeen, VoltsSeen, SerialByte,
                            DebuggerAwaited, Columns, Batch>;
-/// Receives every event, in the order of simulated time (only approximately for LevelSeen and SerialByte).
-/// Until the call returns, a full pipe may delay the runner. No result depends on this delay.
+/// Receives every event, in the order of simulated time. The order is only approximate for LevelSeen and
+/// SerialByte. Until the call returns, a full pipe may delay the runner. No result depends on this delay.
 using OnEvent = std::function<void(const Event&)>;
 
 }  // namespace robosim::wire

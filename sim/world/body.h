@@ -1,15 +1,15 @@
 // Simulates one robot's body: two driven wheels, a caster and an outline. The body has a differential drive
 // with motors, friction and grip.
 //
-// A tick of dt = 1 ms from the state at its start (v forward, u to the left, omega counter-clockwise, wheel
-// rates w):
+// A tick lasts dt = 1 ms. It starts with the velocities v (forward), u (to the left), omega
+// (counter-clockwise), and w of each wheel:
 //   1. The pose moves with these velocities, along their arc, exactly to pose_after(1 ms).
 //   2. Motors, friction and grip change the velocities.
 //   3. Walls, obstacles and other bodies push the outline out, and stop its velocity towards them.
 // Velocities are therefore constant inside a tick. Sensors can extrapolate exactly from the tick's start.
 //
-// Each wheel has these constants. All torques are at its axle. A motor's data sheet gives nominal_volts,
-// stall_current, stall_torque, no_load_current and no_load_rate.
+// Each wheel of radius r has these constants; m is the body's mass. All torques are at the wheel's axle. A
+// motor's data sheet gives nominal_volts, stall_current, stall_torque, no_load_current and no_load_rate.
 //   R    = nominal_volts / stall_current                                   terminal resistance
 //   k_t  = stall_torque / (stall_current - no_load_current)                torque per ampere
 //   k_e  = (nominal_volts - R no_load_current) / no_load_rate              volts per rad/s
@@ -26,12 +26,12 @@
 // where F is the force of the wheel on the ground:
 //   m dv/dt = F_left + F_right,   I domega/dt = (F_right - F_left) track / 2,   m v omega = S_left + S_right
 //   F^2 + S^2 <= (grip (load_share m g + downforce) / 2)^2, S the sideways force, halved between the wheels
-// While F stays below that limit the wheel rolls (r w = ground speed). At the limit it slips, and wheel and
-// ground speed differ. If S alone exceeds its share of the grip (kSkidShare), the body skids sideways. The
-// step is implicit in the velocities, so no parameter makes it unstable.
+// While F is below that limit, the wheel rolls (r w = ground speed). At the limit the wheel slips: the speeds
+// of wheel and ground differ. If S alone exceeds a share of the grip (kSkidShare), the body skids sideways.
+// The step is implicit in the velocities, and therefore stable for all parameters.
 //
-// Hills, surfaces and shifting loads: body_ground.cpp. Skid steering: body_skid.cpp. Steered wheels:
-// body_steer.cpp.
+// Other files describe hills, surfaces and shifting loads (body_ground.cpp), skid steering (body_skid.cpp),
+// and steered wheels (body_steer.cpp).
 #pragma once
 
 #include <cmath>
@@ -58,8 +58,8 @@ struct WheelCommand {
   double brake =
       0.0;  ///< 0..1: fraction of time with the motor's terminals shorted; the rest is open (coasting)
   // Used only if a winding has inductance.
-  double against = 0.0;   ///< 0..1: fraction of time driven against `drive`; twice that is part of `brake`
-  double period_s = 0.0;  ///< PWM period; 0 = none, or unknown
+  double against = 0.0;   ///< 0..1: fraction of time driven against `drive`; `brake` includes it twice
+  double period_s = 0.0;  ///< s, PWM period; 0 = no PWM, or an unknown period
 
   bool operator==(const WheelCommand&) const = default;
 };
@@ -102,7 +102,7 @@ struct BodyParams {
   std::vector<Vec2> outline;
   double radius_m = 0.0;  ///< m; the circle's radius; unused with a polygon
   Vec2 centre;            ///< m; the circle's centre; unused with a polygon
-  // Used by hills and by loads that shift.
+  // Used on hills, with shifting loads, and by bodies with skid steering, fans or steered wheels.
   double caster_m = -0.05;         ///< m; the caster's position ahead of the axle; not 0
   double caster_radius_m = 0.008;  ///< m; the caster is a ball
   double centre_height_m = 0.0;    ///< m; height of the centre of mass; 0 = loads do not shift
@@ -112,25 +112,25 @@ struct BodyParams {
   bool differential = false;       ///< steered bodies: one motor drives both wheels, half each
 };
 
-/// Returns a small two-wheeler: TT gear motors (1:48) with 65 mm wheels on an L298N at 7.4 V. Sources:
-/// docs/evidence/models.md.
+/// Returns the parameters of a small robot with two wheels: TT gear motors (1:48) with 65 mm wheels on an
+/// L298N at 7.4 V. Sources: docs/evidence/models.md.
 BodyParams default_body_params();
 
-/// Returns the effective track width, m, of a body that turns by skidding: body_skid.cpp.
+/// Returns the effective track width, m, of a body that turns by skidding (body_skid.cpp).
 double effective_track(double track, double wheelbase);
 
 /// Returns the steering angle at the body's middle, rad. `inner` is the angle of the inner steered wheel. The
-/// two steered wheels are `track` apart: body_steer.cpp.
+/// two steered wheels are `track` apart (body_steer.cpp).
 double steered_middle(double inner, double track, double steer_base);
 
 /// How a body has fallen over.
 enum class Toppled { no, over, off_an_edge };
 
-/// A body's lean and its rate, in its own frame (x ahead, y to the left).
+/// A body's lean and its rate of change, in the body's frame (x ahead, y to the left).
 struct Lean {
   Vec2 low;            ///< sine of the angle, towards the lowest side
   double level = 1.0;  ///< cosine of the angle
-  Vec2 rate;           ///< rad/s by which the angle grows in that direction
+  Vec2 rate;           ///< rad/s by which the angle grows, towards the side that sinks
 };
 
 class Body {
@@ -140,10 +140,10 @@ class Body {
 
   const BodyParams& params() const { return params_; }
 
-  /// Returns the state at the beginning of the current tick.
+  /// Returns the pose at the beginning of the current tick. The next functions refer to the same time.
   const Pose& pose() const { return pose_; }
-  /// Returns the pose `dt_s` into the current tick, extrapolated with constant velocities. The pose lies on
-  /// an arc of angle a = omega dt:
+  /// Returns the pose `dt_s` seconds after the beginning of the current tick, extrapolated with constant
+  /// velocities. The pose lies on an arc of angle a = omega dt:
   ///   position + heading (v sin a - u (1 - cos a)) / omega + left (v (1 - cos a) + u sin a) / omega
   /// Sine and cosine are polynomials (error below a^5 / 120 of the distance), and the heading is
   /// renormalised.
@@ -154,14 +154,14 @@ class Body {
     return {pose_.position, h * (1.5 - 0.5 * dot(h, h))};
   }
   double speed() const { return v_; }                     ///< m/s, forward
-  double side_speed() const { return u_; }                ///< m/s, to the left; 0 unless it skids
+  double side_speed() const { return u_; }                ///< m/s, to the left; 0 except in skids
   double turn_rate() const { return omega_; }             ///< rad/s, counter-clockwise
   double wheel_angle(Side s) const { return angle_[s]; }  ///< rad since the start, forward positive
   /// Returns the wheel's rate during the tick, rad/s. Within the tick, wheel_angle(s) + wheel_rate(s) dt is
   /// exact.
   double wheel_rate(Side s) const { return surface_[s] * unit_[s].per_radius; }
-  double tread_speed(Side s) const { return surface_[s]; }  ///< m/s, even when the wheel slips
-  /// Returns whether the wheel's speed differs from the ground's.
+  double tread_speed(Side s) const { return surface_[s]; }  ///< m/s at the tread, also in slip
+  /// Returns whether a tyre slips on the floor, lengthwise or sideways.
   bool slips() const { return slips_; }
   double distance() const { return distance_; }  ///< m travelled by the axle's centre; only grows
   /// Returns the mean distance that the two wheels have turned through, m. It only grows, even during slip or
@@ -190,7 +190,7 @@ class Body {
   /// Returns the kinetic energy of body and wheels, J.
   double kinetic_energy() const;
 
-  /// Sets a command until the next call; clamps its values to -1..1 or 0..1.
+  /// Sets a motor's command until the next call. Clamps the command's values to -1..1 or 0..1.
   void command(Side, const WheelCommand&);
   void place(const Pose&);  ///< lifts the body and puts it down at rest
 
@@ -207,8 +207,8 @@ class Body {
     double amps = 0.0, amps_per_volt = 0.0;
   };
   Draw draw(double supply_volts) const;
-  /// Returns the share of full power, 0 to 1 or more, from which the motor turns its wheel from rest with
-  /// the present supply. To turn on the spot, a robot may need more.
+  /// Returns the least share of full power at which the motor turns its wheel from rest with the present
+  /// supply. The value may exceed 1. To turn on the spot, a robot may need more power.
   double turning_drive(Side side) const { return unit_[side].friction[1] / unit_[side].push; }
   /// Blocks a wheel: it does not turn, whatever its motor and the floor do. The motor stalls.
   void block(Side, bool blocked);
@@ -238,14 +238,16 @@ class Body {
   friend class World;
   friend class batch::Bodies;  // computes the same tick for many bodies at once
 
-  // Constants from a wheel's parameters: forces at the tyre's tread, tread speeds, impulses per tick.
+  // Constants derived from a wheel's parameters. Forces and speeds apply at the tyre's tread. Impulses are
+  // per tick.
   struct Unit {
     double per_radius;
     double inertia;      // kg: J / r^2
     double friction[2];  // N s per tick: turning, at rest
-    // While a tick drives the wheel, the impulse is push - drag * speed, N s. The energy is joule0 - joule1 *
-    // speed. Both apply while the speed, in drive's direction, is below push_until. While shorted, the
-    // impulse is brake_push - drag * speed, above brake_from.
+    // If the motor is driven for a whole tick, the impulse is push - drag * speed, N s. The energy is
+    // joule0 - joule1 * speed, J. These formulas apply if the speed in the direction of `drive` is below
+    // push_until; else impulse and energy are 0. If the motor is shorted for a whole tick, the impulse is
+    // brake_push - drag * speed. This formula applies if the speed is above brake_from.
     double push, drag, push_until, brake_push, brake_from, joule0, joule1;
     double drive, brake;  // from the command
     double per_ohm, volts_per_speed;
@@ -263,9 +265,9 @@ class Body {
       int what;
       double share, decay;
     } phase[4] = {};
-    MeanCurrent current;  // at the speeds of the tick's beginning
+    MeanCurrent current;  // at the wheel's speed at the tick's beginning
     Motor pull = {0.0, 0.0};
-    double emf = 0.0;  // at the same speeds
+    double emf = 0.0;  // V, back-EMF at the tick's beginning
   };
 
   // How the body stands on a floor that is not plane.
@@ -275,18 +277,18 @@ class Body {
     Vec2 rise[3];                        // gradients of these heights
     double sunk[3] = {0.0, 0.0, 0.0};    // m below the floor, in gaps between boards
     double axle = 0.0;                   // m; height of the chassis at the axle
-    bool is_at_face = false;             // whether a face stops a wheel
+    bool is_at_face = false;             // whether a vertical face of the ground stops a wheel
     Pose face;                           // the pose at that face
     double pitch = 0.0, roll = 0.0;      // sines; positive: front up, left side up
     bool eases = false;                  // neither slope nor tipping accelerates the body
-    double speed = 0.0;                  // m/s in the previous tick, minus losses that shift no load
+    double speed = 0.0;                  // m/s in the previous tick, reduced by losses that shift no load
     double gain = 0.0;                   // m/s2; smoothed acceleration
-    double tip[2] = {0.0, 0.0};          // rad by which the caster, or a wheel, has left the floor
+    double tip[2] = {0.0, 0.0};          // rad by which the caster [0], or a wheel [1], has left the floor
     double tip_rate[2] = {0.0, 0.0};     // rad/s
     Toppled toppled = Toppled::no;
   };
 
-  // Computes one tick. `ground` is null where the floor is plane and of one kind.
+  // Computes one tick. `ground` is null if the floor is a plane with one surface.
   void step(const Walls& walls, Ground* ground) {
     if (ground || !roll_on(walls)) step_closely(walls, ground);
   }
@@ -341,8 +343,8 @@ class Body {
   double surface_[2] = {0.0, 0.0};  // tread speeds, m/s: w r
   double angle_[2] = {0.0, 0.0};
   Unit unit_[2] = {};
-  Roller<Pair> roller_ = {};  // constants from the above and from the commands
-  bool is_ordinary_ = false;  // may use rolling_step.h
+  Roller<Pair> roller_ = {};  // inputs of rolling_step.h, from unit_ and the other members
+  bool is_ordinary_ = false;  // the body may use rolling_step.h
   double mass_own_ = 0.0,
          mass_cross_ = 0.0;  // kg: couple a wheel's ground speed to its own impulse, and to the other wheel's
   double half_track_ = 0.0, per_track_ = 0.0;
@@ -354,7 +356,7 @@ class Body {
   double bound_radius_ = 0.0;  // radius of the bounding circle about bound_centre_
   Vec2 bound_centre_;
   double way_per_travel_ = 0.0;  // m that the circle's centre moves at most per m of travel in step()
-  double free_way_ = 0.0;        // m that the circle may move before it can touch a wall; ignores obstacles
+  double free_way_ = 0.0;        // m that the circle may move before it can touch a wall; ignores discs
   bool slips_ = false;
   bool lifted_ = false, carried_ = false;
   Lean lean_;
@@ -371,8 +373,8 @@ class Body {
   double supply_ = 0.0;  // V
   Winding winding_[2];
   double steered_ = 0.0, steer_cosine_ = 1.0, steer_sine_ = 0.0;  // rad; angle of the steered wheels
-  double curvature_ = 0.0;                                        // 1/m; curvature that they steer
-  double steer_limit_ = 0.0;                                      // N s per tick; their grip
+  double curvature_ = 0.0;                                        // 1/m; curvature of the steered path
+  double steer_limit_ = 0.0;                                      // N s per tick; grip of the steered wheels
   double side_free_ = 0.0, along_free_ = 0.0;  // u and v in the turned frame of the new pose
   BodyParams params_;
   std::vector<Vec2> corners_;  // outline in the world frame, if near something

@@ -1,3 +1,4 @@
+// Resolves a body's contacts with walls, obstacles and other bodies.
 #include <algorithm>
 
 #include "sim/world/body.h"

@@ -6,7 +6,7 @@
 //   R = L / tan delta                 from the middle of the driven axle to the centre, to the left
 //   omega = k v,  k = tan delta / L   the heading's rate, v forward at the driven axle
 // The driven wheels, B apart, roll at r_left v and r_right v, with r = 1 -+ k B / 2. A car's two steered
-// wheels are B apart, too. The inner one is turned more than delta and the outer one less:
+// wheels are B apart, too. The inner wheel is turned more than delta, the outer wheel less:
 //   cot inner = cot delta - B / (2 L),  cot outer = cot delta + B / (2 L)
 // Body, wheels (moments of inertia J_i) and motors then have one degree of freedom:
 //   (m + I k^2 + sum r_i^2 J_i / radius^2) dv/dt = sum r_i (motor_i - friction_i)
@@ -39,8 +39,8 @@ constexpr double kMostSteered = 1.4;  // rad
 
 double steered_middle(double inner, double track, double steer_base) {
   const Vec2 turn = direction_of(inner);
-  // The inner wheel is track / 2 to the side of the middle. Its axle points to the same centre as a middle
-  // wheel's.
+  // The inner wheel is track / 2 to the side of the middle. Its axle points to the same centre as the axle of
+  // a wheel in the middle.
   return angle_of({turn.x + std::fabs(turn.y) * track / (2.0 * steer_base), turn.y});
 }
 

@@ -234,8 +234,8 @@ double Floor::coverage_round(Vec2 p, double footprint) const {
 
 // Finds the nearest stripe. The result is valid in the point's cell. If `reach` is smaller than
 // stripes_reach_, the result is also valid in a margin of stripes_reach_ - reach around the cell. Stripes
-// that the cell does not list are at least stripes_reach_ away from the cell, thus `reach` from the margin. A
-// cell at the map's edge has no margin.
+// that the cell does not list are at least stripes_reach_ away from the cell. They are therefore at least
+// `reach` away from the margin. A cell at the map's edge has no margin.
 double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) const {
   constexpr double kRounding = 1e-9;  // m
   found = {};

@@ -29,11 +29,12 @@ namespace robosim::world {
 /// floors have 0.05 and 0.15: docs/explanation/fidelity.md.
 constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
 
-/// A floor of one of two kinds. Stripes: lines of width `line` along the centre lines of map::Stripes.
-/// Raster (the map has `floor = "raster"`): each painted line cell is dark as a whole.
+/// A floor has one of two kinds. On a stripe floor, lines of the map's width `line` follow the centre lines
+/// of map::Stripes. On a raster floor (the map has `floor = "raster"`), each painted line cell is dark as a
+/// whole.
 ///
-/// One byte per cell describes what a query inside the cell can find. So most queries cost one load and one
-/// square root. The byte depends on the kind of floor:
+/// One byte per cell describes what a query inside the cell can find. Most queries therefore cost one load
+/// and one square root. The byte depends on the kind of floor:
 ///   square corners: which of its four arms (half stripes from its centre to its sides) the cell has,
 ///                   and whether they are painted; no stripe of another cell is nearer than cell / 2
 ///   round corners:  no byte; map::StripeIndex lists the few stripes near the cell, if any
@@ -43,8 +44,8 @@ class Floor {
   /// The map must outlive the floor.
   explicit Floor(const map::Map& map);
 
-  /// Returns the share of a sensor's footprint that lies on painted line, 0..1. `footprint_m` is f: the side
-  /// of a square footprint, or of the square that has the same area as a disc (diameter 1.13 f).
+  /// Returns the share of a sensor's footprint that lies on a painted line, 0..1. `footprint_m` is f: the
+  /// side of a square footprint, or of the square that has the same area as a disc (diameter 1.13 f).
   ///   clamp((line/2 + f/2 - d) / f, 0, min(1, line/f)),  d = distance to the nearest painted centre line
   /// The result is exact for a square on a parallel stripe, and within 0.026 for a disc on an edge. On a
   /// raster floor it is the exact share of a square of side f.
@@ -72,9 +73,9 @@ class Floor {
   }
 
   /// Returns how dark a footprint appears to a reflectance sensor: 0 is white paper, 1 black. The value is
-  /// negative where more light returns than from paper. On a floor with an image, it is the image's mean
-  /// darkness. On a floor with lines only, it is the dark share of the footprint: the share on a dark line,
-  /// or off a light line.
+  /// negative where more light returns than from paper. On a floor with an image, the value is the image's
+  /// mean darkness. On a floor with lines only, the value is the dark share of the footprint: the share on a
+  /// dark line, or off a light line.
   ///
   /// Marks are painted like the line. Each area lies under or over lines and marks, and later areas cover
   /// earlier ones (map::Area). PaintedLines computes lines of other widths and colours, wear and gloss.
@@ -92,13 +93,14 @@ class Floor {
   /// Converts on_line() to darkness(). Valid only if has_lines_only().
   double darkness_of(double on_line) const { return light_line_ ? 1.0 - on_line : on_line; }
   bool has_lines_only() const { return plain_ && widths_.empty(); }
-  /// Returns the darkness in a band of light.
+  /// Returns the darkness in one band of light.
   double darkness(Vec2 p, double footprint_m, Band band) const {
     return patched(drawn_darkness(p, footprint_m, band), p, footprint_m);
   }
 
-  /// Makes patches of the floor brighter and darker. brightness() then has the standard deviation `share`,
-  /// and a correlation of one half at about 5 mm. With `share` 0, brightness() is 1 everywhere.
+  /// Makes some patches of the floor brighter, and others darker. brightness() then has the standard
+  /// deviation `share`. Its correlation is one half at about 5 mm. With `share` 0, brightness() is 1
+  /// everywhere.
   void vary(const NoiseStream& noise, double share) {
     noise_ = noise;
     variation_ = share;
@@ -172,7 +174,7 @@ class Floor {
     return 0.5 * (std::fabs(t) - std::fabs(t - most) + most);  // clamps to 0..most without a branch
   }
   double patch_brightness(Vec2 p) const;
-  /// Returns the coverage of the map's own lines.
+  /// Returns the coverage by the map's lines, without changes of paint during the run.
   double drawn_coverage(Vec2 p, double footprint_m) const;
   double drawn_coverage(Vec2 p, double footprint_m, NearStripe& last) const;
   /// Returns the darkness after changes of paint during the run; `darkness` is the value without them.
@@ -180,8 +182,8 @@ class Floor {
     if (patches_.empty()) return darkness;
     return patches_.over(darkness, light_line_ ? 0.0 : 1.0, light_line_ ? 1.0 : 0.0, p, footprint);
   }
-  // Returns the darkness of a floor with more than lines. Not inline, because that would slow down floors
-  // with lines only. Takes x and y, because a Vec2 would be built in memory before each reading.
+  // Returns the darkness of a floor with more than lines. The function is not inline, because it would slow
+  // down floors with lines only. It takes x and y, because a Vec2 would be built in memory before each call.
   double painted_darkness(double x, double y, double footprint_m) const;
   double other_darkness(double x, double y, double footprint_m) const;
   double darkness_of_paint(Vec2 p, double footprint) const;
@@ -235,9 +237,10 @@ class Floor {
   std::vector<std::uint8_t> cells_;  // square corners: numbers of kinds_, row by row from the bottom
   double stripes_reach_ = 0.0;
   std::unique_ptr<map::Stripes> stripes_;  // round corners
-  // stripes_, then marks_; null unless alike_, with marks and round corners, and not a raster
+  // Indexes stripes_, followed by marks_. Exists only if alike_ is set, and the floor has marks and round
+  // corners, and is not a raster; else null.
   std::unique_ptr<map::StripeIndex> with_marks_;
-  std::vector<double> widths_;       // m, per paint, at least the map's line; empty if none is wider
+  std::vector<double> widths_;       // m, line width of each paint; empty if none exceeds the map's width
   std::vector<std::uint8_t> quads_;  // raster: bits SW SE NW NE; one more row and column than the map
 };
 

@@ -25,7 +25,7 @@ Meeting meeting_of(const map::Joint& joint, const FloorGaps::Roller& roller) {
   return {std::min(joint.half_length - 0.5 * tread, kMostShare * reach), reach};
 }
 
-// Returns the speed up to which the roller rolls about the edges.
+// Returns the speed above which the roller leaves the gap's first edge and falls.
 double rolling_speed(double radius) { return std::sqrt(kGravity * radius); }
 
 }  // namespace

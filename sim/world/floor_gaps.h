@@ -14,8 +14,8 @@
 //   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              at most 4 m G h, at any speed
 //
 // A wheel that rolls obliquely, at the angle theta, reaches r |cos theta| along the gap's width. Its tread of
-// width w bridges w |sin theta| of that width. Robot files do not contain w; 6 mm are assumed, as for narrow
-// wheels. A ball has no tread. A ball that is hardly wider than the gap is caught.
+// width w bridges w |sin theta| of the gap's width. Robot files do not contain w; 6 mm are assumed, as for
+// narrow wheels. A ball has no tread. A ball that is hardly wider than the gap is caught.
 //
 // Not modelled: soft tyres, which sink less and lose less; boards of different heights (use a [[hill]] as a
 // step); a jolt that lifts the other wheels.

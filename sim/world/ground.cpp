@@ -27,7 +27,7 @@ struct CrossSection {
 };
 
 struct Top {
-  double height = 0.0;  // m; of the wheel's lowest point above the floor
+  double height = 0.0;  // m; height of the wheel's lowest point above the floor
   double slope = 0.0;   // along the hill
 };
 

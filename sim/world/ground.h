@@ -1,13 +1,15 @@
-// Models the height, slope and surface of the floor: [[hill]] and [[surface]] of a map. Gaps between boards:
-// floor_gaps.h.
+// Models the height, slope and surface of the floor: [[hill]] and [[surface]] of a map. floor_gaps.h models
+// gaps between boards.
 //
-// Coordinates run along the slope (grid/relief.h), so the gradient of the height h is the sine of the slope's
-// angle. A wheel of radius r cannot touch every point of a profile. The height of its axle at s, minus r, is
+// Coordinates run along the slope (sim/map/relief.h). The gradient of the height h is therefore the sine of
+// the slope's angle. A wheel of radius r cannot touch every point of a profile. The height of the axle at s,
+// minus r, is
 //   z(s) = max over s' of  h(s') + sqrt(r^2 - (s' - s)^2) - r      s' within the wheel's reach
 // The maximum is computed exactly: it is at a corner of the profile, or on a straight of slope k, which
 // contributes
 //   h(s) + r sqrt(1 + k^2) - r
-// A wheel that rolls obliquely to a hill reaches r |cos| along the hill and r |sin| across.
+// A wheel at the angle theta to a hill reaches r |cos theta| along and r |sin theta| across
+// the hill.
 //
 // A wheel therefore meets a step of height H when its axle is r sqrt(1 - (1 - H/r)^2) before the step. The
 // slope of z is then tan(acos(1 - H/r)). A wheel at rest climbs only as far as its grip allows. If the wheel
@@ -17,7 +19,7 @@
 // A seesaw is a thin, even plank on a pivot at height p, with mass M and length L:
 //   (M L^2 / 12 + sum m s^2) d2(sine)/dt2 = - sum N s       m, N: mass and force at s from the pivot
 // The plank stops when an end touches the floor. Approximations: sine for angle; masses on the plank move
-// slowly along it.
+// slowly along the plank.
 //
 // Not modelled: the distance that a wheel gains at a crest and loses at a foot; soft ground; overhangs.
 #pragma once
@@ -62,14 +64,14 @@ class Ground {
 
   /// Applies a mass (kg) and a force (N) to the ground at p, in this tick.
   void press(Vec2 p, double mass, double force);
-  /// Moves the seesaws according to what has pressed on them. Call at the end of a tick.
+  /// Moves the seesaws by the forces of press() in this tick. Must be called at the end of a tick.
   void settle();
   /// Returns the greatest distance, m, by which a seesaw lifts a body in this tick.
   double heave() const;
 
   /// The state that changes during a run.
   struct Seesaw {
-    double sine = 0.0, rate = 0.0;       ///< of the plank's slope; its rate, 1/s; positive: the end is up
+    double sine = 0.0, rate = 0.0;       ///< sine of the plank's slope along the hill, and its rate, 1/s
     double torque = 0.0, inertia = 0.0;  ///< sums over this tick's presses
   };
   struct State {

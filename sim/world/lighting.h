@@ -12,7 +12,7 @@
 //
 // A sensor receives L times its exposure x. Light enters from the side, through the gap between floor and
 // robot:
-//   x(h) = (h^2 / (h^2 + 5^2)) / (3^2 / (3^2 + 5^2)),  h = its height in mm
+//   x(h) = (h^2 / (h^2 + 5^2)) / (3^2 / (3^2 + 5^2)),  h = the sensor's height in mm
 // This is the light of a uniform sky on a point 5 mm behind an edge at height h (Lambert). It is relative to
 // the light at h = 3 mm. The 5 mm are estimated as half a sensor board's width.
 #pragma once

@@ -3,16 +3,17 @@
 //   L di/dt = v - R i - E        tau = L / R; E = k_e w (back-EMF at rate w), constant during a period
 //
 // In each phase of a period a driver applies a voltage v to the winding. With diodes, v may depend on the
-// current's direction: v+ while it flows forward, v- >= v+ while it flows backward. No voltage applies if no
-// current flows and neither voltage would start one. In a phase of duration t with constant v,
+// current's direction: v+ while it flows forward, v- >= v+ while it flows backward. If no current flows, and
+// neither voltage would start a current, the current stays 0. In a phase of duration t with constant v,
 //   i(t) = a + (i(0) - a) e^(-t / tau),  integral of i = a t - tau (i(t) - i(0)),  a = (v - E) / R
 // If a and i(0) have opposite signs, the current reaches 0 after tau ln(1 - i(0) / a). In the steady state,
 // the current at a period's end equals the current at its beginning. Newton's method finds this current in 1
-// to 3 periods: the end is a linear function of the beginning while the current keeps its sign. No pulse is
-// simulated.
+// to 3 periods: while the current keeps its sign, the current at the end depends linearly on the current at
+// the beginning. Single pulses are not simulated.
 //
-// If the driver applies V for the part D T of each period, without voltage drops (Erickson and Maksimovic,
-// Fundamentals of Power Electronics, chapters 2 and 5, whose converters have R = 0):
+// The following holds if the driver applies V for the part D T of each period, without voltage drops.
+// Source: Erickson and Maksimovic, Fundamentals of Power Electronics, chapters 2 and 5, whose converters have
+// R = 0.
 //   shorted in between (slow decay):     mean i = (D V - E) / R, at any T; the current from the battery drops
 //                                        from D V (V - E) / R for T >> tau to D V (D V - E) / R for T << tau
 //   ripple, peak to peak:                V / R (1 - e^(-D T / tau)) (1 - e^(-(1 - D) T / tau)) /
@@ -40,15 +41,15 @@ struct Phase {
   double supply[2] = {};  ///< the supply's current in each case, as a multiple of the winding's: -1, 0 or 1
 };
 
-/// Means over a period, and their slope with respect to E.
+/// Means over a period, and their slopes with respect to E.
 struct MeanCurrent {
   double amps = 0.0, amps_per_volt = 0.0;    ///< A of the winding
   double drawn = 0.0, drawn_per_volt = 0.0;  ///< A from the supply; below 0, into the supply
 };
 
-/// Computes the means. `tau` is L / R as a multiple of the period. If `tau` is 0 (a much longer or unknown
-/// period), the current has its final value in each phase. Expects at most four phases, whose shares add up
-/// to 1.
+/// Computes the mean currents of a period. `tau` is L / R as a multiple of the period. If `tau` is 0 (a much
+/// longer or unknown period), the current has its final value in each phase. Expects at most four phases,
+/// whose shares add up to 1.
 MeanCurrent mean_current(std::span<const Phase> phases, double emf, double per_ohm, double tau);
 
 }  // namespace robosim::world

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kFew = 8;
 // Margin: two bodies that are pushed apart may come closer to a third body.
 constexpr double kPushed_m = 0.02;
-constexpr int kMostSquares = 512;  // in a row or column
+constexpr int kMostSquares = 512;  // maximum number of squares in a row or column
 
 }  // namespace
 

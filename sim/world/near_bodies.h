@@ -1,5 +1,5 @@
-// Finds bodies that are near enough to meet, without testing every pair. Divides the floor into large
-// squares: two bodies that meet are in the same square or in neighbouring squares.
+// Finds pairs of bodies that are near enough to touch, without testing every pair. Divides the floor into
+// large squares: two bodies that touch are in the same square or in neighbouring squares.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ class NearBodies {
 
   NearBodies(double width_m, double height_m) : width_m_(width_m), height_m_(height_m) {}
 
-  /// Returns all pairs that may meet, sorted from west to east; each pair begins with its western body. The
-  /// order does not depend on the bodies' numbers. Valid until the next call.
+  /// Returns all pairs that may touch, sorted from west to east. Each pair begins with its western body. The
+  /// order does not depend on the bodies' numbers. The result is valid until the next call.
   const std::vector<Pair>& pairs(const std::vector<std::unique_ptr<Body>>& bodies);
 
  private:
@@ -34,7 +34,7 @@ class NearBodies {
   double per_side_ = 0.0;
   int columns_ = 0, rows_ = 0;
   // Used only during a call.
-  std::vector<std::int32_t> first_, next_;  ///< first body in a square; next body there; -1 = none
+  std::vector<std::int32_t> first_, next_;  ///< first body in a square; next body in that square; -1 = none
   std::vector<std::size_t> square_;         ///< square of each body
   std::vector<Pair> pairs_;
 };

@@ -11,8 +11,8 @@ constexpr double kRounding = 1e-9;  // m: more than the rounding error of distan
 // The smallest useful size of a box, m. Leaving a box requires a new search, which costs more than evaluating
 // a few stripes.
 constexpr double kWorthwhile = 0.015;
-constexpr double kBeside = 5e-4;  // m; nearer to the reach of a straight stripe, the box is not clear
-constexpr double kAlone = 5e-3;   // m; smallest box for which one stripe suffices, not two
+constexpr double kBeside = 5e-4;  // m; least distance of p from a straight stripe's reach for a clear box
+constexpr double kAlone = 5e-3;   // m; least half side of a box that stores one stripe, not two
 constexpr double kDiagonal = 0.70710678118654752;
 
 bool is_level(const map::Stripe& s) { return s.radius == 0.0 && s.a.y == s.b.y && s.a.x < s.b.x; }
@@ -87,7 +87,7 @@ double NearStripe::seek(const Around& around, Vec2 p) {
     box_ = {};
     return nearest;
   }
-  // A point that moves by half the difference between both distances is not yet nearer to another stripe.
+  // A point that moves by half the difference of the two distances is not yet nearer to the other stripe.
   const double alone = kDiagonal * 0.5 * (next - nearest) - kRounding;
   if (alone < kAlone) {
     box_.keep(p, kDiagonal * 0.5 * (third - nearest) - kRounding);
@@ -99,7 +99,7 @@ double NearStripe::seek(const Around& around, Vec2 p) {
   return nearest;
 }
 
-// Selects a simpler formula for the distance to a stripe that alone matters in the box.
+// Selects a simpler formula for the distance to the only stripe that matters in the box.
 void NearStripe::beside(const map::Stripe& stripe, Vec2 p) {
   at_ = stripe.radius > 0.0 ? stripe.centre : stripe.a;
   radius_ = stripe.radius;

@@ -24,12 +24,12 @@ struct FloorBox {
 /// The stripe nearest to a place, and the box around the place in which it stays the nearest.
 class NearStripe {
  public:
-  /// Returns whether the result at p is known. It is unknown before the first search.
+  /// Returns whether the cached result is valid at p. Before the first search, it is not valid anywhere.
   bool holds(Vec2 p) const { return box_.holds(p); }
-  /// Returns whether the footprint of the search reaches no stripe. Valid where holds() is true.
+  /// Returns whether the footprint of the search reaches no stripe. Requires holds(p).
   bool is_clear() const { return kind_ == Kind::clear; }
-  /// Returns the distance to the nearest stripe, m, bit for bit as map::distance does. Valid where holds()
-  /// is true and is_clear() is not.
+  /// Returns the distance to the nearest stripe, m, equal bit for bit to map::distance. Requires holds(p) and
+  /// !is_clear().
   double distance(std::span<const map::Stripe> all, Vec2 p) const {
     if (kind_ == Kind::level) return std::fabs(p.y - at_.y);
     if (kind_ == Kind::upright) return std::fabs(p.x - at_.x);

@@ -9,7 +9,7 @@
 
 namespace robosim::world {
 
-/// The band of a sensor: reflected infra-red, red, green or blue.
+/// The band of light that a sensor measures.
 enum class Band { infrared, red, green, blue };
 
 /// Returns a colour's reflectance in a band, relative to white.
@@ -23,10 +23,10 @@ class PaintedAreas {
 
   bool empty() const { return areas_.empty(); }
 
-  /// Returns the reflectance of a band, as a share of white's, in a square of side `footprint` about p.
-  /// Only areas with the given `over_lines` count; `below` is the reflectance under them. Each area covers
-  /// the previous ones. The share of the square that an area covers is exact for a parallel rectangle. A
-  /// disc's edge is treated as straight.
+  /// Returns the reflectance in a band, relative to white, of a square of side `footprint` about p.
+  /// Only areas with the given `over_lines` count; `below` is the reflectance under them. Later areas cover
+  /// earlier ones. The share of the square that an area covers is exact for a parallel rectangle. A disc's
+  /// edge is treated as straight.
   double over(double below, bool over_lines, Band band, Vec2 p, double footprint) const {
     return areas_.empty() ? below : over_any(below, over_lines, band, p, footprint);
   }

@@ -32,7 +32,7 @@ PaintedLines::PaintedLines(const map::Map& map, const PaintedMarks& marks)
 
 double PaintedLines::over_these(std::span<const std::uint32_t> near, double below, Band band, Vec2 p,
                                 double footprint, const PaintedMarks& marks) const {
-  // by paint in `met`: its smallest distance, later replaced by its share
+  // For each paint in `met`: the distance to the nearest stripe, later replaced by the covered share.
   std::array<double, map::Paint::kMost + 1> shares;
   std::uint64_t met = 0;
   const std::span<const map::Stripe> lines = stripes_->all();

@@ -27,11 +27,11 @@ class PaintedLines {
   /// Sets the noise that selects the places without paint.
   void wear(const NoiseStream& noise) { noise_ = noise; }
 
-  /// Returns the reflectance of a band, as a share of white's, in a square of side `footprint` about p.
+  /// Returns the reflectance in a band, relative to white, of a square of side `footprint` about p.
   /// `below` is the reflectance under the lines. For each paint, in the order of their numbers,
   ///   r <- r + c t (r_paint - r)
   /// c is the largest share of the footprint that a stripe or mark of that paint covers (Floor::coverage). t
-  /// is the remaining share of the paint there.
+  /// is the share of the paint that wear has left at p.
   double over(double below, Band band, Vec2 p, double footprint, const PaintedMarks& marks) const {
     if (footprint > kLookedUpFootprint) return over_these(all_, below, band, p, footprint, marks);
     const double u = p.x * per_cell_, v = p.y * per_cell_;
@@ -42,9 +42,9 @@ class PaintedLines {
   }
 
   /// Returns the remaining share of paint at p, 0..1, if the share `worn` is gone. At each point of a 10 mm
-  /// lattice the paint is whole or gone. In between, the share is the smooth mean of four points. The mean
-  /// share over a long line is therefore 1 - worn. Paint that is gone at a small `worn` is also gone at a
-  /// larger `worn`.
+  /// lattice the paint is whole or gone. In between, the share is smoothly interpolated from four points. The
+  /// mean share over a long line is therefore 1 - worn. Paint that is gone at a small `worn` is also gone
+  /// at a larger `worn`.
   double left(Vec2 p, double worn) const;
 
  private:

@@ -18,8 +18,8 @@ class PaintedMarks {
 
   bool empty() const { return marks_.empty(); }
   std::size_t paint(std::size_t mark) const { return static_cast<std::size_t>(marks_[mark].paint); }
-  /// Returns the share of a square of side `footprint` about p that lies on a mark. Exact if the square is
-  /// parallel to the mark.
+  /// Returns the share of a square of side `footprint` about p that lies on a mark. The result is exact if
+  /// the square is parallel to the mark.
   double share(std::size_t mark, Vec2 p, double footprint) const {
     const Vec2 own = marks_[mark].middle.to_body(p);
     return within(own.x, marks_[mark].half_length, footprint) *

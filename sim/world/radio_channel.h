@@ -13,7 +13,7 @@ namespace robosim::world {
 
 class RadioChannel {
  public:
-  /// A byte as it reaches a radio.
+  /// A byte, and the time at which it reaches a radio.
   struct Arrival {
     SimTime at = 0;
     std::uint8_t byte = 0;
@@ -24,12 +24,12 @@ class RadioChannel {
   /// Sends a byte, which reaches the other radios at `at`. `at` must be in a later tick, so that the order of
   /// calls within a tick has no effect.
   void send(std::size_t from, std::uint8_t byte, SimTime at);
-  /// Removes and returns the next byte that has reached this radio before `t`.
+  /// Removes and returns the next byte that reaches this radio before `t`; nullopt = none.
   std::optional<Arrival> take(std::size_t radio, SimTime t);
 
   /// The state that changes during a run.
   struct State {
-    std::vector<std::vector<Arrival>> arriving;  ///< per radio, sorted by time, then by byte, not by sender
+    std::vector<std::vector<Arrival>> arriving;  ///< for each radio, sorted by time, then by the byte's value
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }

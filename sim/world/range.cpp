@@ -1,3 +1,4 @@
+// Computes distances along rays and in beams, as distance sensors measure them.
 #include <algorithm>
 #include <cmath>
 #include <limits>

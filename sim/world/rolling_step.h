@@ -37,7 +37,7 @@ struct Rolling {
 };
 
 /// Computes the next tick of a body without sideways speed (u = 0). `stride` is the result of
-/// Walls::stride(). Returns whether the body simply rolls on; only then is `next` valid.
+/// Walls::stride(). Returns whether the body simply rolls on. Otherwise, `next` is not valid.
 template <class Both>
 inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Both>& now,
                        Rolling<Both>& next) {
@@ -46,7 +46,7 @@ inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Bo
   const double v = now.v, omega = now.omega;
   const Both s = now.surface;
 
-  // As in Body::motor().
+  // Computes the motors' impulses like Body::motor().
   Both push = where_less(body.direction * s, body.push_until, body.push, kNone);
   Both drag = where_less(body.direction * s, body.push_until, body.drag, kNone);
   push = push + where_less(body.brake_from, abs_of(s), signed_as(body.brake_push, s), kNone);
@@ -57,7 +57,7 @@ inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Bo
   next.free_way = now.free_way - body.way_per_travel * travel;
   sure.is_less(0.0, next.free_way);  // else walls must be checked
 
-  // As in Body::advance() and Body::pose_after().
+  // Moves the body like Body::advance() and Body::pose_after().
   const double a = omega * kDt;
   const double a2 = a * a;
   const double sine = a * (1.0 - a2 * (1.0 / 6.0 - a2 * (1.0 / 120.0)));
@@ -77,7 +77,7 @@ inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Bo
   next.wheel_travel = now.wheel_travel + 0.5 * (std::fabs(s[0]) + std::fabs(s[1])) * kDt;
   next.distance = now.distance + std::fabs(v) * kDt;
 
-  // As in Body::accelerate().
+  // Computes the new speeds like Body::accelerate().
   const double sideways = -side_free * body.mass;
   sure.is_at_most(std::fabs(sideways), body.skids_from);
   const double own = body.mass_own, other = body.mass_cross;
@@ -100,7 +100,7 @@ inline Sure<Both> roll(const Roller<Both>& body, double stride, const Rolling<Bo
   sure.is_at_most(treads, kMaxSpeed);
   sure.is_at_most(std::fabs(next.omega), kMaxTurn);
 
-  // As in Body::draw_energy().
+  // Adds the motors' energy like Body::draw_energy().
   const Both joules = body.joule0 - body.joule1 * (body.direction * y);
   const Both drawn = body.drives * where_less(joules, kNone, kNone, joules);
   next.energy = now.energy + drawn[0] + drawn[1];

@@ -1,5 +1,5 @@
-// Stores changes of the paint during a run. Each change is a rectangle of line or of bare floor, parallel to
-// the floor's edges. Later rectangles cover earlier ones.
+// Stores changes of the floor's paint during a run. Each change is a rectangle of line paint or of bare
+// floor, parallel to the floor's edges. Later rectangles cover earlier ones.
 #pragma once
 
 #include <vector>
@@ -29,8 +29,9 @@ class RuntimePaint {
   /// Removes a patch. Does nothing if the patch does not exist.
   void remove(int id);
 
-  /// Returns the coverage or darkness of a square of side `footprint` about p. The value is `below` without
-  /// these patches, and `line` or `bare` if such a patch covers the whole square.
+  /// Returns the coverage or darkness of a square of side `footprint` about p. `below` is the value without
+  /// patches. `line` and `bare` are the values of a square that a patch of line, or of bare floor, covers
+  /// completely.
   double over(double below, double line, double bare, Vec2 p, double footprint) const;
 
   const State& save() const { return state_; }

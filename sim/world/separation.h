@@ -12,15 +12,14 @@ namespace robosim::world {
 
 class Separation {
  public:
-  /// Returns for each body whether it can neither meet nor notice another one within `seconds`, nor be
-  /// noticed. See World::apart. Valid until the next call.
+  /// Computes the result of World::apart(), which is valid until the next call.
   const std::vector<bool>& find(const std::vector<std::unique_ptr<Body>>& bodies,
                                 const std::vector<double>& sights, double seconds);
 
  private:
   struct Room {
     Vec2 centre;
-    double radius, sight;  // m; of the circle that the body does not leave; sight beyond this circle
+    double radius, sight;  // m; of the circle that the body does not leave; sensor range beyond this circle
     std::size_t number;
   };
   std::vector<Room> rooms_;  // sorted from west to east; used only during a call

@@ -6,7 +6,7 @@
 
 namespace robosim::world {
 
-/// A tick, s.
+/// The duration of a tick, s.
 constexpr double kDt = static_cast<double>(kTick) / static_cast<double>(kSecond);
 
 // No motor reaches these limits. They keep a step finite for any parameters.

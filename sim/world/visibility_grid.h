@@ -1,4 +1,4 @@
-// Divides the floor into squares, and stores for each square what may be visible from it.
+// Divides the floor into squares, and stores for each square the objects that may be visible from there.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Stores the obstacles of bodies: wall and obstacle cells, everything beyond the map's edge, and round
-// obstacles placed during a run.
+// Stores everything solid that stops bodies: wall and obstacle cells, the area beyond the map's edge, and
+// round obstacles placed during a run.
 #pragma once
 
 #include <algorithm>
@@ -64,7 +64,7 @@ class Walls {
     return rings == 0 ? 0.0 : (rings - 1 + border) * map_->cell_m;
   }
 
-  /// Returns where a disc touches something, or leaves a gap of less than kNear.
+  /// Returns the contacts of a disc, including solids at a gap of less than kNear.
   Contacts touch(Vec2 centre, double radius) const;
   /// Returns the contacts of a convex polygon, counter-clockwise, in the world frame. The circle of `radius`
   /// about `centre` must contain the polygon.
@@ -93,7 +93,7 @@ class Walls {
   /// Returns whether a disc is less than kNear from the circle.
   bool near_disc(Vec2 centre, double radius) const;
 
-  /// Returns how far a body may move between two checks of walls without passing through one, m.
+  /// Returns how far a body may move between two checks for walls without passing through a wall, m.
   double stride(double body_radius) const {
     double least = map_->cell_m;
     for (const Disc& disc : state_.discs) least = std::min(least, body_radius + disc.radius_m);

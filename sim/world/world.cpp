@@ -83,7 +83,7 @@ void World::collide_bodies() {
     a.touched_ = b.touched_ = a.touched_body_ = b.touched_body_ = true;
     const double away = std::sqrt(square);
     const Vec2 n = away > 0.0 ? d * (1.0 / away) : Vec2{1.0, 0.0};
-    // Computes each share by its own quotient: exchanging a and b does not change a single bit of the result.
+    // Computes each share by its own quotient, so that exchanging a and b does not change any bit.
     const double both = a.per_mass_ + b.per_mass_;
     const double share_a = a.per_mass_ / both, share_b = b.per_mass_ / both;
     const double approach = dot(a.velocity() - b.velocity(), n);

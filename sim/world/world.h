@@ -48,17 +48,17 @@ class World {
   /// Remove or move an obstacle; do nothing if it does not exist.
   void remove_obstacle(int number) { walls_.remove(number); }
   void move_obstacle(int number, Vec2 centre) { walls_.move(number, centre); }
-  /// Returns what has been painted during the run.
+  /// Returns the paint that is added or removed during the run.
   RuntimePaint& patches() { return floor_.patches(); }
   Lighting& lighting() { return lighting_; }
 
   const Walls& walls() const { return walls_; }
 
-  /// Returns the radio channels.
+  /// Returns the model of radio transmission between robots.
   RadioChannel& radio() { return radio_; }
 
-  // Returns the distance that body `from_body` can see from a point of the floor, as in walls.h. Other bodies
-  // count as circles about their outlines; lifted bodies do not count.
+  // The next functions return the distance from a point to the nearest solid (walls.h), for a sensor of body
+  // `from_body`. Other bodies count as circles about their outlines; lifted bodies do not count.
   double range_along(std::size_t from_body, Vec2 from, Vec2 direction, double most) const;
   double range_in_beam(std::size_t from_body, Vec2 from, Vec2 direction, Vec2 half_beam, double most) const;
 
@@ -82,8 +82,8 @@ class World {
 
   // The next functions step bodies that cannot affect others for a while, on a plane floor: see Separation.
   /// Returns for each body whether it stays apart from all others for `seconds`, without outside influence.
-  /// Such a body neither meets nor notices another, and is not noticed. `sights` are the distances, m, from
-  /// each axle's centre within which a body notices others.
+  /// Such a body neither touches nor detects another body, and no other body detects it. `sights` are the
+  /// distances, m, from each axle's centre within which a body's sensors detect others.
   const std::vector<bool>& apart(const std::vector<double>& sights, double seconds) {
     return apart_.find(bodies_, sights, seconds);
   }

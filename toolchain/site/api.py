@@ -1,4 +1,4 @@
-"""Turns Doxygen's XML into pages of Markdown, one for each header, so that one search and one look serve all pages."""
+"""Turns Doxygen's XML into pages of Markdown, one for each header, so that all pages share one search and one design."""
 
 import re
 from collections import defaultdict
@@ -72,7 +72,7 @@ def write_pages(xml, pages):
 
 
 def short(name, namespaces):
-    """The name without its namespaces."""
+    """Returns the name without its namespaces."""
     longest = max((n for n in namespaces if name.startswith(n + "::")), key=len, default="")
     return name[len(longest) :].lstrip(":")
 
@@ -107,7 +107,7 @@ class Writer:
         return f"```cpp\n{line}{compound.get('kind')} {name}{' : ' if bases else ''}{', '.join(bases)};\n```\n"
 
     def members(self, members):
-        """Documented functions with a heading each; the others as code, and variables as tables."""
+        """Returns documented functions with a heading each, other functions as code, and variables as tables."""
         out, code, rows, last = [], [], [], ""
 
         def flush():
@@ -177,7 +177,7 @@ class Writer:
         return self.inner(node)
 
     def words(self, text):
-        """Text, in which the names of documents become links."""
+        """Returns escaped text, in which the names of documents are links."""
         text = escape(re.sub(r"\s+", " ", text or ""))
         return re.sub(r"docs/[\w/-]+\.md", lambda name: f"[{name[0]}]({self.relative(name[0])})", text)
 

@@ -95,7 +95,7 @@ def on_page_content(html, **_):
 
 
 class Page(HTMLParser):
-    """A page's anchors, links, and loaded files."""
+    """Collects a page's anchors, links, and loaded files."""
 
     def __init__(self, text):
         super().__init__()

@@ -1,4 +1,5 @@
-// Explores a network of lines, stores its map, and drives to any station by the fastest path. Robot: uno5.
+// Explores a network of lines, stores its map, and drives to any station by the fastest path. It is for
+// Robosim's robot model uno5.
 //
 //   button          starts a scan from any line. The end of a line is a station; stations are numbered
 //                   in the order of discovery

@@ -5,7 +5,8 @@
 // duty is the on-time per kPeriod, in ms; negative is backward. A duty of 14 drives at about 12 cm/s.
 //
 // step() does all work: it switches the motors, waits until the next step is due, and reads the sensors.
-// While the collision sensor is pressed, step() waits, for up to kPatienceMs. blocked() is then true.
+// While the collision sensor is pressed, step() waits for up to kPatienceMs. If the sensor is still pressed
+// after that time, blocked() becomes true.
 #ifndef PONY_H
 #define PONY_H
 
@@ -26,7 +27,7 @@ class Pony {
   /// Stands still for `ms` milliseconds.
   void rest(uint16_t ms);
 
-  /// Returns whether a sensor is over the line, debounced by two equal readings.
+  /// Return whether the sensor is over the line. A new state counts after two equal readings.
   bool left() const { return seen_ & 1; }
   bool middle() const { return seen_ & 2; }
   bool right() const { return seen_ & 4; }

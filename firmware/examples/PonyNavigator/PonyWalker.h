@@ -8,11 +8,12 @@
 //   L or R dark for about one width    an arm; the time in the dark calibrates the following distances
 //   all white for a while              the line has ended, unless a search on both sides finds it
 //
-// (The robot of the m-graph paper steers by the patterns 110 and 011 of L, M and R. So it cannot distinguish
-// an arm on one side from drifting off the line. It recognises only 111 as a junction.)
+// (The robot of the m-graph paper steers by the patterns 110 and 011 of L, M and R. So that robot cannot
+// distinguish an arm on one side from a drift off the line. It recognises only 111 as a junction.)
 //
 // After an arm the robot rolls on until its axle is over the arm, and searches for the line ahead. Two arms,
-// including the arm of arrival, make a bend; more make a junction. With only that arm, the line has ended.
+// including the arm of arrival, make a bend; more make a junction. If the arm of arrival is the only arm, the
+// line has ended.
 //
 // Times are in steps of Pony::kStepMs. A line is 20 mm wide, so the duration of an arm is the time for 20 mm.
 // The motor speed is stable enough to use this time for the next distances. The first full turn on the spot
@@ -52,7 +53,8 @@ class PonyWalker {
   bool lookAhead();
   /// Turns on the spot for at most `steps`; `dir` is 1 to the right, -1 to the left. Returns true at a line.
   bool turnToLine(int8_t dir, uint16_t steps);
-  /// Turns on the spot to the `count`-th line, `quarters` quarter turns away. Returns false if it is missing.
+  /// Turns on the spot to the `count`-th line, `quarters` quarter turns away. Returns false if that line is
+  /// not found.
   bool turn(int8_t dir, uint8_t quarters, uint8_t count);
   void spin(int8_t dir, uint8_t duty) {
     pony_.step(static_cast<int8_t>(dir * duty), static_cast<int8_t>(-dir * duty));

@@ -73,8 +73,9 @@ class FixedDijkstraWork {
   Cost costs_[kNodes];
 };
 
-/// Finds the path of least cost. Sums that exceed the range of Work::Cost become its greatest value. Equally
-/// near nodes are settled in an unspecified but repeatable order. The path's memory serves as the heap.
+/// Finds the path of least cost. A sum of costs that exceeds the range of Work::Cost becomes the greatest
+/// Work::Cost. Equally near nodes are settled in an unspecified but repeatable order. The search uses the
+/// path's memory for its heap.
 template <class Network, class Path, class Work>
 Plan dijkstra(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
               Work& work) {
@@ -117,16 +118,18 @@ Plan dijkstra(const Network& network, typename Network::Id from, typename Networ
   return Plan::no_way;
 }
 
-/// Finds the next node on the path of least cost, with 17 bits of memory per junction. Stations need none,
-/// since they are only at the ends of paths. The network must count its junctions, by row() and
+/// Finds the next node on the path of least cost, with 17 bits of memory per junction. Stations need no
+/// memory, since a path can only begin or end at a station. The network must have the functions row() and
 /// junctions(), as FixedNetwork does.
 ///
-/// The search runs from the destination to the robot's node. The last node before the robot's is the result.
-/// Sums stay below 2^16: if the lines are too long for that, all costs are halved until the sums fit.
+/// The search runs from the destination to the robot's node. The last node before the robot's node is the
+/// result. All sums of costs stay below 2^16. If the costs are too large, all of them are halved until the
+/// sums fit.
 template <uint8_t kJunctions>
 class DijkstraNext {
  public:
-  /// Returns `here` if it is the destination; kNone for an unknown node, no path, or too many junctions.
+  /// Returns the next node on the path from `here` to `to`, or `here` if both are the same node. Returns
+  /// kNone if a node is unknown, there is no path, or the network has more than `kJunctions` junctions.
   template <class Network>
   typename Network::Id next(const Network& network, typename Network::Id here, typename Network::Id to) {
     typedef typename Network::Id Id;

@@ -1,21 +1,22 @@
-// Scans a network of lines into a graph: every station, every junction, every obstacle.
+// Explores a network of lines and records it as a graph: every station, every junction, every obstacle.
 //
-// The explorer makes a depth-first walk, the right-hand arm first. At a new junction it adds a node and takes
-// the first arm to the right. It explores everything beyond that arm, comes back, and takes the next arm.
-// After the last arm it returns the way it first came. On a tree this is the right-hand walk round the whole
-// tree. A line that leads to a known junction closes a cycle: the explorer records it and goes back. Every
-// line is thus run once in each direction.
+// The explorer makes a depth-first walk. An arm is a line that leaves a node. At a new junction the explorer
+// adds a node and takes the first arm to the right. It explores everything beyond that arm, comes back, and
+// takes the next arm. After the last arm it returns along the arm of its first arrival. A line that leads to
+// a known junction closes a cycle: the explorer records the line and goes back. So the robot drives along
+// every line once in each direction.
 //
-// The explorer recognises a junction by its place, so it needs a Walker with odometry (kKnowsPlaces). Without
-// odometry it must treat every junction as new. That is right on trees only. On cycles the scan continues
-// until the network is full, and reports that.
+// The explorer recognises a junction by its coordinates, so it needs a Walker with odometry (kKnowsPlaces).
+// Without odometry it treats every junction as new, which is correct only if the lines form a tree. If they
+// form a cycle, the scan continues until the network's memory is full. It then ends with ScanState::full.
 //
 // The scan can begin anywhere. If it begins at the end of a line, that end is station 1 and the root of the
-// graph. Elsewhere the first node that the robot meets is the root, and its arm of arrival is explored last.
+// graph. If it begins on a junction, that junction is the root. Otherwise the first node that the robot meets
+// is the root. The robot explores the root's arm of arrival last.
 //
 // An obstacle is recorded at the arm that leads to it. If the robot also meets the obstacle from the other
-// side, it is recorded at the arm there, too. The line between the two arms stays unknown. If the robot later
-// arrives by a blocked arm, that arm is open again.
+// side, the arm on that side gets a record, too. The line between the two arms stays unknown. If the robot
+// later arrives by a blocked arm, that arm is open again.
 //
 //   nav::Explorer<MyWalker, MyNetwork> explorer(walker, network);
 //   while (explorer.step()) showProgress();
@@ -32,7 +33,7 @@ enum class ScanState : uint8_t {
   complete,  ///< every reachable line is known; the robot stands at the root
   full,      ///< the network's storage is full; its content is correct, but incomplete
   cut_off,   ///< a new obstacle blocks the way back; the network's content is correct
-  lost       ///< the walker is lost, or met something impossible
+  lost       ///< the walker reported `lost`, or a landmark that contradicts the network
 };
 
 template <class Walker, class Network>
@@ -44,8 +45,8 @@ class Explorer : public Pilot<Walker, Network> {
 
   Explorer(Walker& walker, Network& network) : Base(walker, network) {}
 
-  /// Moves to the next node; the first call looks round and clears the network. Returns false once the scan
-  /// has ended, see state().
+  /// Moves to the next node. The first call clears the network and detects the lines around the robot.
+  /// Returns false after the scan has ended; state() then returns the result.
   bool step() {
     if (state_ != ScanState::running) return false;
     if (!begun_) {
@@ -98,7 +99,8 @@ class Explorer : public Pilot<Walker, Network> {
     lose();
   }
 
-  // Begins on a junction. Slot 0, explored last, is the last of right, straight, left and back that exists.
+  // Adds the junction on which the robot begins as the root. Its slot 0, which is explored last, is the arm
+  // behind the robot. If that arm is missing, slot 0 is the first existing arm of left, straight and right.
   void addRoot(const Landmark& at) {
     Heading last = opposite(heading_);
     while (!hasArm(at.arms, last)) last = static_cast<Heading>((last + 1) & 3);
@@ -106,7 +108,7 @@ class Explorer : public Pilot<Walker, Network> {
     if (here_ == Network::kNone) state_ = ScanState::full;
   }
 
-  // Begins in the middle of a line: the first node on it is the root.
+  // Follows the line on which the scan has begun. The first node on that line becomes the root.
   void findRoot() {
     const Landmark met = walker_.follow();
     heading_ = met.heading;
@@ -182,7 +184,7 @@ class Explorer : public Pilot<Walker, Network> {
     retreat(from, slot);
   }
 
-  // Handles a line that has led to a known junction.
+  // Records a line that has led to a known junction, and goes back along that line.
   void close(const Landmark& met, Id from, uint8_t slot, Id known) {
     const uint8_t arms = network_.arms(known);
     if (!hasArm(arms, opposite(heading_))) return lose();
@@ -227,7 +229,7 @@ class Explorer : public Pilot<Walker, Network> {
 
   ScanState state_ = ScanState::running;
   bool begun_ = false;
-  bool blocked_behind_ = false;  ///< an obstacle was met before the first node
+  bool blocked_behind_ = false;  ///< the robot met an obstacle before the first node
 };
 
 }  // namespace nav

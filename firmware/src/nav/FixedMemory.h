@@ -1,4 +1,5 @@
-// Memory of FixedNodes.h for everything except parents and arms. There are two choices:
+// Defines two classes for the `Memory` parameter of FixedNodes.h. They store everything except the parents
+// and arms of nodes:
 //
 //   MapMemory   places of junctions, lines that close cycles, costs: for robots with odometry
 //   TreeMemory  blocked arms only: for robots without odometry, whose networks must be trees
@@ -38,16 +39,17 @@ struct SideLine {
 
 static constexpr uint8_t kBlockedArm = 0xFE;
 
-/// Places and side lines share `kCells` cells of four bytes: places from the front, side lines from the back.
-/// Two junctions less than `kTolerance` apart, both in x and in y, count as one.
+/// Stores junctions' positions and side lines in `kCells` shared cells of four bytes: positions from the
+/// front, side lines from the back. Two junctions less than `kTolerance` apart, both in x and in y, count as
+/// one.
 ///
-/// Costs are stored for lines between the first `kCosts` junctions. Only networks with cycles need costs, and
-/// such networks have at most `kCosts` junctions.
+/// Each of the first `kCosts` junctions also has the cost of the line to its parent. Only networks with
+/// cycles need costs, and a network with cycles has at most `kCosts` junctions.
 template <uint8_t kCosts, uint8_t kCells, uint16_t kTolerance>
 class MapMemory {
  public:
   static constexpr uint8_t kVersion = 3;
-  static constexpr uint16_t kRecordBytes = 1 + kCosts + 4 * kCells;  ///< at most
+  static constexpr uint16_t kRecordBytes = 1 + kCosts + 4 * kCells;  ///< maximum
 
   void clear() { places_ = lines_ = joined_ = 0; }
   uint8_t lines() const { return lines_; }
@@ -61,7 +63,7 @@ class MapMemory {
     return true;
   }
   Place place(uint8_t i) const { return {cells_[i].place.x, cells_[i].place.y}; }
-  /// Returns the nearest place within the tolerance, or the number of places.
+  /// Returns the index of the nearest place within the tolerance, or the number of places if there is none.
   uint8_t find(const Place& at) const {
     uint8_t best = places_;
     uint32_t nearest = kTolerance;
@@ -203,7 +205,7 @@ class MapMemory {
     ++lines_;
     return true;
   }
-  // Removes an obstacle at this arm.
+  // Removes the obstacle recorded at this arm, if there is one.
   void drop(uint8_t node, uint8_t slot) {
     for (uint8_t i = 0; i < lines_; ++i) {
       if (line(i).a != node || (line(i).slots & 3) != slot || line(i).b != kBlockedArm) continue;
@@ -224,7 +226,7 @@ template <uint8_t kBlockedArms>
 class TreeMemory {
  public:
   static constexpr uint8_t kVersion = 2;
-  static constexpr uint16_t kRecordBytes = 1 + 2 * kBlockedArms;  ///< at most
+  static constexpr uint16_t kRecordBytes = 1 + 2 * kBlockedArms;  ///< maximum
 
   void clear() { lines_ = 0; }
   uint8_t lines() const { return lines_; }

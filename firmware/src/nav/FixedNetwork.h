@@ -10,10 +10,10 @@
 //                                  130 in all                    520
 //   in all                                                       990 bytes
 //
-// A side line is a line that closes a cycle, or an arm that was blocked before anything beyond it was known.
-// The memory is enough for every tree of 200 nodes, which has at most 99 junctions, and 31 blocked arms. It
-// is also enough for 64 junctions with four joined arms each, where 65 lines close cycles. Larger networks
-// are refused. In EEPROM a full network takes some 840 bytes.
+// A side line is a line that closes a cycle, or a blocked arm with nothing known beyond it. A tree of 200
+// nodes has at most 99 junctions, so the 130 cells have room for 31 blocked arms as well. They also have room
+// for 64 junctions with four joined arms each, where 65 lines close cycles. If no cell is free, adding a
+// junction or a side line fails. In EEPROM a full network takes about 840 bytes.
 #ifndef LINEKIT_NAV_FIXED_NETWORK_H
 #define LINEKIT_NAV_FIXED_NETWORK_H
 
@@ -24,7 +24,8 @@ namespace nav {
 template <uint16_t kTolerance, uint8_t kNodes = kTreeNodes, uint8_t kCells = kNodes / 2 + 30>
 using FixedNetwork = FixedNodes<MapMemory<kCyclicJunctions, kCells, kTolerance>, kNodes>;
 
-// A node takes two bytes. Every second node may be a junction, which takes four more bytes.
+// A node takes two bytes. At most every second node is a junction, which takes four more bytes. So each node
+// takes at most 4 bytes on average.
 LINEKIT_LIMIT_GROWS(nodes_of_a_tree, 4, 253);
 static_assert(sizeof(FixedNetwork<1, 202>) - sizeof(FixedNetwork<1, 200>) == 2 * 4, "4 bytes each");
 

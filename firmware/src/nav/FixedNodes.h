@@ -1,14 +1,14 @@
 // Stores the nodes of FixedNetwork.h and FixedTree.h: parents and arms in fixed arrays, with ids of one byte.
 // `Memory` (FixedMemory.h) stores everything else.
 //
-// Nodes are in preorder, so links need not be stored. A node's children occupy its slots 1, 2, 3 (and 0, for
-// the root) in order, except slots with a side line. A link is looked up by a walk through the node's
-// descendants and the side lines, in at most some 300 short steps.
+// The nodes are numbered in preorder, so the links need not be stored. The slots 1, 2, 3 of a node lead to
+// its children in the order of their ids; the root's last slot is 0. Slots with a side line are skipped.
+// link() finds a node by a walk through the descendants and the side lines, in about 300 short steps at most.
 //
 // A network can be saved in EEPROM (kRecordBytes at most):
 //
 //   network.save(sink);         // sink.put(byte), byte by byte
-//   if (network.load(source))   // source.get(); false and empty if the record is damaged or foreign
+//   if (network.load(source))   // calls source.get(); false and an empty network if the record is invalid
 #ifndef LINEKIT_NAV_FIXED_NODES_H
 #define LINEKIT_NAV_FIXED_NODES_H
 
@@ -26,10 +26,11 @@ class FixedNodes {
   static constexpr Id kNone = 0xFF;
   static constexpr Id kBlocked = kBlockedArm;
   static constexpr Id kCapacity = kNodes;
-  /// The longest record: version, size, junctions, one bit for each step up and down the tree, shapes,
-  /// memory, checksum.
+  /// The maximum length of a record, in bytes. A record begins with the version, the size, and the number of
+  /// junctions. The rest are one bit for each step up and down the tree, the nodes' shapes, `Memory`, and a
+  /// checksum.
   static constexpr uint16_t kRecordBytes = 3 + (2 * kNodes + 7) / 8 + kNodes + Memory::kRecordBytes + 2;
-  static constexpr bool kPreorder = true;  ///< explorers number nodes in this order; load() rejects others
+  static constexpr bool kPreorder = true;  ///< explorers number nodes in preorder; load() requires it
   static_assert(kNodes > 0 && kNodes < kBlocked, "1 to 253 nodes");
 
   Id size() const { return size_; }
@@ -69,7 +70,7 @@ class FixedNodes {
   bool isTree() const { return memory_.joined() == 0; }
   /// Returns whether no line of the depth-first tree is blocked.
   bool allOpen() const { return cuts_ == 0; }
-  /// Returns the number of junctions before this one: an index for tables of junctions.
+  /// Returns the number of junctions with a smaller id. It serves as an index for tables of junctions.
   uint8_t row(Id node) const {
     uint8_t before = 0;
     for (Id other = 0; other < node; ++other)
@@ -84,7 +85,7 @@ class FixedNodes {
   Id addStation(Id from, uint8_t, uint8_t arms, Heading entry, uint32_t) {
     return size_ < kNodes ? add(from, shapeOf(arms, entry)) : Id(kNone);
   }
-  /// Also returns kNone for a place beyond ±32767.
+  /// Returns the new node. Returns kNone if the memory is full, or if a coordinate does not fit in 16 bits.
   Id addJunction(Id from, uint8_t, uint8_t arms, Heading entry, const Place& at, uint32_t cost) {
     if (size_ >= kNodes || (!isTree() && junctions_ >= kCyclicJunctions) || !memory_.addPlace(at))
       return kNone;
@@ -155,7 +156,8 @@ class FixedNodes {
     return size_++;
   }
 
-  // Finds the child at a slot. The order of the slots is 1, 2, 3, and then 0, for the root.
+  // Returns the child at a slot, or kNone. The children are in the order of the slots 1, 2, 3, and finally 0
+  // for the root.
   Id childBehind(Id node, uint8_t slot) const {
     SideLine other;
     const uint8_t last = slot == 0 ? slotCount(arms(node)) : slot;

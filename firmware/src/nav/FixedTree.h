@@ -1,4 +1,5 @@
-// A Network (Network.h) in fixed arrays (FixedNodes.h), for a robot without odometry: no places, no cycles.
+// A Network (Network.h) in fixed arrays (FixedNodes.h), for a robot without odometry. The network stores no
+// positions of junctions, and must not have cycles.
 //
 //   nav::FixedTree<> network;
 //

@@ -3,24 +3,26 @@
 // A network of lines has nodes of two kinds: junctions, where three or four lines meet at right angles, and
 // stations, where a line ends. Between nodes a line may bend; navigation ignores the bends.
 //
-// A Walker is any type with these members. It runs along lines, and does not use the graph. There are several
-// walkers: one moves from cell to cell on a simulator's grid, others drive motors.
+// A Walker is any type with these members. It moves the robot along lines, and does not use the graph. There
+// are several walkers: one moves from cell to cell on a simulator's grid, others drive motors.
 //
 //   static const bool kKnowsPlaces;       // whether Landmark::at is valid (odometry)
-//   nav::Landmark begin();                // looks round at the start, see below
+//   nav::Landmark begin();                // detects the lines around the robot at the start, see below
 //   nav::Landmark follow();               // runs along the line, round bends, until it meets a landmark
 //   void leave(nav::Turn turn);           // turns at the landmark; follow() then runs in that direction
-//   void relocate(const nav::Place& at);  // "you are here": the navigator has recognised the landmark
+//   void relocate(const nav::Place& at);  // sets the position of the last landmark
 //
-// begin() returns `junction` or `line` if the robot stands on one. It returns `end` if the line leaves in one
-// direction only; the robot then faces that direction. An `end` with no arms is a single spot without any
-// line to follow. begin() returns `lost` if there is no line.
+// begin() returns `junction` or `line` if the robot stands on a junction or in the middle of a line. It
+// returns `end` if a line leaves in one direction only; the robot then faces that direction. An `end` with no
+// arms is a single spot without any line to follow. begin() returns `lost` if there is no line.
 //
-// follow() returns `junction` with the robot on it; `end` with the robot at the line's end, still facing
-// outward; `blocked` in front of an obstacle, facing it. It returns `loop` if the robot is back at its start
-// without a landmark on the way. `lost` means that its position is unknown.
+// follow() returns `junction` when the robot stands on a junction. It returns `end` when the robot stands at
+// the line's end and still faces outward. It returns `blocked` when the robot faces an obstacle. `loop` means
+// that the robot has returned to its start without meeting a landmark. `lost` means that the robot's position
+// is unknown.
 //
-// After `end` and `blocked` the only turn is Turn::back. At a junction, Turn::back faces the line of arrival.
+// After `end` and `blocked` the only turn is Turn::back. At a junction, Turn::back turns the robot to the
+// line of arrival.
 #ifndef LINEKIT_NAV_LANDMARK_H
 #define LINEKIT_NAV_LANDMARK_H
 
@@ -55,10 +57,10 @@ enum class LandmarkKind : uint8_t { line, junction, end, blocked, loop, lost };
 
 struct Landmark {
   LandmarkKind kind;
-  uint8_t arms;     ///< lines that leave from here, including the line of arrival: bit 1 << Heading for each
-  Heading heading;  ///< of the robot, now
+  uint8_t arms;     ///< lines that leave this place, including the line of arrival: bit 1 << Heading for each
+  Heading heading;  ///< heading of the robot at the landmark
   Place at;
-  uint32_t cost;  ///< since the last landmark: number of moves on a grid, else time in units of 20 ms
+  uint32_t cost;  ///< cost since the last landmark: number of moves on a grid, else time in units of 20 ms
 };
 
 /// Returns the arms rotated clockwise: the arm at heading h is then at heading h + quarters.
@@ -69,9 +71,9 @@ inline uint8_t rotatedArms(uint8_t arms, uint8_t quarters) {
 
 inline bool hasArm(uint8_t arms, Heading h) { return (arms >> h & 1) != 0; }
 
-// Slots number the arms of a junction: 0 is the arm of first entry. For a robot that enters by that arm, the
-// others follow from right to left (right, straight, left). Only existing arms count, so a junction with
-// three arms has slots 0, 1, 2.
+// A slot is the number of an arm at a junction. Slot 0 is the arm by which the robot first entered. The other
+// slots follow from right to left, as seen from that arm (right, straight, left). Only existing arms count,
+// so a junction with three arms has slots 0, 1, 2.
 
 /// Returns the number of arms.
 inline uint8_t slotCount(uint8_t arms) {
@@ -88,7 +90,7 @@ inline Heading headingOf(uint8_t arms, Heading entry, uint8_t slot) {
   }
 }
 
-/// Returns the slot of the arm that leaves in heading `h`, which must exist.
+/// Returns the slot of the arm that leaves in heading `h`. The arm must exist.
 inline uint8_t slotOf(uint8_t arms, Heading entry, Heading h) {
   uint8_t slot = 0;
   for (Heading at = opposite(entry); at != h; at = static_cast<Heading>((at + 3) & 3))

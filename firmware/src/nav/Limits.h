@@ -22,8 +22,8 @@
 #endif
 
 #define LINEKIT_REPORT_LIMIT(name, value) __asm__(".set linekit_limit_" #name ", " #value)
-/// Also defines the bytes of RAM for one more item, and the highest value to which the limit may be raised.
-/// robosim run prints how many items fit next to the deepest stack.
+/// Defines two more symbols for a limit: the bytes of RAM for one more item, and the highest allowed limit.
+/// From these symbols, robosim run prints how many items fit in RAM together with the deepest stack.
 #define LINEKIT_LIMIT_GROWS(name, bytes_each, most)           \
   __asm__(".set linekit_bytes_each_" #name ", " #bytes_each); \
   __asm__(".set linekit_most_" #name ", " #most)

@@ -1,5 +1,5 @@
-// Two simple ways to store a network, for comparing planners: a table of links, as on the pony of the m-graph
-// paper, and a table of parents. Neither table stores costs, places or headings.
+// Two simple ways to store a network, for comparing planners: a table of links, as on the Pony robot of the
+// m-graph paper, and a table of parents. Neither table stores costs, places or headings.
 #ifndef LINEKIT_NAV_LINK_TABLE_H
 #define LINEKIT_NAV_LINK_TABLE_H
 
@@ -18,14 +18,14 @@ class LinkTable {
   static constexpr Id kBlocked = kBlockedArm;
   static_assert(kNodes < kBlocked && kSlots >= 1 && kSlots <= 4, "1 to 253 nodes with 1 to 4 links");
 
-  /// Sets the number of nodes, without links.
+  /// Sets the number of nodes, and removes all links.
   void clear(Id size) {
     size_ = size < kNodes ? size : kNodes;
     ends_ = 0;
     for (Id node = 0; node < size_; ++node)
       for (uint8_t slot = 0; slot < kSlots; ++slot) links_[node][slot] = kNone;
   }
-  /// Sets one direction of a line. Call it once for each slot.
+  /// Sets one direction of a line. Call it once for each slot that has a line.
   void setLink(Id node, uint8_t slot, Id to) {
     links_[node][slot] = to;
     ++ends_;
@@ -60,7 +60,7 @@ class ParentTable {
   static constexpr bool kPreorder = true;
 
   void clear() { size_ = 0; }
-  /// Adds the next node; the parent of the first is kNone. Returns false if the parent is not an earlier
+  /// Adds the next node. The parent of the first node is kNone. Returns false if the parent is not an earlier
   /// node, or the table is full.
   bool add(Id parent) {
     if (size_ >= kNodes || (size_ == 0 ? parent != kNone : parent >= size_)) return false;

@@ -12,8 +12,8 @@
 //
 // At a station the robot turns to face along the line, ready to leave. At a junction it keeps its heading.
 //
-// After a power cycle, load the network from EEPROM and call restore() instead of start(). restore() looks
-// round, and returns false if the robot's surroundings differ from the network.
+// After a power cycle, load the network from EEPROM and call restore() instead of start(). restore() detects
+// the lines around the robot, and returns false if they differ from the network.
 //
 // A planner is any type with
 //
@@ -21,7 +21,7 @@
 //   void forget()                             called when its earlier plans become invalid
 //
 // Available: ClimbPlanner (trees, no memory), DijkstraPlanner, TreeOrDijkstra, and PathPlanner for any of the
-// planners in Plan.h. Only the planner that the template names takes flash.
+// planners in Plan.h. Only the planner that is named as the template argument takes flash.
 #ifndef LINEKIT_NAV_NAVIGATOR_H
 #define LINEKIT_NAV_NAVIGATOR_H
 
@@ -37,7 +37,7 @@ enum class NavState : uint8_t {
   arrived,
   no_way,   ///< obstacles block every path; the robot stands at a node, here()
   trapped,  ///< obstacles in front and behind: the robot stands on a line that leaves from here()
-  lost      ///< the walker is lost, or met something impossible
+  lost      ///< the walker reported `lost`, or a landmark that contradicts the network
 };
 
 template <class Walker, class Network, class Planner>
@@ -51,7 +51,7 @@ class Navigator : public Pilot<Walker, Network> {
   Navigator(Walker& walker, Network& network, const Planner& planner)
       : Base(walker, network), planner_(planner) {}
 
-  /// Sets the robot's node and heading, as left by an explorer with the same walker.
+  /// Sets the robot's node and heading, after a scan by an explorer with the same walker.
   void start(Id here, Heading heading) {
     here_ = to_ = here;
     heading_ = heading;
@@ -61,8 +61,8 @@ class Navigator : public Pilot<Walker, Network> {
     planner_.forget();
   }
 
-  /// Sets the robot's node and heading after a power cycle, and looks round. Returns false, with state
-  /// `lost`, if the surroundings differ from the network.
+  /// Sets the robot's node and heading after a power cycle, and detects the lines around the robot. Returns
+  /// false, and sets the state `lost`, if they differ from the network.
   bool restore(Id here, Heading heading) {
     start(here, heading);
     state_ = NavState::lost;
@@ -79,8 +79,8 @@ class Navigator : public Pilot<Walker, Network> {
     return true;
   }
 
-  /// Sets the destination. Returns false, without effect, if there is no such node or the robot's place is
-  /// unknown.
+  /// Sets the destination. Returns false, without effect, if there is no such node. It also does so if the
+  /// robot is trapped, or its position is unknown.
   bool goTo(Id to) {
     if (to >= network_.size() || here_ >= network_.size()) return false;
     if (state_ == NavState::trapped || state_ == NavState::lost) return false;
@@ -90,7 +90,7 @@ class Navigator : public Pilot<Walker, Network> {
     return true;
   }
 
-  /// Moves to the next node. Returns false once the drive has ended, see state().
+  /// Moves to the next node. Returns false after the drive has ended; state() then returns the result.
   bool step() {
     if (state_ != NavState::driving) return false;
     const Id next = planner_.next(network_, here_, to_);

@@ -1,29 +1,30 @@
-// A robot's map of a network of lines: an m-graph whose nodes are numbered in preorder of a depth-first
-// walk, the right-hand arm first.
+// A robot's map of a network of lines. It is a graph whose nodes are numbered in preorder of a depth-first
+// walk that takes the right-hand arm first.
 //
-// A Network is any type with these members; explorer and planners are templates over it. FixedNetwork.h
-// stores a network in fixed arrays with 8-bit ids, for a chip. On a host a network may grow.
+// A Network is any type with these members; the explorer and the planners are templates with a Network
+// parameter. FixedNetwork.h stores a network in fixed arrays with 8-bit ids, for a chip. On a host a network
+// may grow.
 //
 //   Id                                an unsigned type; nodes are 0, 1, 2, … in preorder
-//   static const Id kNone             beyond an arm: not known (yet); of a root: no parent
-//   static const Id kBlocked          beyond an arm: an obstacle
+//   static const Id kNone             link of an arm with nothing known beyond it (yet); parent of the root
+//   static const Id kBlocked          link of an arm with an obstacle
 //
 //   Id size() const
 //   bool isStation(Id) const          true for a station, false for a junction
 //   uint8_t arms(Id) const            as in Landmark; a station has one arm, or none if it stands alone
 //   Heading entry(Id) const           heading on first entry; slots are counted from there (Landmark.h)
-//   Place place(Id) const             of a junction
+//   Place place(Id) const             position of a junction
 //   Id parent(Id) const               the node from which this node was first entered, beyond slot 0
 //   Id link(Id, uint8_t slot) const   the node beyond that arm, or kNone, or kBlocked
 //   uint8_t backSlot(Id, uint8_t slot) const    the slot at which this line arrives at link()
-//   uint32_t cost(Id, uint8_t slot) const       of that line, as Landmark::cost; may be 1 for a line to a
+//   uint32_t cost(Id, uint8_t slot) const       cost of that line (Landmark::cost); may be 1 for a line to a
 //                                               station, because such a cost influences no path
-//   Id find(const Place&) const       the junction there, or kNone
+//   Id find(const Place&) const       the junction at that place, or kNone
 //   bool isAt(Id junction, const Place&) const   find(place) == junction
-//   bool isTree() const               whether every line belongs to the depth-first walk
+//   bool isTree() const               whether every line is an edge of the depth-first tree
 //
-// A network is built in preorder. The children of a node follow in the order of its slots 1, 2, 3, and for
-// the root finally 0:
+// A network is built in preorder. The children of a node are added in the order of its slots 1, 2, 3. The
+// last slot of the root is 0:
 //
 //   void clear()
 //   Id addStation(Id from, uint8_t slot, uint8_t arms, Heading entry, uint32_t cost)        kNone if full
@@ -41,7 +42,7 @@
 
 namespace nav {
 
-/// Returns the number of arms of a node.
+/// Returns the number of arms of a node. Its slots are 0 to this number minus 1.
 template <class Network>
 uint8_t slots(const Network& network, typename Network::Id node) {
   return slotCount(network.arms(node));

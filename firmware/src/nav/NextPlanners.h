@@ -17,7 +17,7 @@ struct ClimbPlanner {
   void forget() {}
 };
 
-/// Plans on any FixedNetwork, at each node again, with 137 bytes of memory for 64 junctions.
+/// Plans again at each node, on any FixedNetwork, with 137 bytes of memory for 64 junctions.
 template <uint8_t kJunctions = kCyclicJunctions>
 class DijkstraPlanner {
  public:
@@ -31,7 +31,7 @@ class DijkstraPlanner {
   DijkstraNext<kJunctions> dijkstra_;
 };
 
-/// Uses ClimbPlanner if the network is a tree (of up to 200 nodes), else DijkstraPlanner.
+/// Plans as ClimbPlanner if the network is a tree, and as DijkstraPlanner otherwise.
 template <uint8_t kJunctions = kCyclicJunctions>
 class TreeOrDijkstra {
  public:

@@ -1,4 +1,4 @@
-// Tracks a robot's place on a network, and acts at nodes, for Explorer and Navigator.
+// The base class of Explorer and Navigator. It tracks the robot's node and heading, and turns the robot.
 #ifndef LINEKIT_NAV_PILOT_H
 #define LINEKIT_NAV_PILOT_H
 
@@ -19,20 +19,22 @@ class Pilot {
  protected:
   Pilot(Walker& walker, Network& network) : walker_(walker), network_(network) {}
 
-  /// Turns to an arm of the robot's node. At a station the robot already faces the line.
+  /// Turns to an arm of the robot's node. At a station the robot does not turn, because it already faces the
+  /// line.
   void take(uint8_t slot) {
     const Heading out = headingOf(network_, here_, slot);
     if (!network_.isStation(here_)) walker_.leave(turnBetween(heading_, out));
     heading_ = out;
   }
 
-  /// Turns back after `end` and `blocked`.
+  /// Turns the robot back. Call this after the landmarks `end` and `blocked`.
   void turnBack() {
     walker_.leave(Turn::back);
     heading_ = opposite(heading_);
   }
 
-  /// Handles the walker's arrival at `node` by the arm in `slot`. Returns false if that is impossible.
+  /// Sets the robot's node and heading on arrival at `node` by the arm in `slot`. Returns false if the
+  /// landmark contradicts the network.
   bool arrive(const Landmark& met, Id node, uint8_t slot) {
     const bool station = network_.isStation(node);
     if (met.kind != (station ? LandmarkKind::end : LandmarkKind::junction)) return false;

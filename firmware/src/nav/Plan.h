@@ -16,10 +16,10 @@
 //   interval    TreeWay.h       the path, on trees           n ids
 //   dijkstra    Dijkstra.h      the least cost               2 n ids, n costs
 //
-// Planners ignore arms with an obstacle, or with nothing known beyond them, and lines from a junction to
-// itself. A path does not distinguish parallel lines: slotTowards() returns the cheapest.
+// Planners ignore arms with an obstacle and arms with nothing known beyond them. They also ignore lines from
+// a junction to itself. A path does not distinguish parallel lines: slotTowards() returns the cheapest one.
 //
-// A robot that plans at each node need not store a path: climbNext() in TreeWay.h takes no memory, and
+// A robot that plans again at each node need not store a path. climbNext() in TreeWay.h takes no memory, and
 // DijkstraNext in Dijkstra.h takes 137 bytes for 64 junctions.
 //
 // A Path is any type with
@@ -28,7 +28,7 @@
 // Work memory is any type with
 //   Id* room(count)    as above
 //   Cost, and Cost* costs(count)    for dijkstra only
-// On a host both may grow.
+// On a host, Path and work memory may grow.
 #ifndef LINEKIT_NAV_PLAN_H
 #define LINEKIT_NAV_PLAN_H
 
@@ -38,7 +38,7 @@ namespace nav {
 
 enum class Plan : uint8_t {
   found,
-  no_way,        ///< no open lines connect the nodes; the path stays empty, as in the cases below
+  no_way,        ///< no open lines connect the nodes; the path stays empty, as in all cases below
   unknown_node,  ///< `from` or `to` is not a node of the network
   no_room,       ///< the path or the work memory is too small for the network
   not_a_tree,    ///< the planner requires a tree
@@ -94,8 +94,8 @@ uint8_t slotTowards(const Network& network, typename Network::Id node, typename 
   return best;
 }
 
-/// Returns whether the ids are those of a depth-first walk. Then every line connects a node and its parent,
-/// and the parent is the preceding node or one of that node's ancestors.
+/// Returns whether the ids are in the preorder of a depth-first walk. In this order every line connects a
+/// node and its parent. The parent is the node with the preceding id, or one of that node's ancestors.
 template <class Network>
 bool isPreorder(const Network& network) {
   typedef typename Network::Id Id;
@@ -132,7 +132,7 @@ Plan backtrack(const Id* before, Id from, Id to, Path& path, Id* way) {
   return Plan::found;
 }
 
-/// Checks for all planners that the nodes exist and that there is room.
+/// Checks that the nodes exist, and that the path has memory for all nodes. Sets `way` to that memory.
 template <class Network, class Path>
 Plan beginPlan(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
                typename Network::Id*& way) {

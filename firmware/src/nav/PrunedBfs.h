@@ -1,13 +1,14 @@
 // Pruned BFS, the planner of the paper on the Pony robot: a breadth-first search of a tree that keeps at most
 // two nodes of each level.
 //
-// The ids must be in preorder. Then the ids of a frontier node and of all nodes beyond it are cyclically
-// consecutive. So the destination is beyond one of the two frontier nodes whose ids enclose its id
-// cyclically. The other frontier nodes need not be followed.
+// The ids must be in preorder. In this order the ids of a frontier node and of all nodes beyond it are
+// consecutive. Here node 0 counts as the successor of the last node. So the destination is beyond one of two
+// frontier nodes: those with the next smaller and the next larger id. The search drops all other frontier
+// nodes.
 //
-// With any other numbering, most paths would be missed silently. So pruned() checks whether the ids are in
-// preorder, and refuses others. The check takes longer than the search. A caller that has checked once
-// (isPreorder() in Plan.h) can call prunedSearch() instead.
+// With any other numbering, the search would silently miss most paths. So pruned() first checks the ids, and
+// returns not_preorder if they are in another order. The check takes longer than the search. A caller that
+// has checked once (isPreorder() in Plan.h) can call prunedSearch() instead.
 #ifndef LINEKIT_NAV_PRUNED_BFS_H
 #define LINEKIT_NAV_PRUNED_BFS_H
 
@@ -28,7 +29,8 @@ struct Frontier {
     for (; i > 0 && id[i - 1] > node; --i) id[i] = id[i - 1];
     id[i] = node;
   }
-  /// Retains the two ids between which `to` lies.
+  /// Removes all ids except the two between which `to` lies. The order is cyclic: the first id follows the
+  /// last.
   void prune(Id to) {
     if (size < 3) return;
     uint8_t above = 0;
@@ -80,7 +82,7 @@ Plan prunedSearch(const Network& network, typename Network::Id from, typename Ne
   }
   path.setSize(static_cast<Id>(depth + 1));
   way[depth] = to;
-  while (depth > 0) {  // back, level by level
+  while (depth > 0) {  // goes back, level by level
     const Id node = way[depth--];
     uint8_t slot = 0;
     Id next = network.link(node, slot);

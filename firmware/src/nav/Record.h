@@ -1,6 +1,7 @@
 // Reads and writes a record of bytes and bits with a checksum (CRC-16, polynomial 0x1021, most significant
-// bit first, as in CCITT). The sink is any type with put(uint8_t), the source any type with uint8_t get().
-// Bits are packed from the lowest up; put() then begins a new byte. A single damaged byte is always detected.
+// bit first, as in CCITT). The sink is any type with put(uint8_t). The source is any type with uint8_t get().
+// Single bits fill a byte from the lowest bit up. The next put() of a whole byte begins a new byte. A single
+// damaged byte is always detected.
 #ifndef LINEKIT_NAV_RECORD_H
 #define LINEKIT_NAV_RECORD_H
 
@@ -70,7 +71,7 @@ class RecordReader {
     bits_ = static_cast<uint8_t>(bits_ >> 1);
     return bit;
   }
-  /// Reads the checksum and returns whether it is right.
+  /// Reads the checksum and returns whether it matches the record.
   bool finish() {
     getRaw();
     getRaw();

@@ -6,8 +6,8 @@
 
 namespace nav {
 
-/// Breadth-first search: finds a path with the fewest lines. Nodes are reached in the order of their distance
-/// from `from`, each from a nearer node. The path's memory serves as the queue.
+/// Breadth-first search: finds a path with the fewest lines. It visits nodes in the order of their distance
+/// from `from`. The search uses the path's memory for its queue.
 template <class Network, class Path, class Work>
 Plan bfs(const Network& network, typename Network::Id from, typename Network::Id to, Path& path, Work& work) {
   typedef typename Network::Id Id;
@@ -35,7 +35,8 @@ Plan bfs(const Network& network, typename Network::Id from, typename Network::Id
   return detail::backtrack(before, from, to, path, queue);
 }
 
-/// Depth-first search: finds some path, maybe a long one if there are cycles. The path's memory is the stack.
+/// Depth-first search: finds some path, which may be long if the network has cycles. The search uses the
+/// path's memory for its stack.
 template <class Network, class Path, class Work>
 Plan dfs(const Network& network, typename Network::Id from, typename Network::Id to, Path& path, Work& work) {
   typedef typename Network::Id Id;
@@ -113,8 +114,8 @@ Dive dive(const Network& network, typename Network::Id from, typename Network::I
 
 }  // namespace detail
 
-/// Iterative deepening: depth-first searches, each one line deeper than the last. Finds a path with the
-/// fewest lines.
+/// Iterative deepening: repeats a depth-first search, and raises the depth limit by one line each time. Finds
+/// a path with the fewest lines.
 template <class Network, class Path, class Work>
 Plan iterative(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
                Work& work) {

@@ -1,4 +1,4 @@
-// Two planners for trees. They need no search, because they derive the path from the numbering.
+// Two planners for trees. They need no search, because they derive the path from the ids of the nodes.
 #ifndef LINEKIT_NAV_TREE_WAY_H
 #define LINEKIT_NAV_TREE_WAY_H
 
@@ -8,7 +8,8 @@ namespace nav {
 
 namespace detail {
 
-// A network may define allOpen(): true if no line to a parent is blocked. Planners are then faster.
+// Returns whether no line to a parent is blocked, if the network defines allOpen(). Planners are faster with
+// it.
 template <class Network>
 auto allOpen(const Network& network, int) -> decltype(network.allOpen()) {
   return network.allOpen();
@@ -18,7 +19,8 @@ bool allOpen(const Network&, long) {
   return false;
 }
 
-// A network defines the constant kPreorder if parents always have smaller ids than their children.
+// Returns the network's constant kPreorder, or false if it defines none. A network defines kPreorder as true
+// if its ids are always in preorder.
 template <class Network>
 constexpr auto surelyPreorder(int) -> decltype(Network::kPreorder) {
   return Network::kPreorder;
@@ -38,8 +40,8 @@ bool isOpenWay(const Network& network, const typename Network::Id* way, typename
 
 }  // namespace detail
 
-/// Climb: replaces the larger of the two ids by its parent, until both are the same. It only requires that a
-/// parent's id is less than its children's ids.
+/// Climbs from both ends towards the root: replaces the larger of the two ids by its parent's id, until the
+/// two ids are equal. A parent's id must be less than its children's ids.
 ///
 /// The path up from `from` grows at the front of the path's memory. The path up from `to` grows from the back
 /// downwards. In the end the part at the back moves next to the part at the front. (The loops test at their
@@ -86,9 +88,9 @@ Plan climb(const Network& network, typename Network::Id from, typename Network::
   return climb(network, from, to, path);
 }
 
-/// Returns the next node on the path, by climbing, without memory. Returns `here` if it is the destination,
-/// and kNone for an unknown node or without a path. The ids must be in preorder, which they are if an
-/// explorer has numbered the nodes.
+/// Returns the next node on the path from `here` to `to`, by climbing, without work memory. Returns `here` if
+/// both are the same node. Returns kNone if a node is unknown or there is no path. The ids must be in
+/// preorder, as an explorer numbers nodes.
 template <class Network>
 typename Network::Id climbNext(const Network& network, typename Network::Id here, typename Network::Id to) {
   typedef typename Network::Id Id;
@@ -97,7 +99,7 @@ typename Network::Id climbNext(const Network& network, typename Network::Id here
   while (from != to) {
     Id& larger = from > to ? from : to;
     const Id parent = network.link(larger, 0);
-    if (parent >= larger) return Network::kNone;  // also for kBlocked
+    if (parent >= larger) return Network::kNone;  // also true for kBlocked
     if (from < to) below = to;
     larger = parent;
   }
@@ -119,8 +121,8 @@ Plan intervals(const Network& network, typename Network::Id* end) {
   return Plan::found;
 }
 
-/// Interval routing: goes up to an ancestor of the destination, then down through the nodes between the two.
-/// `end` is the result of intervals().
+/// Interval routing: goes up to an ancestor of the destination, and then down to the destination. `end` is
+/// the result of intervals().
 template <class Network, class Path>
 Plan intervalWay(const Network& network, typename Network::Id from, typename Network::Id to, Path& path,
                  const typename Network::Id* end) {

@@ -1,4 +1,4 @@
-// avr-gcc's built-in functions that have a meaning on the host.
+// Replaces those built-in functions of avr-gcc that have a meaning on the host.
 #pragma once
 
 #include "hal/host/registers.h"

@@ -1,5 +1,6 @@
-// Accesses the EEPROM by address, with avr-libc's interface. An EEMEM variable's address is its offset in its
-// section. Initial values of such variables are not loaded; Arduino's upload does not load them either.
+// Accesses the EEPROM by address, with avr-libc's interface. EEMEM variables have a linker section of their
+// own, and the offset in this section is the EEPROM address. Initial values of EEMEM variables are not
+// loaded, because Arduino's upload does not load them either.
 #pragma once
 
 #include <avr/io.h>
@@ -25,7 +26,7 @@ void eeprom_write_dword(uint32_t* address, uint32_t value);
 void eeprom_write_float(float* address, float value);
 void eeprom_write_block(const void* from, void* address, size_t size);
 
-/// Writes only bytes that differ, since an EEPROM cell lasts 100,000 writes.
+/// Write only those bytes that differ, because an EEPROM cell endures only 100,000 writes.
 void eeprom_update_byte(uint8_t* address, uint8_t value);
 void eeprom_update_word(uint16_t* address, uint16_t value);
 void eeprom_update_dword(uint32_t* address, uint32_t value);

@@ -1,4 +1,5 @@
-// Interrupts. ISR(TIMER1_COMPA_vect) { ... } defines the handler __vector_11, which the simulated chip calls.
+// Defines interrupt handlers. For example, ISR(TIMER1_COMPA_vect) { ... } defines the function __vector_11,
+// which the simulated chip calls.
 #pragma once
 
 #include <avr/io.h>
@@ -13,7 +14,8 @@
 #define ROBOSIM_HANDLER
 #endif
 
-// Attributes such as ISR_NOBLOCK are accepted without effect: on the host no handler is ever interrupted.
+// ISR_BLOCK, ISR_NOBLOCK and ISR_NAKED have no effect. On the host, every handler begins with interrupts off.
+// A handler that calls sei() can be interrupted.
 #define ISR(vector, ...)                                               \
   ROBOSIM_HANDLER void vector(void) __attribute__((used)) __VA_ARGS__; \
   ROBOSIM_HANDLER void vector(void)

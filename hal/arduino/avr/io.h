@@ -1,12 +1,12 @@
 // Defines the chip's registers by the names that sketches use: PORTB, TCCR1A, ADC, ...
 //
-// Names, addresses and bits come from avr-libc's header, staged as iom328p.h next to this one. Each access
-// calls the simulated chip (hal/host). So a register is an object that can be read, assigned and changed by
-// every operator.
+// Names, addresses and bits come from avr-libc's header for the chip, such as iom328p.h. Each access to a
+// register calls the simulated chip (hal/host). Therefore a register is an object with overloaded operators
+// for reads, assignments and changes.
 //
-// Some programs need more: a register's address as a `volatile uint8_t*`, or a register in a .c file. Such
-// programs are compiled again with ROBOSIM_REGISTER_MEMORY. Registers are then memory, and memory accesses
-// are observed (hal/host/register_memory.h).
+// Some programs need more: a register's address as a `volatile uint8_t*`, or a register in a .c file. The
+// build compiles these programs again with ROBOSIM_REGISTER_MEMORY. Registers are then bytes of memory, and
+// accesses to memory are observed (hal/host/register_memory.h).
 #pragma once
 #define _AVR_IO_H_
 
@@ -23,7 +23,7 @@ namespace robosim_hal {
 
 class RegisterPointer;
 
-/// A register of 8 bits.
+/// A register with 8 bits.
 class Register8 {
  public:
   explicit constexpr Register8(robosim_register address) : address_(address) {}
@@ -68,8 +68,9 @@ class Register8 {
   constexpr RegisterPointer operator&() const;
 
  private:
-  /// Returns whether a register reacts only to bits written as 1: PINx, TIFRn, PCIFR, EIFR. If the compiler
-  /// knows register and bit, `|=` of one bit becomes the instruction SBI, which writes only that bit.
+  /// Returns whether a register reacts only to bits written as 1: PINx, TIFRn, PCIFR, EIFR. For a constant
+  /// register and bit, avr-gcc compiles `|=` to the instruction SBI, which writes only that bit. Here,
+  /// operator|= must also write only that bit.
   static constexpr bool is_set_by_ones(robosim_register address) {
     return address == 0x23 || address == 0x26 || address == 0x29 || (address >= 0x35 && address <= 0x37) ||
            address == 0x3B || address == 0x3C;
@@ -84,7 +85,7 @@ class Register8 {
 };
 
 /// The type of `&PORTB` and portOutputRegister(). `*p |= mask` works. A program that converts this type to a
-/// `volatile uint8_t*` references robosim_register_memory, and is compiled again.
+/// `volatile uint8_t*` references robosim_register_memory, so the build compiles the program again.
 class RegisterPointer {
  public:
   constexpr RegisterPointer() : address_(0) {}
@@ -102,8 +103,9 @@ constexpr RegisterPointer Register8::operator&() const { return RegisterPointer(
 
 #define ROBOSIM_INLINE __attribute__((always_inline)) inline
 
-/// A register whose reading has side effects. Programs read it by a bare statement: `(void)UDR0;`, `SPSR;`.
-/// If the statement has not used the register otherwise, the register is read when the statement ends.
+/// A register for which a read has side effects. Programs may read the register without a use of its value:
+/// `(void)UDR0;`, `SPSR;`. Therefore the destructor reads the register if the statement has not accessed the
+/// register otherwise.
 class ReadRegister8 {
  public:
   ROBOSIM_INLINE explicit ReadRegister8(robosim_register address) : register_(address) {}
@@ -156,7 +158,8 @@ class ReadRegister8 {
   mutable bool used_ = false;
 };
 
-/// A 16-bit register pair, read and written at once, as the chip's TEMP register allows.
+/// A 16-bit register. An access reads or writes both of its bytes at once, as the chip's TEMP register
+/// allows.
 class Register16 {
  public:
   explicit constexpr Register16(robosim_register address) : address_(address) {}
@@ -210,7 +213,7 @@ class Register16 {
 #define _SFR_MEM8(address) (robosim_hal::Register8(address))
 #define _SFR_MEM16(address) (robosim_hal::Register16(address))
 
-#else  // C cannot overload operators, so its registers are memory.
+#else  // Registers are memory in C, which cannot overload operators, and with ROBOSIM_REGISTER_MEMORY.
 
 #define ROBOSIM_REGISTER(type, address) (*(volatile type*)(robosim_register_memory + (address)))
 #define _SFR_MEM8(address) ROBOSIM_REGISTER(uint8_t, address)

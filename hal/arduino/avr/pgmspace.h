@@ -1,5 +1,5 @@
-// Program memory. On the host it is ordinary constant memory, and each *_P function equals the function
-// without _P.
+// Accesses program memory (flash). On the host, data in program memory are ordinary constants. Each function
+// with the suffix _P equals the function without the suffix.
 #pragma once
 
 #include <inttypes.h>
@@ -34,8 +34,8 @@ inline T program_memory(P address) {
   __builtin_memcpy(&value, (const void*)address, sizeof value);
   return value;
 }
-/// Reads a value at the width of its type. pgm_read_word is also used on tables of `int` and of pointers,
-/// which are 16 bits wide on the chip and wider here.
+/// Reads a value with the width of its type. Sketches also use pgm_read_word for tables of `int` and of
+/// pointers. These types have 16 bits on the chip, but more on the host.
 template <typename T>
 inline T program_word(const T* address) {
   return *address;
@@ -108,7 +108,7 @@ inline uint16_t program_word(uintptr_t address) { return program_memory<uint16_t
 #define vsnprintf_P vsnprintf
 #define vsprintf_P vsprintf
 
-// Functions with far addresses, which are integers.
+// Functions with the suffix _PF accept far addresses, which are integers.
 #define memcmp_PF(a, far_b, size) memcmp(a, (const void*)(far_b), size)
 #define memcpy_PF(to, far_from, size) memcpy(to, (const void*)(far_from), size)
 #define strlen_PF(far_text) strlen((const char*)(far_text))

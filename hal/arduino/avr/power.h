@@ -1,5 +1,6 @@
-// Power reduction (bits of PRR) and the clock's divisor (CLKPR). On the host a module that is switched off
-// keeps working, and the clock stays the same; `robosim compare` reports the differences.
+// Switches modules of the chip off (bits of PRR), and divides the clock (CLKPR). On the host, a module that
+// is switched off continues to work, and the clock does not change. `robosim compare` reports the
+// differences.
 #pragma once
 
 #include <avr/io.h>

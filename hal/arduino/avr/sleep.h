@@ -1,4 +1,4 @@
-// Sleep modes. The simulated chip wakes at the next interrupt in every mode, and timers keep running.
+// Sleep modes. On the host, the next interrupt wakes the chip in every mode, and timers continue to run.
 #pragma once
 
 #include <avr/io.h>

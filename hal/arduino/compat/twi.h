@@ -1,2 +1,3 @@
+// The former name of <util/twi.h> in avr-libc.
 #pragma once
 #include <util/twi.h>

@@ -1,4 +1,4 @@
-// assert(). A failed assertion ends the sketch like abort().
+// Defines assert(). A failed assertion ends the sketch like abort().
 #undef assert
 #ifdef NDEBUG
 #define assert(condition) ((void)0)

@@ -1,4 +1,4 @@
-// Character classes of ASCII.
+// avr-libc's <ctype.h>: functions that classify or convert ASCII characters.
 #pragma once
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-// Ranges of the built-in types on the host (int has 32 bits here, 16 on the chip).
+// Defines the ranges of the built-in types on the host. An int has 32 bits on the host, but 16 on the chip.
 #pragma once
 
 #define CHAR_BIT __CHAR_BIT__

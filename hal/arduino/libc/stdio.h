@@ -1,6 +1,6 @@
-// avr-libc's <stdio.h> without streams: formats into memory. printf compiles and prints nothing, as on a chip
-// whose sketch has not set up stdout. %f and other float formats print a question mark, as in avr-libc's
-// default version.
+// avr-libc's <stdio.h> without streams: functions that format into memory. printf compiles, but prints
+// nothing, as on a chip whose sketch has not set up stdout. %f and other float formats print a question mark,
+// as in avr-libc's default version.
 #pragma once
 
 #include <stdarg.h>

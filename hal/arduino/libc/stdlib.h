@@ -52,12 +52,12 @@ char* itoa(int value, char* text, int radix);
 char* ltoa(long value, char* text, int radix);
 char* utoa(unsigned int value, char* text, int radix);
 char* ultoa(unsigned long value, char* text, int radix);
-/// Formats in fixed point, at least `width` wide; a negative `width` aligns to the left.
+/// Formats a number in fixed point, with at least `width` characters. A negative `width` aligns to the left.
 char* dtostrf(double value, signed char width, unsigned char decimals, char* text);
-/// Formats as 1.23e+04; `flags` are the DTOSTR_ bits.
+/// Formats a number with an exponent, such as 1.23e+04. `flags` are DTOSTR_ bits.
 char* dtostre(double value, char* text, unsigned char decimals, unsigned char flags);
 
-/// avr-libc's generators, with the same numbers as on the chip.
+/// The functions of avr-libc's random number generators. They return the same numbers as on the chip.
 int rand(void);
 void srand(unsigned int seed);
 int rand_r(unsigned long* state);

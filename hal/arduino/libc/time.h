@@ -1,5 +1,5 @@
-// avr-libc 2.0's clock: seconds since 2000, which only the sketch advances. The calendar functions are
-// missing.
+// avr-libc 2.0's clock, which counts seconds since 2000. Only the sketch advances the clock. The calendar
+// functions of avr-libc are missing.
 #pragma once
 
 #include <stdint.h>
@@ -15,7 +15,7 @@ typedef uint32_t time_t;
 time_t time(time_t* seconds);
 int32_t difftime(time_t later, time_t earlier);
 void set_system_time(time_t seconds);
-/// Advances the clock by a second. The sketch calls it once a second.
+/// Advances the clock by a second. The sketch must call this function once a second.
 void system_tick(void);
 
 #ifdef __cplusplus

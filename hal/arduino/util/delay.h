@@ -1,11 +1,11 @@
-// Busy-wait delays, in exact cycles.
+// avr-libc's busy waits, which take an exact number of cycles.
 #pragma once
 
 #include <stdint.h>
 
 #include "hal/host/registers.h"
 
-/// Waits for `us` microseconds; rounds the number of cycles up, as avr-libc does.
+/// Waits for `us` microseconds. Rounds the number of cycles up, as avr-libc does.
 static inline void _delay_us(double us) {
   const double cycles = us * (F_CPU / 1e6);
   const uint64_t whole = (uint64_t)cycles;

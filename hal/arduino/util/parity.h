@@ -1,3 +1,4 @@
+// avr-libc's <util/parity.h>.
 #pragma once
 
 #include <stdint.h>

@@ -1,4 +1,5 @@
-// Status codes in TWSR of the two-wire interface: names from avr-libc, codes from the data sheet, chapter 21.
+// Status codes in TWSR of the two-wire interface. Names are from avr-libc. Codes are from chapter 21 of the
+// data sheet.
 #pragma once
 
 #include <avr/io.h>

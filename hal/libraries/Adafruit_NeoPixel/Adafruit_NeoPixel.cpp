@@ -40,7 +40,8 @@ const uint8_t kSine[256] = {
 
 const uint32_t kTurn = 1530;  // six ramps from 0 to 255
 
-/// Returns the red component of a place on the colour wheel. Green and blue are offset by a third of a turn.
+/// Returns the red component at a position on the colour wheel, 0 to kTurn. For green and blue, the caller
+/// adds two thirds or a third of kTurn to the position.
 uint8_t red_at(uint32_t place) {
   if (place <= 255) return 255;
   if (place <= 510) return static_cast<uint8_t>(510 - place);
@@ -96,7 +97,8 @@ bool Adafruit_NeoPixel::canShow() {
   return now - shown_ >= kQuiet_us;
 }
 
-// A bit takes 20 cycles at 16 MHz. The pin is high for 5 cycles in a 0, and for 13 cycles in a 1.
+// Sends the colours to the LEDs. At 16 MHz, a bit takes 20 cycles. The pin is high for 5 cycles in a 0, and
+// for 13 cycles in a 1.
 void Adafruit_NeoPixel::show() {
   if (!bytes_ || pin_ < 0) return;
   while (!canShow()) {
@@ -150,7 +152,7 @@ void Adafruit_NeoPixel::rainbow(uint16_t first_hue, int8_t times, uint8_t satura
   }
 }
 
-// Also rescales the stored colours, which loses precision.
+// Sets the brightness of later colours. Also rescales the stored colours, which loses precision.
 void Adafruit_NeoPixel::setBrightness(uint8_t brightness) {
   const auto scale = static_cast<uint8_t>(brightness + 1);
   if (scale == scale_) return;

@@ -1,11 +1,12 @@
-// Drives strips of WS2812 LEDs. The bytes in memory have the order in which they are sent. The brightness is
-// applied to a colour when the colour is set, and to all colours when the brightness changes.
+// Drives strips of WS2812 LEDs, with the API of Adafruit's library. The bytes in memory have the order in
+// which they are sent. A change of the brightness rescales all stored colours. A colour that is set later is
+// scaled at once.
 #pragma once
 
 #include <Arduino.h>
 
-// Encodes the order of an LED's bytes: the positions of white, red, green and blue, two bits each, white
-// highest. Equal positions of white and red mean three bytes per LED, without white.
+// Encodes the order of an LED's bytes: the positions of white, red, green and blue, with two bits each. White
+// has the highest bits. Equal positions of white and red mean that an LED has three bytes, without white.
 #define NEO_ORDER(w, r, g, b) ((w) << 6 | (r) << 4 | (g) << 2 | (b))
 #define NEO_RGB NEO_ORDER(0, 0, 1, 2)
 #define NEO_RBG NEO_ORDER(0, 0, 2, 1)
@@ -34,7 +35,7 @@ class Adafruit_NeoPixel {
 
   bool begin();
   void show();
-  /// Returns whether the line has been quiet long enough to latch the previous colours.
+  /// Returns whether the line has been quiet for 300 us, so that the LEDs have latched the previous colours.
   bool canShow();
   void setPin(int16_t pin);
   void updateLength(uint16_t count);
@@ -42,7 +43,7 @@ class Adafruit_NeoPixel {
 
   void setPixelColor(uint16_t n, uint8_t r, uint8_t g, uint8_t b, uint8_t w = 0);
   void setPixelColor(uint16_t n, uint32_t color);
-  /// Sets `count` LEDs from `first` on; a `count` of 0 = all up to the end.
+  /// Sets `count` LEDs from `first` on. A `count` of 0 means all LEDs up to the end.
   void fill(uint32_t color = 0, uint16_t first = 0, uint16_t count = 0);
   void clear();
   void rainbow(uint16_t first_hue = 0, int8_t times = 1, uint8_t saturation = 255, uint8_t brightness = 255,

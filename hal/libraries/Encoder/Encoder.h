@@ -1,7 +1,8 @@
-// Reads quadrature encoders: four counts per period. The count rises while the second pin leads.
+// Reads quadrature encoders, with the API of Paul Stoffregen's library. A period has four counts. The count
+// rises if the signal of the second pin leads.
 //
-// If both pins have interrupts, handlers count the edges. Otherwise read() polls the levels, as in the
-// genuine library.
+// If both pins have interrupts, interrupt handlers count the edges. Otherwise read() polls the levels, as in
+// the genuine library.
 #pragma once
 
 #include <Arduino.h>
@@ -11,7 +12,7 @@ class Encoder {
   Encoder(uint8_t pin1, uint8_t pin2) : pin1_(pin1), pin2_(pin2) {
     pinMode(pin1, INPUT_PULLUP);
     pinMode(pin2, INPUT_PULLUP);
-    delayMicroseconds(2000);  // as in the genuine library: input filters settle
+    delayMicroseconds(2000);  // as in the genuine library: lets input filters settle
     levels_ = levels();
     const bool first = follow(pin1), second = follow(pin2);
     followed_ = first && second;

@@ -1,4 +1,5 @@
-// Defines ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { ... }: interrupts are off inside, and restored at every exit.
+// Defines ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { ... }. Interrupts are off inside the block. Every exit from the
+// block restores their previous state.
 #pragma once
 
 #include <avr/interrupt.h>

@@ -1,4 +1,4 @@
-// Implements avr-libc's busy waits, in whole microseconds.
+// Implements avr-libc's busy waits. Durations are rounded up to whole microseconds.
 #pragma once
 
 #include <Arduino.h>

@@ -1,5 +1,6 @@
-// Addresses in the ELF files of avr-gcc. An AVR has several memories, each from address 0. An ELF file has
-// one address space: flash starts at address 0, and the other memories at the addresses below.
+// Defines the addresses of an AVR's memories in the ELF files of avr-gcc. An AVR has several memories, and
+// each memory begins at address 0. An ELF file has one address space: flash starts at address 0, and the
+// other memories at the addresses below.
 #pragma once
 
 #include <cstdint>

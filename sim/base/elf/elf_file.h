@@ -25,7 +25,7 @@ struct ElfSection {
   std::uint64_t size = 0;
   bool loaded = false;  ///< uses memory at run time
   bool writable = false;
-  bool has_content = false;  ///< the file contains its bytes; otherwise they are zero-initialised
+  bool has_content = false;  ///< the file contains the section's bytes; otherwise they are zero-initialised
 };
 
 struct ElfSymbol {
@@ -42,8 +42,8 @@ class ElfFile {
   /// Returns whether the content begins like an ELF file, and is at least as long as an ELF header.
   static bool is_one(std::string_view content);
 
-  /// Opens a file. Throws InputError, which names `file`, unless is_one() returns true and all tables lie
-  /// within the file. The other functions throw InputError for damaged parts.
+  /// Opens a file. Throws InputError, which names `file`, if is_one() returns false or a table lies outside
+  /// the file. The other functions throw InputError for damaged parts.
   ElfFile(std::string content, std::string file);
   ElfFile(const ElfFile&) = delete;
   ElfFile& operator=(const ElfFile&) = delete;

@@ -9,7 +9,7 @@
 namespace robosim {
 
 /// Returns "avr" or "stm32" according to the file's header. Throws InputError, which names `file`, if the
-/// file is not a program for such a chip.
+/// file is not for an AVR or ARM chip.
 std::string target_of_elf(std::string_view content, const std::string& file);
 
 /// Returns the error for a file that is for the target `is` instead of `wanted`.

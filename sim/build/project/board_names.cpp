@@ -46,7 +46,7 @@ bool names_chip(const std::string& cpu, const BoardSpec& board) {
   return unit == std::string::npos || cpu.substr(0, unit) == std::to_string(board.clock_hz / 1'000'000);
 }
 
-/// Returns the number of options that match the board; -1 if any does not.
+/// Returns the number of options that match the board; -1 if an option excludes the board.
 int fit(const Fqbn& wanted, const BoardSpec& board) {
   const Fqbn own = parse(board.fqbn);
   if (wanted.board.empty() || wanted.board != own.board) return -1;

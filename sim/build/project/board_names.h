@@ -8,8 +8,8 @@
 namespace robosim::project {
 
 /// Returns the board of an FQBN, VENDOR:ARCHITECTURE:BOARD[:KEY=VALUE,…], or null. A missing option has
-/// Arduino's default. An option that does not distinguish Robosim's boards may have any value, except cpu=…,
-/// which must name the board's chip ("atmega328old").
+/// Arduino's default. The option cpu=… must name the board's chip ("atmega328old"). Any other option may have
+/// any value if it does not distinguish Robosim's boards.
 const BoardSpec* board_of_fqbn(const std::string& fqbn);
 
 /// Returns a board with the chip that avr-gcc calls `chip` ("atmega328p", "atmega328"), or null. If a

@@ -1,4 +1,4 @@
-// Reads all kinds of project files; project.h selects the reader.
+// Declares the readers of the different kinds of project files. read_project() (project.h) selects a reader.
 #pragma once
 
 #include "sim/build/project/project.h"

@@ -1,3 +1,4 @@
+// Reads PlatformIO's platformio.ini: board, sources, headers, libraries and compiler flags of a project.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -101,7 +102,8 @@ class Settings {
     return find_in(section, key, 0, without);
   }
 
-  /// `without`: sections that are known to lack the key, so that each is searched only once.
+  /// `without` contains the sections that are known to lack the key, so that each section is searched only
+  /// once.
   const IniValue* find_in(const std::string& section, const std::string& key, int depth,
                           std::set<std::string>& without) const {
     if (without.count(section)) return nullptr;
@@ -207,8 +209,8 @@ bool is_macro(const std::string& text) {
          (end == text.end() || *end == '=' || *end == '(') && text.find('\n') == std::string::npos;
 }
 
-/// Accepts only options about the sketch's content, because others could name programs and files of this
-/// machine.
+/// Accepts only options about the sketch's content, because other options could name programs and files of
+/// this machine.
 void take_flags(Project& project, const std::string& text, const fs::path& folder) {
   std::vector<std::string> left_out;
   const std::vector<std::string> words = words_of(text);

@@ -21,7 +21,7 @@ struct Project {
   std::filesystem::path file;  ///< empty = no file
   std::string environment;     ///< the selected environment or profile: "uno"; empty = none
   const BoardSpec* board = nullptr;
-  const BoardSpec* stand_in = nullptr;  ///< for a missing board, another board with the same chip
+  const BoardSpec* stand_in = nullptr;  ///< if Robosim lacks the board: another board with the same chip
   std::string board_name;               ///< as in the file; empty = none
   Place board_place;
   bool platformio = false;
@@ -33,8 +33,8 @@ struct Project {
   std::vector<std::string> remarks;  ///< sentences for the user: automatic choices, and ignored settings
 };
 
-/// Reads the project of a sketch's folder. `environment` belongs to platformio.ini, or is a profile of
-/// sketch.yaml. If `environment` is empty, uses the file's default. Without a default, uses the first
+/// Reads the project of a sketch's folder. `environment` names an environment of platformio.ini, or a profile
+/// of sketch.yaml. If `environment` is empty, uses the file's default. Without a default, uses the first
 /// environment with a known board, or else the first environment. Throws InputError for files that cannot be
 /// read, and for an unknown environment.
 Project read_project(const std::filesystem::path& folder, const std::string& environment = {});

@@ -1,3 +1,4 @@
+// Reads Arduino's sketch.yaml: the board and the libraries of a profile.
 #include <fmt/format.h>
 
 #include <cstdlib>

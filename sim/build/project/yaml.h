@@ -1,5 +1,5 @@
-// Reads YAML files of other tools with libyaml. Queries them without conversion, so that anchors that refer
-// to each other a million times cost nothing.
+// Reads YAML files of other tools with libyaml. Values are read from libyaml's document, without a
+// conversion. Anchors that refer to each other a million times therefore cost nothing.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
-// Aligns the times of two histories by common events: places and lines that both contain (compare.h).
+// Aligns the times of two histories by common events: places and lines that both histories contain
+// (compare.h).
 #pragma once
 
 #include <cstdint>

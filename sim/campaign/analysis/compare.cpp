@@ -81,14 +81,14 @@ class Comparer {
       }
   }
 
-  /// Returns whether side `other` ran long enough to show an event. The event is due `after_ns` after
-  /// `since_ns`, the time of this side's last common event.
+  /// Returns whether side `other` ran long enough to show an event. The side's last common event was at
+  /// `since_ns`, and the event is due `after_ns` later.
   bool had_time(std::size_t other, std::int64_t since_ns, std::int64_t after_ns) const {
     return seen_ns(*sides_[other]) >= since_ns + after_ns + tolerance_.time_for(after_ns);
   }
 
-  /// Compares two lists of places or lines whose first `common` elements match. Reports the next element if
-  /// only one side has one.
+  /// Compares two lists of places or lines whose first `common` elements match. Reports a difference if only
+  /// one of the lists has a further element.
   template <typename Marks, typename Make>
   void compare_rest(const Marks& a, const Marks& b, std::size_t common, const Make& make) {
     if (a.size() == b.size()) return;

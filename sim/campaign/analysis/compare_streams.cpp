@@ -9,7 +9,7 @@ namespace robosim::analysis {
 namespace {
 
 constexpr std::size_t kStream = 20;    // a text with more occurrences is a stream
-constexpr std::size_t kStreamRow = 5;  // so is a text that occurs this often within kStreamTime_ns
+constexpr std::size_t kStreamRow = 5;  // so is a text with this many occurrences within kStreamTime_ns
 constexpr std::int64_t kStreamTime_ns = 2 * kSecond_ns;
 constexpr std::size_t kMissedRow = 10;  // consecutive missing lines that count as a difference …
 constexpr std::int64_t kMissedTime_ns = 5 * kSecond_ns;  // … if they span this time

@@ -13,16 +13,17 @@ namespace {
 using Kind = Difference::Kind;
 
 constexpr std::int64_t kShortest_ns = 100'000'000;  // shortest manoeuvre
-// Minimum number of runs with each behaviour; one is enough among kManyRuns runs.
+// Two targets count as alike only if each target shows each behaviour in at least kFewest runs. One run is
+// enough if each target has kManyRuns runs or more.
 constexpr int kFewest = 2, kManyRuns = 100;
 constexpr std::int64_t kAboutThen_ns = 2'000'000'000;
 
-/// Returns whether two texts agree within the tolerance: "comes 2.220 s after the one before" and "comes
-/// 2.180 s after the one before".
+/// Returns whether two texts agree, up to a tolerance of times. Example: "comes 2.220 s after the one before"
+/// and "comes 2.180 s after the one before".
 bool is_same_way(const std::string& one, const std::string& other, const Tolerance& tolerance) {
   const LineText a = take_apart(one), b = take_apart(other);
   if (a.form != b.form) return false;
-  if (a.form.find(" after ") == std::string::npos) return true;  // numbers are names of places, or durations
+  if (a.form.find(" after ") == std::string::npos) return true;  // numbers of places, or durations
   const double x = a.numbers[0].value, y = b.numbers[0].value;
   return std::fabs(x - y) <= 1e-9 * static_cast<double>(tolerance.time_ns) + tolerance.time * std::fmax(x, y);
 }
@@ -109,8 +110,8 @@ std::optional<Choice> Choice::of(const Difference& found, const History& first, 
   return choice;
 }
 
-// Fisher's test sums the probabilities of all tables with these totals that are at most as likely as this
-// table. A behaviour in only one of fewer than kManyRuns runs counts as rare.
+// Applies Fisher's test: adds the probabilities of all tables with these totals that are not more likely than
+// this table. A behaviour in only one of fewer than kManyRuns runs counts as rare.
 Alikeness alikeness(const Share& one, const Share& other) {
   constexpr double kUnlikely = 0.05, kRounding = 1e-9;
   const int both = one.as_first + other.as_first;

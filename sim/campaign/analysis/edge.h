@@ -11,7 +11,7 @@
 
 namespace robosim::analysis {
 
-/// Two runs count as equal if they agree until this time after the difference.
+/// Two runs count as equal if they agree for this time after the difference.
 constexpr std::int64_t kBehindEdge_ns = 2'000'000'000;
 
 /// Returns whether `mine` equals `other` until `behind_ns` after the difference `found`. If a run ends
@@ -20,9 +20,9 @@ bool does_as(const History& mine, const History& other, const Difference& found,
              std::int64_t behind_ns = kBehindEdge_ns);
 
 /// Returns whether `own`, a difference between two runs of one target, resembles `found`, a difference
-/// between targets. Within 2 s of each other, the two must be of the same kind; place and time count as one
-/// kind, and so do motors and speed. At other times, both must separate the same two behaviours: the same two
-/// manoeuvres, or the same two times at places of one kind.
+/// between targets. Differences within 2 s of each other only need to be of the same kind. Here, place and
+/// time count as one kind, and so do motors and speed. Differences at other times must separate the same two
+/// behaviours. These are the same two manoeuvres, or the same two times at places of one kind.
 bool is_alike(const Difference& own, const Difference& found);
 
 /// A condition on a run: the robot comes to a place by a certain time.

@@ -30,7 +30,7 @@ class PinLog {
   /// Return the stored reads and writes, sorted by pin name.
   std::vector<PinUse> reads() const { return list(reads_); }
   std::vector<PinUse> writes() const { return list(writes_); }
-  /// Returns the last write to any pin up to the moment.
+  /// Returns the last write to any pin up to the moment, or else the first write afterwards.
   std::optional<PinUse> last_write() const { return last_write_; }
   /// Returns the sketch line that printed character `at` of the last output line equal to `text`.
   result::SourceLine source_of(const std::string& text, std::size_t at) const;

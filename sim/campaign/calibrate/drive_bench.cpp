@@ -17,7 +17,7 @@ constexpr double kTick = 0.001;         // s, tick of the world
 constexpr double kPiece = 0.5;          // s, duration of a piece of a drive
 constexpr double kRollsFor = 5.0;       // s, maximum rolling after a timed drive
 constexpr double kMostDriving = 120.0;  // s, maximum total of all drives
-constexpr double kCell = 50.0;          // m: a floor without walls in reach
+constexpr double kCell = 50.0;          // m, side of a cell: no wall is near the robot
 const Pose kStart{{20.0 * kCell, 20.0 * kCell}, {1.0, 0.0}};
 
 /// Returns the robot without spreads, as in typical@2.
@@ -97,7 +97,7 @@ Bench::Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, cons
       world_(floor_) {
   if (volts > 0.0) body_.supply_volts = volts;
   for (const int side : {0, 1}) {
-    // Uses a start value if the file gives no friction.
+    // Uses a start value above 0 if the file gives no friction, because the fit multiplies this value.
     world::WheelParams& wheel = body_.wheel[side];
     wheel.no_load_current = std::max(wheel.no_load_current, 0.03 * wheel.stall_current);
     motors_[side] = motor_of(robot_, side);
@@ -167,7 +167,7 @@ Bench::PerTurn Bench::per_turn(const Log& log) const {
 void Bench::check(const Log& log, const Drive& drive, std::size_t side) const {
   const char* name = side == 0 ? "left" : "right";
   const int told = drive.told[side].front();
-  double counted = 0.0, along = 0.0;  // counts in total; counts times the command, so positive if they agree
+  double counted = 0.0, along = 0.0;  // all counts; counts times command, above 0 if their signs agree
   for (std::size_t i = 1; i < drive.t.size(); ++i) {
     const double more = drive.count[side][i] - drive.count[side][i - 1];
     counted += more;

@@ -15,7 +15,8 @@
 
 namespace robosim::calibrate {
 
-/// The fitted and fixed values. Each is the logarithm of a factor that multiplies a parameter of the file.
+/// The fitted and fixed values. Each is the logarithm of a factor that multiplies a parameter of the robot
+/// file.
 enum Factor {
   no_load_left,
   no_load_right,
@@ -43,9 +44,9 @@ class Bench {
   void check();
   /// Returns whether a drive turns on the spot.
   bool spins() const { return spins_; }
-  /// Returns the differences between counts and simulation with these factors. For timed drives, returns the
-  /// difference divided by its uncertainty. Each half second of a longer drive is compared separately,
-  /// because position errors grow.
+  /// Returns the differences between counts and simulation with these factors. For drives by stopwatch,
+  /// returns the difference divided by its uncertainty. Each half second of a longer drive is compared
+  /// separately, because position errors grow.
   std::vector<double> residuals(const Factors& x, std::vector<DriveCurve>* curves = nullptr) const;
   /// Returns the residuals for each set of factors.
   std::vector<std::vector<double>> residuals(std::span<const Factors> all) const;

@@ -11,7 +11,7 @@
 namespace robosim::calibrate {
 namespace {
 
-constexpr double kAlike = 10.0;      // number of samples that count as one
+constexpr double kAlike = 10.0;      // number of neighbouring samples that count as one
 constexpr double kMostUnsure = 0.5;  // sd of a parameter's logarithm above which the data do not determine it
 // Relative standard deviations of speeds and of forces that the model causes: by its ticks, and by a PWM duty
 // cycle that is known only to half a step.

@@ -43,7 +43,7 @@ struct DriveCurve {
   std::vector<double> t;                        ///< s
   std::array<std::vector<double>, 2> measured;  ///< turns of each wheel
   std::array<std::vector<double>, 2> fitted;
-  std::array<int, 2> told{};  ///< first command
+  std::array<int, 2> told{};  ///< first command of each motor
 };
 
 struct DriveFit {
@@ -57,8 +57,9 @@ struct DriveFit {
   std::vector<DriveCurve> curves;
 };
 
-/// `supply` is the voltage measured during the drives; otherwise the file's value is used, with its spread.
-/// Throws InputError if a motor does not move, or moves in the wrong direction.
+/// Fits the drives; returns nothing if there are no drives. `supply` is the battery voltage measured during
+/// the drives. If its value is 0, uses the file's voltage with its spread. Throws InputError if a motor does
+/// not move, or moves in the wrong direction.
 std::optional<DriveFit> fit_drives(const std::vector<Log>& logs, const std::vector<Timed>& timed,
                                    const robot::Description& robot, Found supply);
 

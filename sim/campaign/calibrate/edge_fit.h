@@ -9,7 +9,7 @@ namespace robosim::calibrate {
 
 /// The samples across one side of the tape.
 struct Edge {
-  std::vector<double> s, y;  // m inwards; signal
+  std::vector<double> s, y;  // s: position inwards from the edge, m; y: signal
   double black;              // the signal over black
 };
 

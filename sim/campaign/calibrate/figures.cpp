@@ -34,7 +34,7 @@ Written written(const Figure& figure, const Found& found) {
   double spread = std::min(value - low, high - value);
   const int digits = decimals(spread);
   const double unit = std::pow(10.0, -digits);
-  // Rounds towards zero if that keeps the whole range within the bounds.
+  // Reduces the spread if the rounded range (value ± spread) could exceed the bounds.
   const double rounded = std::floor(value / unit + 0.5) * unit;
   const double room = std::min(rounded - figure.least / figure.scale, figure.most / figure.scale - rounded);
   if (spread > room - unit) spread = std::max(std::floor(room / unit + 1e-9) * unit, 0.0);

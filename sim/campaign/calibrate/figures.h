@@ -22,11 +22,10 @@ struct Figure {
   double before = 0.0;             ///< value in the file (first element of an array), SI
   double least = 0.0, most = 0.0;  ///< limits of robot files, including spread; SI
   std::string remark;              ///< "" or the assumption behind the value
-  double against = 0.0;            ///< reference of relative uncertainty, SI; 0 = the value
+  double against = 0.0;            ///< the uncertainty is relative to this value, SI; 0 = to the value itself
 };
 
-/// Returns the spread to write, SI: twice the standard deviation. It is at least the value of the last
-/// written digit.
+/// Returns the spread to write, SI: twice the standard deviation.
 double spread_of(const Found&);
 
 /// Returns the uncertainty of a value, relative to that value, or to `against` if `against` is not 0.
@@ -37,13 +36,14 @@ double least_sure(const Figure&);
 /// Returns whether robot files may contain the value.
 bool is_possible(const Figure&);
 
-/// Returns "2.31 mm ± 0.08 mm".
+/// Returns the value with its uncertainty: "2.31 mm ± 0.08 mm".
 std::string shown(const Figure&, const Found&);
 
 /// Returns TOML: { value = "2.31 mm", spread = "0.08 mm" }, or a list of such tables.
 std::string toml_value(const Figure&);
 
-/// Maximum relative uncertainty, twice the standard deviation over the value, of values that are written.
+/// Values with a larger relative uncertainty are not written. This uncertainty is twice the standard
+/// deviation, divided by the value.
 constexpr double kMostSpread = 0.5;
 
 std::vector<Figure> figures_of(const SweepFit&, const robot::Description&);

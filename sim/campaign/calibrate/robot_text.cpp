@@ -88,7 +88,7 @@ std::string with_figures(std::string_view text, const std::string& file, const s
   const ConfigValue tree = parse_toml(text, file);
   const bool returns = text.find("\r\n") != text.npos;
   std::vector<Change> changes;
-  std::vector<std::pair<std::string, std::string>> added;  // tables in their order: header and keys
+  std::vector<std::pair<std::string, std::string>> added;  // new tables in order: header, and lines of keys
   for (const Figure& figure : figures) {
     const std::string value = toml_value(figure);
     const ConfigValue* table = table_of(tree, figure);

@@ -19,8 +19,8 @@ namespace {
 
 using robot::ReflectanceSpec;
 
-constexpr double kPatch = 0.012;                       // m of floor whose readings count as one
-constexpr double kMostChange = 0.25;                   // of levels between sweeps, relative to black - white
+constexpr double kPatch = 0.012;                       // m of floor whose readings count as one reading
+constexpr double kMostChange = 0.25;                   // maximum change of levels / (black - white)
 constexpr double kClock = 4e-6 * std::numbers::sqrt2;  // s, error of a duration by micros() at 16 MHz
 constexpr std::size_t kBatches = 10;
 constexpr std::size_t kMostEdges = 1500;  // limit for a part; more edges do not improve the result
@@ -81,7 +81,7 @@ std::size_t index_at(const std::vector<double>& t, double time) {
 void measure_levels(Element& element) {
   std::vector<double> white, black, rough_white, rough_black;
   double length = 0.0, radius = 0.0;
-  std::set<std::string> logs;  // each log is from another place on the floor
+  std::set<std::string> logs;  // each log comes from another place on the floor
   std::size_t clipped = 0;
   for (std::size_t k = 0; k < element.traces.size(); ++k) {
     const Trace& trace = element.traces[k];
@@ -123,7 +123,7 @@ void measure_levels(Element& element) {
   };
   fit.noise = noise_of(rough_white, step_at(white));
   fit.dark_noise = noise_of(rough_black, step_at(black));
-  const double floor = deviation(white);  // deviation from patches of the floor and from noise
+  const double floor = deviation(white);  // standard deviation: patches of the floor, and noise
   const double circles = 2.0 * std::numbers::pi * radius * static_cast<double>(logs.size());
   const double patches = std::max((radius > 0.0 ? std::min(length, circles) : length) / kPatch, 2.0);
   const bool skewed = static_cast<double>(clipped) > kMostClipped * static_cast<double>(white.size());
@@ -199,8 +199,8 @@ void measure_footprint(PartFit& fit, const std::vector<Element>& elements, doubl
   }
 }
 
-/// Collects track widths: between a crossing and the next but one, the robot makes a whole turn, whose length
-/// the wheels' counts give.
+/// Collects track widths. From a crossing to the second crossing after it, the robot makes a whole turn. The
+/// wheels' counts give the length of the wheels' path in this turn.
 void collect_turns(const Element& element, const robot::Description& robot, std::vector<double>& tracks) {
   for (std::size_t k = 0; k < element.traces.size(); ++k) {
     const Trace& trace = element.traces[k];

@@ -14,7 +14,7 @@
 //   noise       from second differences of neighbouring readings, minus the noise from rounding to codes; as
 //               a share of black - white. Patches of the floor hardly change second differences
 //   footprint   f; its uncertainty is the scatter of ten estimates, each from a tenth of the edges
-//   track       path of the wheels / 2 pi over a whole turn, which ends at the next crossing but one
+//   track       path of the wheels / 2 pi over a whole turn, from a crossing to the second one after it
 #pragma once
 
 #include <string>
@@ -49,8 +49,8 @@ struct EdgePoint {
 struct PartFit {
   const robot::ReflectanceSpec* part = nullptr;
   Found footprint;       ///< m; value 0: the samples are too far apart
-  Found noise;           ///< as a share of white to black
-  Found seen;            ///< m, the tape's width at half depth, by the wheels; 0 without counts
+  Found noise;           ///< as a share of the step from white to black
+  Found seen;            ///< m, the tape's width at half depth, from the wheel counts; 0 without counts
   double spacing = 0.0;  ///< m between samples
   std::vector<ElementFit> elements;
   std::vector<EdgePoint> points;

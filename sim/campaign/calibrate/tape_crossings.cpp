@@ -190,7 +190,7 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
     while (last + 1 < t.size() && t[last + 1] < crossing.leaves + duration) ++last;
     const double width = std::fabs(slope(t, trace.angle, first, last)) * trace.radius * duration;
     seen += width / static_cast<double>(found.size());
-    // An implausible width means that the wheels stopped for a moment. Then the speed stays tape_m /
+    // An implausible width means that the wheels stopped for a moment. In this case, the speed stays tape_m /
     // duration.
     if (width > 0.5 * tape_m && width < 2.0 * tape_m) crossing.speed = width / duration;
   }

@@ -19,12 +19,13 @@ struct CheckResult {
   ExitStatus status = ExitStatus::interrupted;
   std::string why;     ///< one sentence about a failure
   std::string replay;  ///< the command that repeats the first failed run; empty if no run failed
-  /// `replay` without the option that is added for detectors, and the trace hash of the first failed run.
+  /// `again` is `replay` without the option that is added for detectors. `again_trace_hash` is the trace hash
+  /// of the first failed run.
   std::string again, again_trace_hash;
   std::string serial;  ///< output of the sketch in the first failed run
   std::size_t runs = 0;
   std::size_t passed = 0;
-  double time_s = 0.0;                    ///< simulated, sum of all runs
+  double time_s = 0.0;                    ///< simulated time, sum of all runs
   std::optional<result::RunResult> only;  ///< the result, if the check has only one run
   std::vector<std::string> traces;        ///< trace hashes of all runs, in the order of the plan
 

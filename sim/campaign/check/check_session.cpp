@@ -81,8 +81,8 @@ std::string run_text(const SweepPlan& plan, std::size_t run) {
                      in.target);
 }
 
-/// Restricts a check to the rights of an untrusted sketch. Throws InputError if the check needs more rights.
-/// Unless `folder` is empty, all files that the check names must be in `folder`.
+/// Sets the restrictions of an untrusted sketch for a check. Throws InputError if the check violates a
+/// restriction. If `folder` is not empty, all files that the check names must be in `folder`.
 void confine(Check& check, const fs::path& folder) {
   SweepOptions& sweep = check.sweep;
   sweep.each.untrusted = sweep.each.chip_only = true;
@@ -107,7 +107,7 @@ void confine(Check& check, const fs::path& folder) {
                                    file));
 }
 
-/// Returns the maximum simulated time of all runs of a plan together, in seconds.
+/// Returns the sum of the maximum simulated times of all runs of a plan, in seconds.
 double simulated_s(const SweepPlan& plan) {
   double sum_s = 0.0;
   for (const Combination& combination : plan.combinations)
@@ -115,7 +115,7 @@ double simulated_s(const SweepPlan& plan) {
   return sum_s;
 }
 
-/// Limits the total simulated time of the checks that an untrusted sketch brings. Emulating an Uno for this
+/// Maximum total simulated time of the checks in an untrusted sketch's folder. Emulating an Uno for this
 /// simulated time takes 100 s of wall time.
 constexpr double kMostSimulated_s = 3600.0;
 
@@ -218,7 +218,7 @@ client::Batch CheckSession::batch(Progress& progress) {
           },
           [this](std::size_t i) {
             Planned& planned = planned_[runs_[i].planned];
-            if (result_of(planned).status != ExitStatus::interrupted) return false;  // an error occurred
+            if (result_of(planned).status != ExitStatus::interrupted) return false;  // after an error
             return !planned.check.sweep.stop_early ||
                    !planned.tallies[runs_[i].number / planned.plan.seeds].decided();
           }};

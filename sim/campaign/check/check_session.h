@@ -16,8 +16,8 @@ namespace robosim::campaign {
 
 class CheckSession {
  public:
-  /// `untrusted`: the sketches come from strangers. They run only on chips, and their own checks may name
-  /// only files in the sketch's folder.
+  /// If `untrusted`, the sketches come from strangers. Such sketches run only on chips. Checks in a sketch's
+  /// folder may name only files in that folder.
   explicit CheckSession(SweepPlanner& planner, bool untrusted = false)
       : planner_(planner), untrusted_(untrusted) {}
 
@@ -35,12 +35,12 @@ class CheckSession {
   /// A check whose runs are planned.
   struct Planned {
     std::size_t sketch;
-    std::size_t result;  ///< its index in the sketch's results
+    std::size_t result;  ///< index of the check in the sketch's results
     Check check;
     SweepPlan plan;
     std::vector<analysis::Tally> tallies;
     bool late_only = true;      ///< all failed runs timed out
-    std::string first_failure;  ///< the reason for the first failed run
+    std::string first_failure;  ///< why the first failed run failed
     std::string first_name;     ///< the name of that run, if the check has several runs: "seed 4"
   };
   struct Run {
@@ -48,8 +48,8 @@ class CheckSession {
     std::size_t number;
   };
 
-  /// Plans the runs of a check. `limited`: limits the total simulated time of this check and of the sketch's
-  /// earlier checks.
+  /// Plans the runs of a check. If `limited`, limits the total simulated time of this check and of the
+  /// sketch's earlier checks.
   void plan(const Check& check, bool limited);
   client::Batch batch(Progress& progress);
   void answered(const Run& run, const client::Answer& answer);

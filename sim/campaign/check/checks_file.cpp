@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The kinds of words: a path is relative to the file's folder, and `sent` is a text for the sketch.
+/// The meaning of a word in the file. `sent` is a text that is sent to the sketch. Paths are relative to the
+/// file's folder.
 enum class Text { plain, name_or_path, path, sent };
 
 const std::vector<std::string> kVerdicts{"reached", "lost",    "stuck",       "toppled", "hung",
@@ -161,7 +162,8 @@ class CheckReader {
     if (const ConfigValue* value = reader_.find(key)) flag = as_boolean(*value, key);
   }
 
-  /// Returns `seed`; 1 if neither `seed` nor `seeds` is given; nullopt if `seeds` is given.
+  /// Returns the value of the key `seed`. Returns 1 if neither `seed` nor `seeds` is given, and nullopt if
+  /// `seeds` is given.
   std::optional<std::string> only_seed() {
     const ConfigValue* seed = reader_.find("seed");
     const ConfigValue* seeds = reader_.table().find("seeds");
@@ -177,7 +179,7 @@ class CheckReader {
     return word;
   }
 
-  /// Returns the place of the key whose flag is the message's first word.
+  /// Returns the place of the key whose flag is the first word of the message.
   Place place_of(const std::string& message) const {
     if (!message.starts_with("--")) return reader_.table().place;
     const std::string key = message.substr(2, message.find_first_of(": ") - 2);

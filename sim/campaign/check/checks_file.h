@@ -1,4 +1,5 @@
-// Reads checks.toml, the checks for `robosim test`. docs/reference/checks.md explains it and lists the keys.
+// Reads checks.toml, the checks for `robosim test`. docs/reference/checks.md explains the file and lists its
+// keys.
 #pragma once
 
 #include <filesystem>

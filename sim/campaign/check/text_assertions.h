@@ -13,7 +13,7 @@ namespace robosim::campaign {
 struct TextAssertion {
   enum class When { never, sometimes, always };
   When when = When::never;
-  bool shown = false;  ///< by a display or a Bluetooth module; otherwise sent by the serial port
+  bool shown = false;  ///< shown by a display or a Bluetooth module; otherwise sent over the serial port
   std::string words;
 
   bool is_in(const result::RunResult& result) const;
@@ -21,7 +21,7 @@ struct TextAssertion {
   std::string text() const;
 };
 
-/// Reads the assertions of a file of checks; consumes its keys. Throws InputError.
+/// Reads the keys never, sometimes and always of a file of checks. Throws InputError.
 std::vector<TextAssertion> read_text_assertions(TableReader& file);
 
 /// Returns why a run breaks a never or always assertion, in one sentence; empty if it does not. A text of

@@ -10,7 +10,7 @@ namespace robosim::campaign {
 
 struct CompareOptions {
   std::vector<std::string> targets;  ///< all others are compared with the first
-  std::string moves;                 ///< with several robots: the robot that runs on the targets; empty = all
+  std::string moves;                 ///< with several robots: the one that changes its target; empty = all
   launch::RunSettings each;          ///< its target and seed are ignored
 };
 

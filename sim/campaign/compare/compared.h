@@ -23,7 +23,7 @@ struct ComparedSide {
   std::vector<analysis::PinUse> reads;
   std::vector<analysis::PinUse> writes;
   std::vector<std::string> said;           ///< the last lines of output, ending with the differing line
-  std::optional<result::Finding> finding;  ///< from a run with checks
+  std::optional<result::Finding> finding;  ///< finding of a second run with sanitizers
 };
 
 /// The behaviour of one robot in one target run.
@@ -38,13 +38,13 @@ struct Edge {
   std::string target;
   int ppm = 0;                  ///< error of the clock …
   std::int64_t from_ns = 0;     ///< … from this time on
-  analysis::Difference itself;  ///< of the run with that clock (sides[1]) from the unchanged run (sides[0])
-  bool does_as_other = true;    ///< false: only differs from its unchanged run in a similar way
+  analysis::Difference itself;  ///< difference of the run with that clock (sides[1]) from the unchanged run
+  bool does_as_other = true;    ///< true: behaves like the other target; false: only changes in a similar way
   /// If both targets ran with many clocks: the number of clocks, and the number of runs that behaved like the
   /// other target.
   int clocks = 0, as_other = 0;
-  /// If a tick of the host's clock decides: for each target, the lateness with which the sketch on the host
-  /// behaves like this target. At least one of the two values is the unchanged lateness.
+  /// Set if a tick of the host's clock decides. late[i] is the lateness with which the sketch on the host
+  /// behaves like the target of sides[i]. If that target is the host, late[i] is the unchanged lateness.
   std::array<std::vector<result::Lateness>, 2> late;
 
   bool is_of_tick() const { return !late[0].empty() || !late[1].empty(); }
@@ -66,14 +66,14 @@ struct ComparedKnown {
 /// A comparison of all targets with one seed.
 struct Compared {
   std::uint64_t seed = 1;
-  std::string sketch;  ///< or the fleet's file
-  std::string moves;   ///< with several robots: the robot that runs on the targets; empty = all
+  std::string sketch;  ///< name of the sketch, or the fleet's file
+  std::string moves;   ///< with several robots: the one that changes its target; empty = all
   std::vector<ComparedTarget> target_runs;
   std::vector<ComparedKnown> known;
   std::optional<analysis::Difference> difference;
   std::string robot;                  ///< the robot with the difference
-  std::array<ComparedSide, 2> sides;  ///< of the difference
-  std::vector<Edge> edges;  ///< of both sides, or of the host's ticks; if not empty, the cause is chance
+  std::array<ComparedSide, 2> sides;  ///< the two sides of the difference
+  std::vector<Edge> edges;  ///< edges of both sides, or of the host's ticks; if any, the cause is chance
 
   /// A target that lacks chip features, and the missing features that the sketch used before the difference.
   /// If `lacks` is not empty, the sketch is not the cause.

@@ -22,8 +22,8 @@ namespace {
 
 constexpr std::int64_t kBefore_ns = 500'000'000, kBehind_ns = 100'000'000;  // period around a difference
 constexpr std::int64_t kLongestPart_ns = 1'000'000'000;
-constexpr std::size_t kMostTicks = 10;  // clock ticks at which the host is made to follow the other target
-constexpr std::size_t kSaid = 3;        // shown lines before the differing line
+constexpr std::size_t kMostTicks = 10;  // maximum number of clock ticks at which the host is delayed
+constexpr std::size_t kSaid = 3;        // number of lines that are shown before the differing line
 
 }  // namespace
 
@@ -110,8 +110,8 @@ class Comparer::Work {
     return found;
   }
 
-  /// Delays the sketch on the host so that it follows the other target at a clock tick. Returns the next
-  /// difference, and stores the host's history in `more`.
+  /// Delays the sketch on the host so that it behaves like the other target at this clock tick. Returns the
+  /// next difference, or nothing. Stores the host's history in `more`.
   std::optional<Found> behind_tick(const Compared& compared, const Found& at,
                                    std::deque<analysis::History>& more) {
     if (compared.edges.empty()) return std::nullopt;
@@ -242,8 +242,7 @@ class Comparer::Work {
         .result;
   }
 
-  /// Prepares the robots for the host, which is not a compared target. Returns null if they cannot be
-  /// prepared.
+  /// Prepares the robots for the host, if the host is not a compared target. Returns null if that fails.
   TargetRun* make_host() {
     try {
       if (!host_) host_ = target_run_of(options_, "host", {});

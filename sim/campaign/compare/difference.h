@@ -1,4 +1,4 @@
-// Facts about a difference that a comparison has found.
+// Examines a difference that a comparison has found.
 #pragma once
 
 #include <array>
@@ -13,8 +13,9 @@ namespace robosim::campaign {
 /// Returns whether a robot's sketch has used a feature that the target lacks.
 bool lacks_something(const ComparedTarget& target_run);
 
-/// Sets the chip features that one of two target runs lacks, if the robot's sketch used them before the
-/// difference. Sets nothing if the difference has a named cause, or if the checks have found a cause.
+/// Finds the chip features that one of two target runs lacks, if the robot's sketch used them before the
+/// difference. Stores them in `compared`. Finds nothing if the difference has a named cause, or if the checks
+/// have found a cause.
 void find_lacks(Compared& compared, std::size_t robot, const std::array<std::size_t, 2>& target_runs);
 
 /// Returns the index at which a side's text begins to differ from the other side's.

@@ -22,11 +22,13 @@ constexpr int kMoreClocksOff_ppm[] = {100,  -100,  300,  -300,  700,  -700,  150
                                       2500, -2500, 3500, -3500, 4000, -4000, 4500, -4500};
 // Errors of fast clocks for a rare behaviour. Slow clocks with the same errors are tried as well.
 constexpr int kFirstOfMany_ppm = 50, kStepOfMany_ppm = 80, kLastOfMany_ppm = 5000;
-// An Uno's millis() may lag by two of its ticks, 2.048 ms. Between two calls of delay(), targets differ by
-// some milliseconds. Up to 2.08 ms, the steps are a quarter of a tick.
+// Delays of the sketch on the host; negative = sooner. An Uno's millis() may lag by two of its ticks,
+// 2.048 ms. Between two calls of delay(), targets differ by some milliseconds. Up to 2.08 ms, the steps are a
+// quarter of a tick.
 constexpr std::int64_t kLate_us[] = {260,   520,  -260,  780,   -520, 1040,  -780, 1300, -1040, 1560,
                                      -1300, 1820, -1560, -1820, 2080, -2080, 3000, 5000, 10000};
-constexpr std::int64_t kLateBefore_ns[] = {100'000'000, 1'500'000'000, 5'000'000'000};  // or from the start
+// A delay begins one of these times before the difference, or at the start of the run.
+constexpr std::int64_t kLateBefore_ns[] = {100'000'000, 1'500'000'000, 5'000'000'000};
 
 constexpr std::int64_t kSoon_ns = 100'000'000;
 
@@ -41,8 +43,8 @@ std::vector<Edge> JitterProbe::find(const Compared& compared, const Pair& pair) 
   return find_of_ticks(compared, pair);
 }
 
-/// Finds, for each side, a clock with which this side behaves like the other side. For one of the sides, it
-/// is enough that its runs with two clocks differ in a similar way. A behaviour that only one target shows,
+/// Finds, for each side, a clock with which this side behaves like the other side. For one of the two sides,
+/// it is enough that a clock changes the behaviour in a similar way. A behaviour that only one target shows,
 /// such as a race of its interrupts, is not chance.
 std::vector<Edge> JitterProbe::find_of_clocks(const Compared& compared, const Pair& pair) {
   std::vector<Edge> edges;
@@ -104,8 +106,8 @@ std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair)
   return {std::move(*examples[0]), std::move(*examples[1])};
 }
 
-/// Returns a clock with which this target run behaves like the other target run. Otherwise returns a clock
-/// with which this target run differs from its unchanged run in a similar way.
+/// Returns a clock with which this target run behaves like the other target run. If there is none, returns a
+/// clock with which this target run changes in a way similar to the difference.
 std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::size_t side, const Pair& pair) {
   TargetRun& target_run = *pair.target_runs[side];
   progress_.say(
@@ -131,9 +133,9 @@ std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::si
   return found;
 }
 
-/// Finds out whether the program on the host shows both behaviours, depending on a delay of milliseconds or
-/// less. Then the cause is chance. Returns no edge if a wrong clock has the same effect, because
-/// find_of_clocks() handles that case.
+/// Finds out whether the program on the host shows both behaviours, depending on a delay of a few
+/// milliseconds. In that case, the cause is chance. Returns no edge if a wrong clock has the same effect,
+/// because find_of_clocks() handles that case.
 std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pair& pair) {
   TargetRun* host = nullptr;
   std::array<bool, 2> done{};
@@ -146,7 +148,7 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
   progress_.say("checking whether the host shows both behaviours when slightly delayed …");
   const analysis::Difference& difference = *compared.difference;
   const bool drives = analysis::is_of_driving(difference);
-  // Checks output only for a short time, because behind_tick() compares later output with the delayed host.
+  // Checks output only for a short time. behind_tick() then compares the later output with the delayed host.
   const std::int64_t behind_ns = drives || pair.target_runs[as] != host ? analysis::kBehindEdge_ns : kSoon_ns;
   ObservedRobot observed = observed_robot_of(compared, as, pair);
   std::array<std::vector<result::Lateness>, 2> late{observed.late, observed.late};

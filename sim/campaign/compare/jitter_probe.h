@@ -23,23 +23,23 @@ struct Pair {
   std::size_t robot = 0;
   std::array<TargetRun*, 2> target_runs{};
   std::array<const analysis::History*, 2> histories{};
-  std::array<std::vector<result::Lateness>, 2> late{};  ///< lateness of their sketches; only on the host
+  std::array<std::vector<result::Lateness>, 2> late{};  ///< lateness of the robot's sketch on the host
 };
 
 class JitterProbe {
  public:
-  /// `make_host` builds the robot for the host, and returns null if that fails. find() calls it if no target
-  /// run is on the host. All arguments must outlive this object.
+  /// `make_host` builds the robot for the host, and returns null if that fails. find() calls `make_host` if
+  /// no target run is on the host. All arguments must outlive this object.
   JitterProbe(const Observer& observer, Progress& progress, std::function<TargetRun*()> make_host)
       : observer_(observer), progress_(progress), make_host_(std::move(make_host)) {}
 
-  /// Returns the edges for the difference in `compared`; empty if the targets cause the difference. The sides
-  /// of `compared` must be described. A difference is never chance if it has a named cause, or if the checks
-  /// have found something.
+  /// Returns the edges for the difference in `compared`; empty if the targets cause the difference. The
+  /// caller must have set compared.sides. A difference is never chance if it has a named cause, or if the
+  /// checks have found something.
   std::vector<Edge> find(const Compared& compared, const Pair& pair);
 
  private:
-  using FromStart = std::map<int, analysis::History>;  ///< by the clock's error
+  using FromStart = std::map<int, analysis::History>;  ///< histories by the clock's error, ppm
 
   std::vector<Edge> find_of_clocks(const Compared& compared, const Pair& pair);
   std::vector<Edge> weigh(const Compared& compared, const Pair& pair);

@@ -1,4 +1,5 @@
-// Observes a robot for `robosim compare`: finds the places that it reaches, and requests the events of a run.
+// Observes a robot for `robosim compare`: finds the places that the robot reaches, and requests the events of
+// a run.
 #pragma once
 
 #include <cstddef>
@@ -18,14 +19,14 @@ namespace robosim::campaign {
 struct ObservedRobot {
   std::size_t robot = 0;
   std::uint64_t seed = 1;
-  std::int64_t until_ns = 0;           ///< the latest end of the run; in whole milliseconds
-  std::vector<result::Lateness> late;  ///< lateness of its sketch
+  std::int64_t until_ns = 0;           ///< latest end of the run; rounded down to whole milliseconds
+  std::vector<result::Lateness> late;  ///< lateness of the robot's sketch
 };
 
 /// The deviation of a robot's clock in a run.
 struct ClockOffset {
   std::int64_t from_ns = 0;
-  int ppm = 0;  ///< too fast, from from_ns on
+  int ppm = 0;  ///< error of the clock, parts per million; above 0 = fast
 };
 
 class Observer {
@@ -39,8 +40,9 @@ class Observer {
   analysis::HistoryRecorder recorder_of(const TargetRun& target_run, std::size_t robot) const;
   static wire::RunRequest request_of(const TargetRun& target_run, std::uint64_t seed);
   static bool is_of(const wire::Event& event, std::size_t robot);
-  /// Makes a run. The clocks of the other robots deviate in the opposite direction. The reason is that the
-  /// order of robots at a crossing may also be chance.
+  /// Makes a run in which the clock of the observed robot is wrong by `off`. The clocks of the other robots
+  /// are wrong in the opposite direction. The reason is that the order of robots at a crossing may also be
+  /// chance.
   analysis::History run(TargetRun& target_run, const ObservedRobot& observed,
                         const ClockOffset& off = {}) const;
 

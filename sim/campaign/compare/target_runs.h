@@ -14,10 +14,10 @@ namespace robosim::campaign {
 
 /// A target, its robots, and its runner.
 struct TargetRun {
-  std::string target;  ///< of the compared robots
+  std::string target;  ///< target of the compared robots
   client::Runner runner;
   launch::Fleet fleet;        ///< without members for a single robot
-  launch::PreparedFleet run;  ///< also for a single robot
+  launch::PreparedFleet run;  ///< also set for a single robot
 
   /// Returns a robot's name by its number.
   const std::string& name(std::size_t robot) const;

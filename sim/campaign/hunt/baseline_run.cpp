@@ -1,4 +1,4 @@
-// Finds the baseline run, which has no disturbance, and derives the sketch's purpose from it.
+// Finds the baseline run, which has no disturbance, and derives the sketch's purpose from that run.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace robosim::campaign {
 namespace {
 
 constexpr double kLongest_s = 300.0, kAfter_s = 20.0;
-constexpr double kWayAgain = 1.5, kWayOn_s = 15.0;  // limit of most runs: factor, plus a time
+constexpr double kWayAgain = 1.5, kWayOn_s = 15.0;  // limit of most runs: factor of the baseline, plus a time
 constexpr double kSlower = 5.0;
 constexpr std::size_t kTours = 4, kEnoughTours = 2;
 
@@ -106,7 +106,8 @@ bool Hunt::feel() {
   return true;
 }
 
-/// Collects the sketch's output, also after the goal, since messages may follow it.
+/// Records the lines that the sketch prints, also after the goal. Test cases may send messages after these
+/// lines.
 bool Hunt::hear() {
   if (!hears(campaign_.space())) return true;
   TestCase test_case = baseline_case_;

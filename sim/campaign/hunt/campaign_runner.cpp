@@ -72,7 +72,8 @@ void CampaignRunner::prepare(const HuntOptions& options, launch::Listener listen
     targets.push_back(launch::chip_target(launch, describe));
     if (sketch.elf_target.empty() && targets.front() != "host") targets.push_back("host");
   }
-  // The host without checks is the counterpart of a chip without checks.
+  // With a chip and the host as targets, adds a build for the host without checks. Runs on the chip are
+  // compared with runs of that build.
   const bool has_twin = targets.size() > 1 && targets.front() != "host" &&
                         std::find(targets.begin(), targets.end(), "host") != targets.end();
   for (const std::string& target : targets) {
@@ -204,7 +205,7 @@ void CampaignRunner::keep_maps(const std::vector<std::size_t>& maps) {
 wire::RunRequest CampaignRunner::request_of(const TestCase& test_case, const std::string& folder) const {
   wire::RunRequest request = prepared_[test_case.build].request;
   request.seed = test_case.seed;
-  request.detect = !space_.builds[test_case.build].checked;  // a build with checks has other timing
+  request.detect = !space_.builds[test_case.build].checked;  // checks change the timing
   request.clock_ns = test_case.clock_ms * 1'000'000;
   request.for_ns = static_cast<std::int64_t>(test_case.for_s * 1000.0) * 1'000'000;
   request.script = script_of(test_case);

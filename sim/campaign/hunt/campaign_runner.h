@@ -23,13 +23,14 @@ class CampaignRunner {
   const wire::RobotInfo& robot() const { return robot_; }
   const launch::Prepared& of(const TestCase& test_case) const { return prepared_[test_case.build]; }
   const std::string& version() const { return version_; }
-  /// Returns the board that replaces the robot's own; empty = none.
+  /// Returns the board that replaces the robot's own board; empty = none.
   const std::string& board() const { return board_; }
   /// Returns why requested builds are skipped, one sentence each.
   const std::vector<std::string>& left_out() const { return left_out_; }
   /// Returns the fingerprint of everything that affects the runs.
   std::string fingerprint() const;
-  /// Returns whether the user has chosen the maps. Otherwise the maps are guesses that may be dropped.
+  /// Returns whether the maps are given: by the user, or by a map next to the sketch. Otherwise the maps are
+  /// guesses that may be dropped.
   bool maps_are_given() const { return maps_are_given_; }
   void keep_maps(const std::vector<std::size_t>& maps);
   /// Returns the names of the dropped maps, for which the sketch is apparently not meant.
@@ -41,18 +42,18 @@ class CampaignRunner {
   /// world.map or robot.toml.
   wire::RunRequest request_of(const TestCase& test_case, const std::string& folder) const;
 
-  /// Runs test cases and sets their results, in the same order; nullopt for an impossible test case. `ran`
-  /// receives the lines of the sketch that ran, for test cases on a chip without checks. Returns false if the
-  /// user interrupted the runs.
+  /// Runs test cases and sets their results, in the same order. The result of a test case that the runner
+  /// refuses is nullopt. `ran` receives the lines of the sketch that ran, for test cases on a chip without
+  /// checks. Returns false if the user interrupted the runs.
   bool run(const std::vector<TestCase>& test_cases, std::vector<std::optional<result::RunResult>>& results,
            std::vector<std::vector<std::string>>* ran = nullptr);
   client::Pool& pool() { return pool_; }
-  /// Return the number of impossible test cases, and the reason for the first.
+  /// Return the number of refused test cases, and the reason for the first refusal.
   std::size_t refused() const { return refused_; }
   const std::string& refusal() const { return refusal_; }
 
  private:
-  /// A run of one test case, or of all test cases of a family.
+  /// A run of one test case, or of all test cases of a family (TestCase::family).
   struct Task {
     std::size_t first = 0, count = 1;
   };

@@ -1,7 +1,8 @@
-// Compares two runs of a test case that should be alike. Either one run is on the host, and the other run on
-// the board's chip. Or both runs are on the chip, and only one has a clock near its wrap. If the two runs
-// always diverge in the same way, the sketch depends on something that it should not. Examples are the width
-// of an int, the content of flash, and the time since power-on.
+// Compares two runs of a test case that should behave alike. Either one run is on the host, and the other run
+// on the board's chip. Or both runs are on the chip, and the clock of only one run is close to its wrap.
+//
+// If the two runs always diverge in the same way, the sketch depends on something that should not matter.
+// Examples are the width of an int, the content of flash, and the time since power-on.
 #pragma once
 
 #include <optional>
@@ -22,9 +23,9 @@ struct Divergence {
 };
 
 /// Returns the first difference between two runs. Compares frequent lines separately, and ignores times. With
-/// `numbers`, numbers in lines differ if one is more than twice the other. Without `numbers`, counts of a
-/// frequent line differ if one is more than five times the other. Runs on one chip are compared without
-/// `numbers`.
+/// `numbers`, two numbers differ if they are more than 20 apart and one is more than twice the other. Without
+/// `numbers`, counts of a frequent line differ if one is more than five times the other. Runs on one chip are
+/// compared without `numbers`.
 std::optional<Divergence> divergence(const result::RunResult& ours, const result::RunResult& other,
                                      bool numbers);
 /// Returns whether two pairs of runs diverge in the same way. Numbers that vary from pair to pair count as
@@ -33,8 +34,8 @@ bool is_same(const Divergence& a, const Divergence& b);
 
 /// Returns the test case whose run should resemble the run of `test_case`.
 TestCase counterpart_of(const TestCase& test_case, const HuntSpace& space);
-/// Returns the test case with other noise and slightly later stimuli, to rule out chance. Gives it more time,
-/// in case one of the two runs is only slow.
+/// Returns the test case with other noise and slightly later stimuli, to rule out chance. Gives the test case
+/// more time, in case one of the two runs is only slow. `time` is the number of the repetition, from 1.
 TestCase tried_again(const TestCase& test_case, const HuntSpace& space, int time);
 inline constexpr int kTriedAgain = 3;
 

@@ -37,14 +37,17 @@ struct HuntFinding {
   std::size_t times = 1;        ///< number of runs with apparently the same cause
   Shown shown;
 
-  /// Returns whether another symptom apparently has the same cause: the same place in the sketch, or the same
-  /// behaviour in a test case with all needs of this finding.
+  /// Returns whether another symptom apparently has the same cause as this finding. Errors must be at the
+  /// same place in the sketch. Behaviour must be the same, in a test case with all needs of this finding. A
+  /// behaviour without needs, which the baseline run shows, explains all other behaviour.
   bool explains(const Symptom& other, const std::set<std::string>& needs_of_other) const;
 };
 
-/// Returns the text for the user, with the command that repeats the run. The run's files are in `out`/NUMBER.
+/// Returns the text for the user, with the command that repeats the run. The run's files are in the folder
+/// `out`/NUMBER.
 std::string hunt_text(const HuntFinding& finding, std::size_t number, const std::filesystem::path& out);
 /// Returns a [[check]] that fails until the fault is fixed, with paths relative to the findings' folder.
+/// Returns only comments for a finding that no single run shows.
 std::string hunt_check(const HuntFinding& finding, std::size_t number);
 
 /// Writes `out`/NUMBER: the test case's files, its script and a page that replays it; sets the `shown`

@@ -13,9 +13,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kAtOnce = 4;      // simultaneously tried test cases while shrinking
-constexpr std::size_t kMostTries = 80;  // tried test cases while shrinking
-constexpr std::size_t kMostAlike = 5;   // findings of one kind
+constexpr std::size_t kAtOnce = 4;      // number of simultaneous test cases while shrinking
+constexpr std::size_t kMostTries = 80;  // maximum number of test cases while shrinking a finding
+constexpr std::size_t kMostAlike = 5;   // maximum number of findings of one kind of behaviour
 constexpr double kBehind_s = 1.0;
 
 }  // namespace
@@ -249,7 +249,7 @@ void Hunt::look_back() {
                  fmt::format("None of {} runs had {}, which must occur sometimes.", runs_, assertion.text()),
                  false});
   const result::RunResult& result = baseline_.result;
-  // Without a given goal, a sketch that does not read the line has another purpose than to reach a goal.
+  // A sketch that does not read the line need not reach a goal. Exception: the user has given a goal.
   const bool has_goal = reads_the_floor(result, baseline_.robot) || !options_.each.request.goal.empty();
   if (!has_goal || reached_ > 0 || !findings_.empty() || result.goal == "none" ||
       result.metrics.distance_m < kMoved_m)
@@ -275,8 +275,8 @@ bool Hunt::go() {
   return true;
 }
 
-/// Adds a row from another machine's log. The files of the row's finding are in `files`. The finding may
-/// already be known.
+/// Adds a row from another machine's log. The files of the row's finding are in `files`. This hunt may
+/// already know the finding.
 void Hunt::adopt(HuntRow& row, const fs::path& files) {
   HuntFinding finding = std::move(*row.fresh);
   row.fresh.reset();
@@ -289,7 +289,7 @@ void Hunt::adopt(HuntRow& row, const fs::path& files) {
 bool Hunt::merge(const std::vector<HuntPart>& parts) {
   if (!find_baseline()) return false;
   for (const HuntPart& part : parts) {
-    std::vector<std::size_t> ours;  // this hunt's number for each finding of the part
+    std::vector<std::size_t> ours;  // this hunt's numbers of the part's findings
     for (HuntRow row : part.rows) {
       if (row.fresh) {
         adopt(row, part.folder / std::to_string(row.finding));

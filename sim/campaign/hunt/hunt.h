@@ -40,8 +40,8 @@ class Hunt {
   double simulated_s() const { return simulated_s_; }
   std::size_t traits() const { return traits_.size(); }
   const Baseline& baseline() const { return baseline_; }
-  /// Returns a remark on something odd that is not a finding, such as a sketch that waits for an input;
-  /// otherwise "".
+  /// Returns a remark if the sketch controls motors, but no run had a finding or moved the robot; otherwise
+  /// "". The sketch may wait for an input that the hunt does not know.
   std::string remark() const;
   const TestCase& plain_world() const { return baseline_case_; }
 
@@ -57,8 +57,8 @@ class Hunt {
   bool add(HuntFinding finding, HuntRow& row);
   bool is_known(const HuntFinding& finding, HuntRow& row) const;
   bool shrink(HuntFinding& finding);
-  /// Runs the test cases and sets their symptoms; impossible test cases have no result. Returns false if the
-  /// user interrupted the runs.
+  /// Runs the test cases and sets their symptoms; test cases that the runner refuses have no result. Returns
+  /// false if the user interrupted the runs.
   bool look(const std::vector<TestCase>& test_cases, std::vector<std::optional<result::RunResult>>& results,
             std::vector<std::vector<Symptom>>& found, std::vector<std::vector<std::string>>* ran = nullptr);
   std::vector<Symptom> symptoms(const result::RunResult& result, const TestCase& test_case) const;

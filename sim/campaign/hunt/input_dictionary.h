@@ -1,4 +1,4 @@
-// Extracts the words that a sketch may understand from its source.
+// Extracts words from a sketch's source that the sketch may accept as input.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace robosim::campaign {
 bool reads_input(std::string source);
 /// Returns whether the source uses the EEPROM.
 bool uses_eeprom(const std::string& source);
-/// Adds the source's quoted texts that are not printed.
+/// Adds the string and character literals of the source, except those that the source prints.
 void add_words(const std::string& source, std::vector<std::string>& words);
 /// Returns whether a word fits in a line of a script, and is not longer than usual commands.
 bool may_be_sent(const std::string& word);

@@ -13,7 +13,7 @@
 
 namespace robosim::campaign {
 
-/// The stored data of a run. To resume a hunt, the test case is drawn again.
+/// The stored data of a run. The test case is not stored, because a resumed hunt draws it again.
 struct HuntRow {
   std::uint64_t run = 0;  ///< from 0
   double time_s = 0.0;
@@ -42,9 +42,9 @@ inline constexpr const char* kMerged = "merged";
 
 class HuntLog {
  public:
-  /// Opens a log in an existing folder. `from` identifies the source of the runs; `part` is a shard, kMerged
-  /// or empty. `resume`: reads the rows that the same hunt has written, and skips an incomplete last line.
-  /// Throws InputError.
+  /// Opens a log in an existing folder. `from` is the fingerprint of the hunt's inputs
+  /// (CampaignRunner::fingerprint()). `part` is a shard, kMerged or empty. With `resume`, reads the rows that
+  /// the same hunt has written, and skips an incomplete last line. Throws InputError.
   HuntLog(const std::filesystem::path& folder, const std::string& from, const std::string& part, bool resume);
 
   /// Returns the row of a run; null if there is no such run yet.

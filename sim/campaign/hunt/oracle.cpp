@@ -50,7 +50,7 @@ std::string place_of(const result::Crash& crash) {
 Symptom crashed(const result::RunResult& result) {
   const result::Crash& crash = *result.crash;
   const std::string place = place_of(crash);
-  if (crash.check.starts_with("torn_") || crash.check == "lost_update")  // detectors also find these
+  if (crash.check.starts_with("torn_") || crash.check == "lost_update")  // detectors report these, too
     return {"crashed", crash.check + " " + place, result.why, false};
   return {"crashed", fmt::format("{} {}", place.empty() ? without_numbers(crash.reason) : "crashed", place),
           result.why, false};

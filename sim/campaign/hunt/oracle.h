@@ -25,7 +25,7 @@ bool reads_the_floor(const result::RunResult& result, const wire::RobotInfo& rob
 
 /// The kind of a detector's finding.
 inline constexpr const char* kDetected = "detected";
-/// A robot that only twitches moves less than this.
+/// Minimum distance of a robot that drives, m. A shorter movement is only a twitch.
 inline constexpr double kMoved_m = 0.1;
 /// The trait of a run in which the robot moved farther than kMoved_m.
 inline constexpr const char* kDrives = "drives";

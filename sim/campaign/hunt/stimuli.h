@@ -18,17 +18,18 @@ const T& pick(const random_worlds::RandomSource& rng, const std::vector<T>& from
 
 /// Returns the openings that may start a sketch: nothing, a button, the same button twice.
 std::vector<std::vector<Stimulus>> openings(const HuntSpace& space);
-/// Returns the beginnings of the sketch's lines, up to their first number; the last line last.
+/// Returns the beginnings of the lines that the sketch printed, each up to the line's first number. The
+/// beginning of the last line comes last.
 std::vector<std::string> beginnings_of(const std::string& serial);
 
-/// Draws the opening, and at most four more stimuli at any time.
+/// Sets the opening, and draws at most four more stimuli, each at any time.
 void draw_stimuli(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
 /// Returns whether the sketch can receive messages.
 bool hears(const HuntSpace& space);
-/// Draws the opening, and a sequence of many messages. The sequence often starts after an output of the
-/// sketch, mostly the last output, because the sketch may then wait for messages.
+/// Sets the opening, and draws a sequence of many messages. The sequence often starts after an output of the
+/// sketch, because the sketch may then wait for messages. Usually, this is the last output.
 void draw_talk(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
-/// Puts an obstacle on the line from the beginning, for longer than most runs.
+/// Puts an obstacle on the line from the beginning of the run, for longer than most runs.
 void block(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
 /// Repeats one input just before and twice after millis() exceeds 65,535, to expose 16-bit timestamps and
 /// durations. Such code fails only on a chip.

@@ -24,9 +24,10 @@ constexpr std::uint64_t kPairEvery = 6;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
-constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // meanwhile the robot is at the obstacle
+constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // in this period the robot is blocked
 
-/// Returns a distance between landmarks that leaves room for bends like those of the map.
+/// Returns the smallest width of a track's squares, in cells, that leaves room for bends like those of the
+/// map.
 int apart(const HuntSpace::Map& map) {
   return std::max(4, static_cast<int>(std::ceil(2.0 * map.corner_mm / map.cell_mm)));
 }
@@ -56,7 +57,7 @@ void hold_a_button_at_power_on(TestCase& test_case, const HuntSpace& space, cons
   test_case.stimuli.insert(test_case.stimuli.begin(), {0, kind + fmt::format(" {}ms", kHeldFor_ms), kind});
 }
 
-/// Draws a clock just before its milliseconds or microseconds overflow.
+/// Draws the clock's start, shortly before a variable with its milliseconds or microseconds overflows.
 void draw_clock(TestCase& test_case, const HuntSpace& space, const RandomSource& rng) {
   const std::int64_t wrap =
       pick<std::int64_t>(rng, {kMillisWrap_ms, kMillisWrap_ms, kMillisWrap_ms / 2, kMicrosWrap_ms,

@@ -21,7 +21,7 @@ namespace robosim::campaign {
 
 /// A stimulus for the robot.
 struct Stimulus {
-  int at_ms = 0;     ///< after power-on, or after the sketch has sent `after`
+  int at_ms = 0;     ///< ms after power-on, or after the sketch has sent `after`
   std::string what;  ///< in script syntax: "press start 100ms"
   std::string kind;  ///< for display: "press start", "send"
   std::string after = {};
@@ -32,10 +32,10 @@ inline constexpr const char* kPowerOff = "power off";
 inline constexpr const char* kUsedEeprom = "an EEPROM that another sketch has filled";
 inline constexpr const char* kObstacle = "an obstacle";
 inline constexpr const char* kHeld = "a held wheel";
-inline constexpr const char* kTwisted = "a twist";  ///< the robot is turned aside, against its motors
+inline constexpr const char* kTwisted = "a twist";  ///< a manual move turns the robot, against its motors
 
-/// A time by which a sketch's one-time actions after power-on are past. It is a multiple of 2^16, so that a
-/// 16-bit clock also starts at 0.
+/// A time after power-on, ms, at which a sketch has finished its one-time actions. It is a multiple of 2^16,
+/// so that a 16-bit clock also starts at 0.
 inline constexpr std::int64_t kPast_ms = 4 << 16;
 
 /// The kind of a second run for comparison: see differential_testing.h.
@@ -51,14 +51,14 @@ struct Moment {
 struct TestCase {
   Differential differential = Differential::none;
   std::size_t build = 0;  ///< index in HuntSpace::builds
-  std::size_t map = 0;    ///< index in HuntSpace::maps, unless a map is drawn
+  std::size_t map = 0;    ///< index in HuntSpace::maps; a drawn map resembles this map
   std::optional<random_worlds::Track> track;
   std::optional<random_worlds::LineNetwork> network;
   random_worlds::RobotVariant robot;  ///< if it has no levels, the unchanged robot of the file
   std::uint64_t seed = 1;
   random_worlds::FaultPlan faults;
   std::vector<Stimulus> stimuli;
-  int later_ms = 0;  ///< delay of its opening relative to the baseline: the robot waits first
+  int later_ms = 0;  ///< delay of the opening relative to the baseline run
   std::int64_t clock_ms = 0;
   std::uint64_t family = 0;  ///< number of a family; 0 = no family. Its test cases are equal up to
                              ///< `branch_point` and differ in the last stimulus. On a chip, a family is
@@ -82,7 +82,7 @@ struct HuntSpace {
   struct Map {
     std::string name;
     std::string goal;                       ///< empty = the map's goal
-    bool tracks = false, networks = false;  ///< the kind of random maps that resemble this map
+    bool tracks = false, networks = false;  ///< which kind of random maps resembles this map
     int cycles = 0;                         ///< approximate number of cycles of its network
     double cell_mm = 100.0, corner_mm = 0.0;
     std::vector<map::CellAt> line = {};  ///< cells with line, except the start
@@ -129,20 +129,20 @@ struct Noted {
   Moment moment = {};
 };
 
-/// Draws a test case for each run, determined by the run's number and the hunt's seed. Half of the test cases
-/// vary a noted test case. A fifth of these branch from the noted test case: they are equal up to the noted
-/// moment, and then have another stimulus. On a chip, the last test cases of a whole round all branch from
-/// one moment.
+/// Draws a test case for each run. A test case depends on the hunt's seed, the run's number and the noted
+/// test cases. Half of the test cases vary a noted test case. A fifth of these branch from the noted test
+/// case. They are equal up to the noted moment, and then have another stimulus. On a chip, the last test
+/// cases of a whole round all branch from one moment.
 std::vector<TestCase> draw_round(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
                                  const std::vector<std::uint64_t>& runs);
-inline constexpr std::size_t kRound = 12, kFamily = 3;  ///< numbers of test cases
+inline constexpr std::size_t kRound = 12, kFamily = 3;  ///< number of test cases in a round and in a family
 
 /// Draws `count` test cases without stimuli, each on another network similar to the map.
 std::vector<TestCase> networks_like(const HuntSpace& space, std::size_t map, std::uint64_t seed,
                                     std::size_t count);
 
-/// Returns the test cases that are simpler by one step, beginning with the largest steps. Repeated calls end
-/// after finitely many steps.
+/// Returns the test cases that are simpler by one step, beginning with the largest steps. Repeated shrinking
+/// ends after finitely many steps.
 std::vector<TestCase> smaller(const TestCase& test_case, const HuntSpace& space);
 
 /// Returns the differences from the baseline: "a drawn map", "another seed", "fault noisy", "press start".

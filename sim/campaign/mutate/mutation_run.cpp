@@ -45,7 +45,7 @@ build::ParseContext read(const std::string& sketch, const campaign::Check& check
   return read(launch, listener);
 }
 
-/// Parses the sketch's source as built by default, or for an AVR if it only compiles there.
+/// Parses the sketch's source as built by default, or for an AVR if the sketch only compiles for an AVR.
 build::ParseContext read(const std::string& sketch, const launch::Listener& listener) {
   launch::Launch launch;
   launch.sketch = sketch;

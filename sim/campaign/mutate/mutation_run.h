@@ -17,13 +17,13 @@ namespace robosim::mutate {
 struct Mutant {
   Mutation mutation;
   Trial trial;
-  bool observed = true;  ///< a run differs from the unchanged sketch's run
+  bool observed = true;  ///< at least one run differs from the unchanged sketch's run
 };
 
 struct MutationResult {
   std::string sketch;
   std::string checks;  ///< the file of the checks, or the test programs
-  std::string asked;   ///< "check" or "test"
+  std::string asked;   ///< kind of test: "check" or "test"
   std::uint64_t seed = 1;
   std::size_t places = 0;        ///< number of possible mutations
   std::size_t not_compiled = 0;  ///< number of drawn mutations that do not compile
@@ -35,7 +35,8 @@ struct MutationResult {
   std::size_t found() const { return count(Trial::Ending::failed) + count(Trial::Ending::late); }
   std::size_t unobserved() const;
   std::size_t brittle() const;  ///< number of controls (harmless changes) that did not pass
-  /// Returns the share of found mutants among those that a run can show; 1 if there are no such mutants.
+  /// Returns the share of found mutants among all mutants except the unobserved ones; 1 if all are
+  /// unobserved.
   double score() const;
 };
 

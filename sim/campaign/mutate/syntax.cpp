@@ -23,14 +23,16 @@ const json& member(const json& node, const char* name) {
   return found == node.end() ? kNothing : *found;
 }
 
-/// Returns whether a declaration is in a known file. Its places must have been completed by Places.
+/// Returns whether a declaration is in a known file. The class Places must have completed its source
+/// locations.
 bool is_own(const json& declaration) {
   const json& loc = member(declaration, "loc");
   const json& place = loc.contains("expansionLoc") ? loc["expansionLoc"] : loc;
   return place.is_object() && place.value("in", -1) >= 0;
 }
 
-/// Completes places, since clang names a file only if it differs from the file of the previous place.
+/// Adds the number of its file to each source location. clang's dump names a file only if it differs from the
+/// file of the previous location.
 class Places {
  public:
   explicit Places(const std::function<int(const std::string&)>& number_of) : number_of_(number_of) {}
@@ -57,7 +59,7 @@ class Places {
   }
 
  private:
-  static constexpr int kOfDeclarations = 2;  ///< depth of declarations in the translation unit's list
+  static constexpr int kOfDeclarations = 2;  ///< JSON depth of the translation unit's declarations
   const std::function<int(const std::string&)>& number_of_;
   std::string key_;
   int file_ = -1;

@@ -28,14 +28,15 @@ struct File {
 
 struct Tree {
   std::vector<File> files;  ///< all files; joined .ino files are in their order
-  /// The declarations in these files. Each place in them has a member "in": the number of the place's file,
-  /// or -1. Places in any of the joined .ino files have the number of the first .ino file.
+  /// The declarations in these files. Each source location in them has a member "in": the number of the
+  /// location's file, or -1. Locations in any of the joined .ino files have the number of the first .ino
+  /// file.
   std::vector<nlohmann::json> declarations;
-  std::size_t added_at = 0, added = 0;  ///< position and size of the prototypes in the joined .ino files
+  std::size_t added_at = 0, added = 0;  ///< function prototypes in the joined .ino files: offset and size
 };
 
 /// Parses all sources of the sketch, and files of its libraries (`of_libraries`, whole paths). A header that
-/// no source includes yields nothing. Throws ToolMissing if clang is not installed.
+/// no source includes contributes no declarations. Throws ToolMissing if clang is not installed.
 Tree parse(const build::ParseContext& context, const std::vector<std::filesystem::path>& of_libraries = {});
 
 /// Returns the range of a node. Returns nothing if the node is not in one of the files, or begins or ends in

@@ -62,8 +62,8 @@ TestRun run_tests(const fs::path& program, const std::string& filter, const fs::
                                    result.output.empty() ? "" : ":\n" + result.output),
                        result.status == kTimeIsUp);
   TestRun run = read_report(read_file(report));
-  // The robot's behaviour is not the cause. Either the sketch does not compile, or the test requests
-  // something that does not exist.
+  // An exception shows that the test could not start a run; the robot's behaviour does not throw exceptions.
+  // Either the sketch does not compile, or the test requests something that does not exist.
   if (run.message.find("C++ exception with description") != std::string::npos)
     throw CouldNotRun(fmt::format("{} could not be run:\n{}", run.failed, run.message));
   return run;

@@ -11,8 +11,8 @@ namespace robosim::mutate {
 struct TestRun {
   int passed = 0, skipped = 0;
   std::string failed;   ///< the first test that failed, "PidFollower.StartsAtOnce"; empty = none
-  std::string message;  ///< the first lines of its message
-  std::map<std::string, std::string> traces;  ///< per passed test: the behaviour in its runs, as a number
+  std::string message;  ///< the first lines of the failed test's message
+  std::map<std::string, std::string> traces;  ///< for each passed test: a fingerprint of its runs
 };
 
 /// Thrown if a test could not start a run. Either the sketch does not compile, or the test requests something
@@ -28,7 +28,7 @@ struct ProgramBroke : std::runtime_error {
 };
 
 /// Runs a program until its first test fails. `filter` is GoogleTest's filter; empty = GTEST_FILTER. Throws
-/// CouldNotRun or ProgramBroke for any other failure.
+/// CouldNotRun, ProgramBroke, and ToolMissing without the program `timeout`.
 TestRun run_tests(const std::filesystem::path& program, const std::string& filter,
                   const std::filesystem::path& scratch, int most_seconds = 600);
 

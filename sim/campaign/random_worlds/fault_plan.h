@@ -12,7 +12,7 @@ namespace robosim::random_worlds {
 /// The possible faults, with their maximum severity; 0 = never. docs/reference/robots.md describes each
 /// fault.
 struct FaultLimits {
-  int at_most = 1;               ///< faults per run
+  int at_most = 1;               ///< maximum number of faults per run
   int from_ms = 0;               ///< first possible beginning
   int until_ms = 20'000;         ///< last possible beginning
   double sensor_offset = 0.05;   ///< share of the range from white to black, in either direction

@@ -63,7 +63,7 @@ void tidy(LineNetwork& network) {
     network.start = stations.front();
 }
 
-/// Returns the network without a piece, reduced to the part that contains `keep`.
+/// Returns the network without a piece, reduced to the connected part that contains `keep`.
 LineNetwork without(const LineNetwork& network, const Piece& piece, Knot keep) {
   LineNetwork left = network;
   std::erase(left.pieces, piece);

@@ -47,7 +47,7 @@ struct LineNetwork {
   std::vector<LineNetwork> smaller() const;
   /// Returns the number of cells between lines and the map's edge: enough for a robot to turn round.
   int margin() const { return std::max(apart, 3); }
-  /// The next two functions return the column, or row, of the map's cell at a knot.
+  /// Returns the column of the map's cell at a knot; row_of() returns the row.
   int column_of(int x) const;
   int row_of(int y) const;
   /// Returns the rows of a map, without the start.

@@ -28,7 +28,8 @@ struct RobotVariant {
   std::vector<int> levels;  ///< per parameter: −kLevels is value − spread, 0 is the file's value
 
   std::vector<RobotVariant> smaller() const;
-  /// Returns the text of the variant's robot file. Returns `base` itself if nothing differs.
+  /// Returns the text of the variant's robot file, based on the robot `base`. Returns only `base` if nothing
+  /// differs.
   std::string file(const std::string& base, const std::vector<Figure>& figures) const;
 };
 RobotVariant assemble(const std::vector<Figure>& figures, const RandomSource& rng);

@@ -11,11 +11,11 @@ namespace robosim::campaign {
 
 struct JunitCase {
   enum class Ending { passed, failed, skipped };
-  std::string group;  ///< for a class: the owner of the sketch
+  std::string group;  ///< owner of the sketch, in the checks of a class; otherwise the test suite
   std::string name;
   Ending ending = Ending::passed;
   double time_s = 0.0;
-  std::string message = {};                ///< of a failure; may contain several lines
+  std::string message = {};                ///< message of a failure; may contain several lines
   std::optional<double> off_line_mm = {};  ///< for a check of one run: the largest cross-track error
   std::string again = {};                  ///< the command that repeats the failed run of a check
   std::string trace_hash = {};             ///< the trace hash of the failed run

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostColumns = 12;  // columns of checks; more checks are described in words
 
-/// Numbers of cases, grouped by name, in the order of the names' first use.
+/// Indices of cases, grouped by name, in the order of the names' first use.
 struct Table {
   std::vector<std::string> names;
   std::map<std::string, std::vector<std::size_t>> of;
@@ -143,7 +143,8 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
     passed += cases[i].ending == JunitCase::Ending::passed;
     failed += cases[i].ending == JunitCase::Ending::failed;
   }
-  // The tests of C++ programs have different names; the checks of a class have equal names.
+  // Checks of several sketches have equal names, which become columns. Tests of C++ programs have different
+  // names.
   const bool columns =
       checks.names.size() <= kMostColumns && groups.names.size() > 1 && checks.names.size() < cases.size();
   std::string body =

@@ -13,7 +13,7 @@ inline constexpr std::size_t kMostRows = 5'000, kMostFailures = 200;  ///< rows 
 
 std::string page_of(const std::string& title, const std::string& body);
 
-/// Returns what a title or sentence adds if a table has `count` rows and shows `most`; else nothing.
+/// Returns ", the first 10 of 25" for a table that shows `most` of `count` rows; "" if it shows all.
 std::string rows_shown(std::size_t count, std::size_t most);
 
 /// Returns a bar with its numbers: "3/4".
@@ -24,7 +24,7 @@ std::string bars(const std::vector<double>& values, double most, const std::stri
 
 double most_of(const std::vector<double>& values);
 
-/// Returns the text, as a link if the run has a replay.
+/// Returns `markup`, as a link if the run has a replay.
 std::string linked(const ReportExtras& extras, std::size_t run, const std::string& markup);
 
 /// Draws the places where robots left the line. Then states how many runs are not shown, and why.

@@ -17,20 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Writes replays into a folder next to the page, without overwriting.
+/// Writes replays into a folder next to the page, each with its own file name.
 class Replays {
  public:
   explicit Replays(const std::string& page)
       : beside_(fs::path(page).parent_path()), folder_(fs::path(page).stem().string() + "-runs") {}
 
-  /// Writes a replay and returns its link. `number`: the run's number, which is added to a name in use.
+  /// Writes a replay and returns its link. If the name is in use, adds the run's `number` to the name.
   std::string write(const std::string& title, std::size_t number, const std::string& recording) {
     std::string name;
     for (const char c : title) {
       const bool kept = std::isalnum(static_cast<unsigned char>(c)) != 0;
       if (kept || (!name.empty() && name.back() != '-')) name += kept ? c : '-';
     }
-    if (!names_.insert(name).second) name += fmt::format("-row-{}", number + 1);  // "a b" becomes "a-b", too
+    if (!names_.insert(name).second) name += fmt::format("-row-{}", number + 1);  // names may be equal
     std::error_code none;
     if (fs::is_symlink(beside_ / folder_, none))
       throw InputError({(beside_ / folder_).string()}, "a link: expected a folder for replays");
@@ -78,7 +78,7 @@ fs::path found(const fs::path& named, const fs::path& xml) {
   return named;
 }
 
-/// Repeats the run of a row without a command, with the sweep's options.
+/// Repeats the run of a table row that has no command, with the sweep's options.
 std::optional<std::string> made_by_options(Rerun& again, const SweptRun& run,
                                            const launch::RunSettings& each) {
   launch::RunSettings options = each;
@@ -117,7 +117,7 @@ void ReportExtras::add(const RecordingExtract& extract) {
   const auto [place, added] = places_.try_emplace(extract.map_text, left.size());
   if (added) left.push_back({extract.map, *extract.floor, {}, 0});
   LeftOn& on = left[place->second];
-  if (on.map != extract.map) on.map = fs::path(on.map).filename();  // a copy in each pupil's folder
+  if (on.map != extract.map) on.map = fs::path(on.map).filename();  // the map has copies in several folders
   on.places_mm.insert(on.places_mm.end(), extract.left_mm.begin(), extract.left_mm.end());
   ++on.runs;
 }

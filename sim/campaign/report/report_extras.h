@@ -28,7 +28,7 @@ struct ReportExtras {
   std::vector<LeftOn> left;
   std::size_t other = 0;      ///< number of runs with a different result when repeated
   std::size_t not_made = 0;   ///< number of failed runs beyond the maximum to repeat
-  std::size_t written = 0;    ///< number of `replays` for this page
+  std::size_t written = 0;    ///< number of replays that were written for this page
   std::string cannot;         ///< the first reason why a run cannot be repeated
   std::size_t cannot_be = 0;  ///< number of runs that cannot be repeated
 
@@ -41,12 +41,13 @@ struct ReportExtras {
 /// Reads the command of a run, as a table or robosim test has stored it. Throws InputError.
 using ReadCommand = std::function<launch::RunSettings(const std::string& command)>;
 
-/// For a table: repeats runs, the worst of each combination first. The worst runs get a replay.
+/// Repeats runs of a sweep's table, beginning with the worst run of each combination. Only these worst runs
+/// get a replay.
 ReportExtras extras_of_runs(const std::vector<SweptRun>& runs, const ReportOptions& options,
                             const ReadCommand& read_command, const launch::Listener& listener);
 
-/// For tests, from `file`: repeats failed checks of robosim test, beginning with the first of each sketch,
-/// and adds their replays. C++ tests have saved their own replays.
+/// Repeats failed checks of robosim test, which the JUnit XML `file` contains, and adds their replays. Begins
+/// with the first failure of each sketch. For C++ tests, adds the replays that the tests have saved.
 ReportExtras extras_of_cases(const std::vector<JunitCase>& cases, const std::string& file,
                              const ReportOptions& options, const ReadCommand& read_command,
                              const launch::Listener& listener);

@@ -1,4 +1,4 @@
-// The pages of `robosim report`.
+// Makes the pages of `robosim report`: for a sweep's table, and for the results of tests.
 #pragma once
 
 #include <string>

@@ -30,9 +30,10 @@ class Rerun {
  public:
   /// `listener` receives the reports of compilations.
   explicit Rerun(launch::Listener listener) : launcher_(std::move(listener)) {}
-  /// Returns the bytes of a .rec; nullopt if the run differs. Throws InputError, ToolMissing.
+  /// Repeats a run and returns its recording, the bytes of a .rec file. Returns nullopt if the repeated run
+  /// has another trace hash. Throws InputError, ToolMissing.
   std::optional<std::string> operator()(launch::Launch launch, const std::string& trace_hash);
-  /// Repeats a run of several robots. `common`: the common part of their requests.
+  /// Repeats a run of several robots. `common` is the part that their requests have in common.
   std::optional<std::string> operator()(launch::Fleet fleet, wire::RunRequest common,
                                         const std::string& trace_hash);
 

@@ -16,7 +16,7 @@ struct SweptRun {
   double distance_m = 0.0;
   double cross_track_max_mm = 0.0;
   double laps = 0.0, stations = 0.0;  ///< complete laps, and visited stations
-  std::string command;                ///< repeats the run; empty in a table of an older Robosim
+  std::string command;                ///< command that repeats the run; empty in a table of an older Robosim
   std::string trace_hash, why;
 
   bool reached() const { return verdict == "reached"; }

@@ -45,8 +45,8 @@ constexpr std::int64_t kBehindChange = 30 * kMillisecond;
 constexpr std::int64_t kSettled = kSecond, kShortest = 3 * kSecond, kLongest = 600 * kSecond;
 constexpr std::int64_t kSamplesEvery = 10 * kMillisecond, kBehind = 2 * kSecond, kCounted = kSecond;
 constexpr double kSameWay_mm = 30.0, kSameDistance = 0.25;
-// A pin counts as driven differently if it changes at least kFewChanges times in one run. This must be more
-// than kManyTimes times the changes in the other run.
+// A pin counts as driven differently if it changes at least kFewChanges times in one run. This number must be
+// more than kManyTimes times the number of changes in the other run.
 constexpr int kFewChanges = 8, kManyTimes = 8;
 constexpr const char* kLibraries = "libraries/";
 constexpr std::size_t kMostChanges = 100'000;
@@ -108,8 +108,8 @@ bool is_alike(const result::RunResult& a, const result::RunResult& b) {
 }
 
 /// Returns whether the sketch has sent its clock, in microseconds, milliseconds, hundredths, tenths, seconds
-/// or minutes. Requires so much output that the sketch may wait for the serial port. After the wrap, sending
-/// the clock takes less time, because it has fewer digits.
+/// or minutes. Returns false if the output is too short to make the sketch wait for the serial port. After
+/// the wrap, sending the clock takes less time, because it has fewer digits.
 bool prints_clock(const Look& look, std::int64_t clock) {
   constexpr std::int64_t kUnits[] = {1000,    kMillisecond, 10 * kMillisecond, 100 * kMillisecond,
                                      kSecond, 60 * kSecond};
@@ -137,7 +137,7 @@ bool prints_clock(const Look& look, std::int64_t clock) {
 
 /// Returns whether the behaviour also changes without a wrap: with another clock, or with a clock that gains
 /// a digit or bit. A difference of one microsecond can cause such a change. A change after a wrap then proves
-/// nothing. `usual`: the run with `clock`, which neither wraps nor gains a digit or bit.
+/// nothing. `usual` is the run with `clock`, which neither wraps nor gains a digit or bit.
 bool is_touchy(client::Runner& runner, const wire::RunRequest& request, const Look& usual, std::int64_t clock,
                std::int64_t moment) {
   for (int i = 1; i <= kOtherClocks; ++i)
@@ -168,7 +168,7 @@ std::vector<std::int64_t> moments_in(const Look& usual) {
   return moments;
 }
 
-/// Returns the line counts until shortly after the moment.
+/// Returns how often each line ran, until shortly after the moment.
 std::map<std::pair<std::string, int>, double> lines(client::Runner& runner, wire::RunRequest request,
                                                     std::int64_t clock, std::int64_t moment) {
   const fs::path file = fs::temp_directory_path() / fmt::format("robosim-lines-{}", ::getpid());
@@ -179,7 +179,7 @@ std::map<std::pair<std::string, int>, double> lines(client::Runner& runner, wire
   return take_line_counts(file);
 }
 
-/// The line whose count differs most.
+/// The line whose count differs most between the run with the wrap and the run without a wrap.
 struct Other {
   result::SourceLine where;
   double wrapped = 0.0, other = 0.0;

@@ -28,7 +28,8 @@
 
 namespace robosim::campaign {
 
-/// Returns the findings. `request`: of the sketch as flashed, on an AVR; `first`: its result.
+/// Returns the findings. `request` describes the run of the sketch as flashed, on an AVR. `first` is its
+/// result.
 std::vector<result::Detected> detect_clock_wrap(client::Runner& runner, wire::RunRequest request,
                                                 const result::RunResult& first);
 

@@ -9,7 +9,7 @@
 
 namespace robosim::campaign {
 
-/// Returns the description of a run for recordings. `version`: the runner's version.
+/// Returns the description of a run for recordings. `version` is the runner's version.
 record::RecordedRun recorded(const launch::Prepared& run, const std::string& version);
 record::RecordedRun recorded(const launch::Fleet& fleet, const launch::PreparedFleet& run,
                              const std::string& version);

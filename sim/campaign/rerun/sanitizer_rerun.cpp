@@ -11,7 +11,7 @@ namespace robosim::campaign {
 namespace {
 
 constexpr double kLongest_of_timeout_s = 60.0;
-// With checks, a sketch takes longer to crash.
+// A sketch with checks takes longer to crash.
 constexpr double kMargin_of_crash_s = 1.0;
 
 // Returns the time by which a check must fail to explain the first result.

@@ -11,14 +11,15 @@
 
 namespace robosim::campaign {
 
-/// Returns whether a second run is useful: the sketch has failed on an AVR, or crashed on the host, without
-/// checks.
+/// Returns whether a second run with checks is useful. This is the case if a sketch without checks has failed
+/// on an AVR, or crashed on the host.
 bool deserves_sanitizer_rerun(const build::Request& sketch, const result::RunResult& first);
 
-/// Runs at most as long as the first run, and after a timeout at most one minute. After a crash, runs one
-/// second longer, because checks take time. Returns nullopt if no check failed, if the sketch with checks
-/// does not compile, or if the user interrupted the run. `robot`: the number of the sketch's robot, if there
-/// are several.
+/// Repeats the run with checks, at most as long as the first run. After a timeout, runs at most one minute.
+/// After a crash, runs one second longer, because checks take time. Returns nullopt if no check failed, if
+/// the sketch does not compile with checks, or if the user interrupted.
+///
+/// `robot` is the number of the sketch's robot, if there are several.
 std::optional<result::Finding> rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request,
                                                      const build::Request& sketch,
                                                      const result::RunResult& first, std::size_t robot = 0);
@@ -32,13 +33,13 @@ struct AsFlashed {
   std::vector<result::Detected> detected;
   std::optional<result::RunResult> crashed;  ///< the repeated run, if it crashed, whatever the first result
 };
-/// Returns an empty result on interruption by the user.
+/// Runs the sketch as flashed, with detectors. Returns an empty result if the user interrupts the run.
 AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
                                const result::RunResult& first);
 
-/// Returns the run's hint `next`, with the flags that the user needs.
+/// Returns the hint `next` of the run's result, with the flags that the user needs.
 std::string next_of(const result::RunResult& result);
-/// Returns the first run's hint `next`, updated by the second run's finding.
+/// Returns the hint `next` of the first run, updated by the second run's finding.
 std::string next_after(const result::RunResult& first, const std::optional<result::Finding>& finding);
 
 }  // namespace robosim::campaign

@@ -15,11 +15,11 @@
 
 namespace robosim::campaign {
 
-/// Returns what --min-rate and --sure demand; nothing without --min-rate.
+/// Returns the demand that --min-rate and --sure state; nothing without --min-rate.
 std::optional<analysis::Demand> demand_of(const SweepOptions& options);
 
-/// Counts the runs of one combination, in the order of their seeds; with `stop_early` only up to the deciding
-/// run. Skips missing runs. Calls `visit` with each counted run.
+/// Counts the runs of one combination, in the order of their seeds. With `stop_early`, counts only up to the
+/// run that decides the demand. Skips missing runs. Calls `visit` with each counted run.
 analysis::Tally count_runs_of(std::size_t combination, const SweepOptions& options, const SweepPlan& plan,
                               const std::vector<SweepOutcome>& outcomes,
                               const std::function<void(std::size_t run)>& visit = {});
@@ -59,7 +59,7 @@ class Sweep {
   std::vector<analysis::Tally> counters_;  ///< have a demand only if runs may be skipped
   std::size_t counted_ = 0;
   std::size_t made_ = 0;
-  std::size_t runs_;  ///< of the shard
+  std::size_t runs_;  ///< number of runs of the shard
   bool failed_itself_ = false;
 };
 

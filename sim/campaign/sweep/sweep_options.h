@@ -34,8 +34,9 @@ struct SweepOptions {
 struct SweepTexts {
   std::string seeds, jobs, shard, min_rate;
 };
-/// Stores the texts in the options, and checks that all options are possible together. Throws InputError. A
-/// command line and a file of checks use this function, so each key means the same as its flag.
+/// Converts the texts, stores the values in the options, and checks that all options are possible together.
+/// Throws InputError. A command line and a file of checks use this function, so each key means the same as
+/// its flag.
 void take(const SweepTexts& texts, SweepOptions& options);
 
 }  // namespace robosim::campaign

@@ -45,7 +45,7 @@ std::string options_of(const launch::RunSettings& each) {
   return text;
 }
 
-/// Returns everything that runs share, one item per line.
+/// Returns the inputs that all runs share, one per line.
 std::string conditions_of(const wire::RunRequest& r, const std::string& version) {
   return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", version, r.start, r.goal, r.for_ns, r.clock_ns, r.profile,
                      r.script);
@@ -66,7 +66,7 @@ class SweepSupplies {
     return launch::prepare(launcher_, fleet, std::move(chosen), common, describe_, describer().hello());
   }
 
-  /// Returns the target of a launch that requests a chip without naming one.
+  /// Returns the target of a launch that requests a chip, but names no target.
   std::string chip_target(const launch::Launch& launch) { return launch::chip_target(launch, describe_); }
 
   const std::string& version() { return describer().hello().version; }
@@ -131,7 +131,8 @@ class Combiner {
   }
 
  private:
-  /// Adds several robots. A robot's own settings take precedence over the combination's.
+  /// Adds the combinations of a fleet file. A robot's settings in the file take precedence over the
+  /// combination's.
   void add_fleet(const std::string& file, std::vector<Combination>& combinations) {
     if (options_.each.chip_only) throw InputError({file}, "--untrusted excludes several robots");
     for (const std::string& map : or_default(options_.maps)) {

@@ -26,7 +26,7 @@ struct Fingerprint {
 /// One sketch on one map with one robot on one target.
 struct Combination {
   launch::RunInputs inputs;  ///< as reported by `--json`
-  std::string title;         ///< of the sketch, for display: not "."
+  std::string title;         ///< name of the sketch for display: not "."
   client::Task task;         ///< without its seed
   std::string image_sha256;
   std::string map_sha256;
@@ -51,8 +51,7 @@ struct SweepPlan {
 
 class SweepSupplies;
 
-/// Finds the files and compiles the sketches. Work that several sweeps share is done and
-/// reported only once.
+/// Finds the files and compiles the sketches. Work that several sweeps share is done and reported only once.
 class SweepPlanner {
  public:
   explicit SweepPlanner(launch::Listener listener);

@@ -70,7 +70,7 @@ std::string_view first_line(std::string_view text) {
 
 constexpr std::array<const char*, 4> kParts = {"the sketch's image", "the map", "the robot",
                                                "an option, or the version of Robosim,"};
-constexpr std::size_t kGroup = 8;  ///< digits, with a hyphen between groups
+constexpr std::size_t kGroup = 8;  ///< digits in a group of the field `inputs`; hyphens separate the groups
 
 /// Returns a field without line feeds: each row is one line.
 std::string field(std::string text) {
@@ -88,7 +88,7 @@ std::optional<Number> parse_number(const std::string& text) {
   return value;
 }
 
-/// Returns the checksum of a row that does not contain it yet.
+/// Returns the checksum of a row from its other fields.
 std::string seal_of(const std::vector<std::string>& fields) {
   return sha256(fmt::format("{}", fmt::join(fields, "\n"))).substr(0, kGroup);
 }
@@ -105,7 +105,7 @@ bool take_seal(std::vector<std::string>& fields) {
   return seal == seal_of(fields);
 }
 
-/// Finds the run of a row.
+/// Parses rows, and finds the run of the plan to which each row belongs.
 class Reader {
  public:
   Reader(const std::string& file, const SweepPlan& plan, Columns columns)

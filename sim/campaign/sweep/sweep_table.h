@@ -27,11 +27,11 @@ struct SweepOutcome {
   bool reached() const { return verdict == "reached"; }
 };
 
-/// The columns of tables: of today, without the command, and also without the score. An older table is
-/// resumed with its own columns.
+/// The columns of a table: all columns, all except the command, or all except the command and the score.
+/// Tables of older versions lack columns, and are resumed without them.
 enum class Columns { all, without_command, without_score };
 
-/// Return lines, each with its line feed.
+/// Return the header and the row of a run, each with its line feed.
 std::string sweep_header(Columns columns = Columns::all);
 std::string sweep_row(const Combination& combination, const result::RunResult& result,
                       Columns columns = Columns::all);
@@ -54,9 +54,10 @@ std::vector<SweepRow> merged_rows(const std::vector<std::string>& files, const S
 
 class SweepTable {
  public:
-  /// Begins a file. `resume` continues an existing file: stores its outcomes in `outcomes`, one for each run.
-  /// Drops incomplete rows, and rows with the verdict `error`. Rejects an existing file without `resume`, and
-  /// a file that another sweep is writing. Throws InputError.
+  /// Begins a new file, or continues an existing file if `resume` is true. Stores the outcomes of an existing
+  /// file in `outcomes`, which has one element for each run. Drops incomplete rows, and rows with the verdict
+  /// `error`. Rejects an existing file without `resume`, and a file that another sweep is writing. Throws
+  /// InputError.
   SweepTable(std::filesystem::path file, bool resume, const SweepPlan& plan,
              std::vector<SweepOutcome>& outcomes);
 
@@ -74,7 +75,7 @@ class SweepTable {
   RunFile file_;
   const SweepPlan& plan_;
   Columns columns_ = Columns::all;
-  std::size_t next_ = 0;  ///< all rows so far belong to runs before this one
+  std::size_t next_ = 0;  ///< all rows in the file belong to lower run numbers
   bool ordered_ = true;
 };
 

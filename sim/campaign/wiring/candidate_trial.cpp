@@ -17,8 +17,8 @@ std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(seconds * 
 
 double on_line_s(const result::RunResult& result) { return result.time_s - result.metrics.off_line_s; }
 
-// Prefers a run in which the robot moves, and then a much longer time on the line. A small difference is
-// chance.
+// Returns whether result `a` is clearly better: the robot moves, or stays on the line much longer. A small
+// difference is chance.
 bool is_much_better(const result::RunResult& a, const result::RunResult& b) {
   constexpr double kMuch = 1.5, kMoved_m = 0.05;
   const bool a_moved = a.metrics.distance_m > kMoved_m, b_moved = b.metrics.distance_m > kMoved_m;

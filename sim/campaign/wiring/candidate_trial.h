@@ -11,21 +11,23 @@
 
 namespace robosim::wiring {
 
-/// Returns whether the robot has followed the line for a lap. Excludes laps by luck: the RMS cross-track
-/// error is at least 50 mm, or the sensors are off the line half of the time. `sensors_beside`: the sensors
-/// are next to the line, so that they rarely see it.
+/// Returns whether the robot has followed the line for a lap. Excludes laps by luck, in which the RMS
+/// cross-track error is at least 50 mm. Also excludes laps in which the sensors are off the line half of the
+/// time. The second condition does not apply to `sensors_beside`: sensors that are next to the line and
+/// rarely see the line.
 bool follows_a_lap(const result::RunResult& result, bool sensors_beside);
 
 class CandidateTrial {
  public:
-  /// `launch` has no robot. Scratch files go below `folder`.
+  /// `launch` has no robot. Scratch files go into `folder`.
   CandidateTrial(launch::Launch launch, const BoardSpec& board, const std::filesystem::path& folder,
                  launch::Listener listener);
 
-  /// Makes drafts until a run shows nothing new. Throws InputError if the sketch does not build.
+  /// Makes drafts until a run shows nothing new, but at most five. Throws InputError if the sketch does not
+  /// build.
   RobotDraft draft();
-  /// Sets `draft` to the variant that drives best among its open variants. Returns the result of the best
-  /// run.
+  /// Tries the variants that `draft` leaves open, until one follows the line for a lap. Sets `draft` to the
+  /// variant that drives best. Returns the result of its run.
   result::RunResult choose(RobotDraft& draft);
   /// Return the number of variants that choose() has tried, and whether the chosen variant follows the line
   /// for a lap.

@@ -8,7 +8,7 @@
 
 namespace robosim::wiring {
 
-/// Returns the robot file's text. `remarks` are sentences for its top.
+/// Returns the robot file's text. `remarks` are sentences that appear at the top of the text.
 std::string text_of(const RobotDraft& draft, const std::vector<std::string>& remarks = {});
 
 /// Removes the part at this line of the draft's text, which the reader of robot files refuses with `message`.

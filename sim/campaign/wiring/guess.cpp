@@ -89,8 +89,8 @@ std::string shown(const Evidence& evidence, Pin pin) {
   return "pin " + (name[0] == 'D' ? name.substr(1) : name);
 }
 
-// Asks what is connected to the two-wire bus if it is used. Wire only pulls the bus's pins up, and never
-// reads them as pins.
+// Adds a question about the two-wire bus if the sketch uses the bus. The library Wire only enables the
+// pull-ups of the bus's pins, and never reads them as pins.
 void ask_for_the_bus(Evidence& evidence, RobotDraft& draft) {
   const TwiSpec& bus = evidence.board().chip->twi;
   if (bus.address == 0) return;
@@ -114,7 +114,7 @@ std::string part_name(const RobotDraft& draft, const std::string& wanted) {
     return std::any_of(draft.parts.begin(), draft.parts.end(),
                        [&](const PartDraft& p) { return p.name == name; });
   };
-  constexpr std::size_t kLongest = 36;  // of 40, because a number may follow
+  constexpr std::size_t kLongest = 36;  // the limit is 40, and a number may follow
   std::string plain;
   for (const char c : wanted)
     if (c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0) plain += c;
@@ -137,7 +137,7 @@ void add_wheel_and_periods(const RobotDraft& draft, Side side, PartDraft& encode
 }
 
 // Converts two servos that are named after the sides to wheel servos, if nothing else can drive the wheels.
-// On a robot with motors, such servos move a gripper, an arm or a flag.
+// On a robot with motors, servos with such names move a gripper, an arm or a flag.
 void guess_wheel_servos(RobotDraft& draft) {
   PartDraft *left = nullptr, *right = nullptr;
   for (PartDraft& part : draft.parts) {

@@ -18,8 +18,8 @@ struct PartDraft {
   std::vector<std::string> doubts;                        ///< sentences for the user
 };
 
-/// Properties that neither names nor a run on a robot without these parts can determine. A caller can try all
-/// of them.
+/// Properties of the wiring that names in the source may leave open. A run on a robot without the parts does
+/// not show them either. A caller can try all combinations.
 struct Ways {
   bool black_low = false;    ///< sensors read low over black
   bool other_order = false;  ///< the first sensor is the rightmost
@@ -27,7 +27,7 @@ struct Ways {
   bool close = false;        ///< two sensors are both on the line, not to its sides
 };
 
-/// The Ways that make a difference for this sketch.
+/// The Ways that the sketch leaves open, and that change its behaviour.
 struct Open {
   bool black = false;
   bool order = false;
@@ -48,7 +48,7 @@ struct RobotDraft {
 RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,
                  const Ways& ways);
 
-// The next functions each guess one kind of part, and take the pins of the found parts.
+// The next functions each guess one kind of part, and mark the pins of the found parts as taken.
 
 /// Guesses parts by libraries: servos, distance sensors, displays, serial modules, encoders.
 void guess_by_libraries(Evidence& evidence, RobotDraft& draft);

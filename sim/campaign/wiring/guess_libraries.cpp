@@ -35,7 +35,7 @@ class Libraries {
       else
         part(given, "hc-sr04", {{"trig", pin(0)}, {"echo", pin(1)}});
     } else if (type == "SoftwareSerial") {
-      // Uses the module's labels: the module's txd is connected to the pin on which the sketch receives.
+      // Uses the labels on the module: txd is connected to the pin on which the sketch receives.
       part(given, "bluetooth", {{"txd", pin(0)}, {"rxd", pin(1)}});
       doubt("baud: the baud rate in " + given.name + ".begin(), if it is not 9600");
     } else if (type == "LiquidCrystal" && given.pins.size() == 6) {

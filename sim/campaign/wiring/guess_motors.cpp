@@ -28,13 +28,14 @@ bool is_pwm(const Evidence& evidence, const PinEvidence& clue) {
 // Returns whether a pin is almost always high and has no side in its name. Such a pin is the driver's enable
 // or standby input.
 bool is_enable_of_both(const Evidence& evidence, const PinEvidence& clue) {
-  constexpr double kMostly = 0.45;  // of at most 0.5
+  constexpr double kMostly = 0.45;  // the result of lean() is at most 0.5
   return clue.facts->driven && !is_pwm(evidence, clue) && !clue.in_array && says(clue.words, {"en", "ena"}) &&
          !says(clue.words, {"enc"}) && side_of(clue.words) == Side::unknown &&
          evidence.history().lean(kNoPin, clue.pin, kNoPin) > kMostly;
 }
 
-// Matches rmf, lf: a side and a direction in one word. The B of motorB does not count as a direction.
+// Returns whether the last word contains a side and this direction, as in rmf and lf. The B of motorB does
+// not count as a direction.
 bool is_short_for(const PinEvidence& clue, char direction) {
   constexpr std::size_t kLongest = 4;
   const bool is_channel = !clue.words.empty() && clue.words.back().size() == 1 &&
@@ -160,8 +161,8 @@ struct Sides {
   bool named = true;
 };
 
-// Returns the pins of one motor that the sketch passes to one object, Motor(5, 7, 8). `number` counts such
-// objects.
+// Returns the pins of one motor that the sketch passes to one object, as in Motor(5, 7, 8). `number` selects
+// the object, counted from 0, if the sketch has several.
 Pins given_together(const Evidence& evidence, const Pins& pins, std::size_t number) {
   for (const Given& given : evidence.names().given) {
     Pins group;
@@ -219,7 +220,7 @@ Sides divide(const Evidence& evidence, const Pins& pins) {
 
 // Takes the driver's enable pin: one pin without PWM that stays high, in addition to four inputs with PWM.
 void take_enable_without_name(Evidence& evidence, Pins& pins, RobotDraft& draft) {
-  constexpr double kMostly = 0.45;  // of at most 0.5
+  constexpr double kMostly = 0.45;  // the result of lean() is at most 0.5
   const auto is_level = [&](const PinEvidence* clue) { return !is_pwm(evidence, *clue); };
   if (pins.size() != 5 || std::count_if(pins.begin(), pins.end(), is_level) != 1) return;
   const auto enable = std::find_if(pins.begin(), pins.end(), is_level);

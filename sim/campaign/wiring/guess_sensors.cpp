@@ -52,8 +52,8 @@ const char* kind_of(const PinEvidence& sensor) {
   return sensor.facts->measured ? "analog" : sensor.facts->discharged ? "rc" : "digital";
 }
 
-// Returns the sensors that one array can have: those of the most frequent kind. The other sensors become
-// parts of their own.
+// Returns the sensors of the most frequent kind, which can form one array. The other sensors become parts of
+// their own.
 Pins alike(const Pins& sensors) {
   Pins most;
   for (const std::string kind : {"analog", "rc", "digital"}) {

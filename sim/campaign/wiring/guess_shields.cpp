@@ -1,4 +1,4 @@
-// Guesses motor shields and devices on the two-wire bus. The library receives only the number of a motor
+// Guesses motor shields and devices on the two-wire bus. Their libraries receive only the number of a motor
 // or an address, which determines the wiring.
 #include <fmt/format.h>
 

@@ -1,4 +1,5 @@
-// Tells what the words of a pin's name mean, in the languages of those who publish sketches.
+// Finds left, right, forward and backward in the words of a pin's name, in the languages of published
+// sketches.
 #pragma once
 
 #include <initializer_list>
@@ -9,8 +10,8 @@ namespace robosim::wiring {
 
 enum class Side { unknown, left, right };
 
-/// Returns the side that words for left and right describe: left, rm, izquierda, esq, gauche, rechts, sx,
-/// sag …
+/// Returns the side that the words spell out, also as an abbreviation: left, rm, izquierda, esq, gauche,
+/// rechts, sx, sag …
 Side spelled_side(const std::vector<std::string>& words);
 /// Returns spelled_side(), or a side by convention for other names: the first of numbered motors and channels
 /// counts as left (ENA, IN3, motorB, M2, m21). Only a run can confirm a convention.

@@ -11,7 +11,8 @@ namespace {
 
 using namespace std::string_literals;
 
-// Replaces the word dir by direita where another name says esq: there it means right, not direction.
+// Replaces the word `dir` by `direita` (right) if another name contains `esq`, which is left in Portuguese.
+// In such a sketch, `dir` means right, not direction.
 void read_dir_as_right(std::vector<PinEvidence>& pins) {
   const bool is_portuguese = std::any_of(pins.begin(), pins.end(),
                                          [](const PinEvidence& clue) { return says(clue.words, {"esq"}); });

@@ -26,7 +26,7 @@ struct PinEvidence {
 };
 
 /// All pins that a sketch uses or names, sorted by where their names are in the source, then by number. A
-/// guess that identifies a pin's part takes the pin.
+/// guess that identifies a pin's part marks the pin as taken.
 class Evidence {
  public:
   Evidence(const BoardSpec& board, const SketchNames& names, const PinHistory& history);

@@ -26,7 +26,7 @@ class PinHistory {
  public:
   explicit PinHistory(const BoardSpec& board) : board_(board), facts_(board.pin_count) {}
 
-  /// Begins another run. Keeps the facts about pins, but clears their recorded drive.
+  /// Begins another run. Keeps the facts about pins, but clears the recorded duty cycles.
   void begin();
   void add(const wire::Event& event);
   /// Ends a run of duration `t_ns`.
@@ -35,14 +35,14 @@ class PinHistory {
   const PinFacts& of(Pin pin) const { return facts_[pin]; }
 
   /// Returns the mean over the run of (duty of `high` - duty of `low`) x duty of `enable`. With kNoPin, `low`
-  /// has duty 0.5, and `enable` has duty 1. Above 0, `high` was mostly higher.
+  /// has duty 0.5, and `enable` has duty 1. A result above 0 means that `high` was mostly higher.
   double lean(Pin enable, Pin high, Pin low) const;
 
  private:
   struct Change {
     std::int64_t t_ns;
     Pin pin;
-    double duty;  // share of the time at high; 0 or 1 for a level
+    double duty;  // share of the time at which the pin is high; 0 or 1 for a level
   };
 
   const BoardSpec& board_;

@@ -39,7 +39,7 @@ bool is_device(const std::string& word) {
 }
 
 struct Value {
-  std::vector<std::string> words;  // the replacement: one word, or those of an array
+  std::vector<std::string> words;  // the value: one word, or the words of an array
   bool is_array = false;
   Spot spot;
 };
@@ -97,7 +97,7 @@ class Reader {
   Spot spot() const { return {file_, tokens_[at_].line}; }
 
   void set(const std::string& name, Value value) {
-    if (name.size() == 1 && name >= "a" && !value.is_array) return;  // a loop's variable
+    if (name.size() == 1 && name >= "a" && !value.is_array) return;  // probably a loop's variable
     if (values_.emplace(name, std::move(value)).second) order_.push_back(name);
   }
 
@@ -127,7 +127,7 @@ class Reader {
     if (ahead(1).is("(") && pin_functions().count(token.text) != 0) {
       read_call(at_ > 1 && tokens_[at_ - 1].is(".") ? tokens_[at_ - 2].text : "");
     } else if (is_number_type(token.text) && ahead(1).kind == Token::Kind::word) {
-      if (is_number_type(ahead(1).text)) return;  // unsigned int
+      if (is_number_type(ahead(1).text)) return;  // a type of several words: unsigned int
       ++at_;
       read_variables();
     } else if (ahead(1).kind == Token::Kind::word && ahead(2).is("=") && ahead(3).text == token.text &&
@@ -140,9 +140,9 @@ class Reader {
     } else if (ahead(1).kind == Token::Kind::word && (ahead(2).is("(") || ahead(2).is("{"))) {
       read_object();
     } else if (ahead(1).is("(") && at_ > 1 && tokens_[at_ - 1].is(".")) {
-      read_call(tokens_[at_ - 2].text);  // qtr.setSensorPins(…)
+      read_call(tokens_[at_ - 2].text);  // such as qtr.setSensorPins(…)
     } else if (ahead(1).is("(")) {
-      const auto list = arguments(1);  // motor(LEFT_PWM, LEFT_A, LEFT_B, speed)
+      const auto list = arguments(1);  // such as motor(LEFT_PWM, LEFT_A, LEFT_B, speed)
       handed_on_.insert(list.begin(), list.end());
     }
   }
@@ -175,8 +175,8 @@ class Reader {
     }
   }
 
-  // Returns the arguments of the parentheses `from` tokens ahead. Tokens within an argument are separated by
-  // one space.
+  // Returns the arguments in the parentheses that are `from` tokens ahead. Tokens within an argument are
+  // separated by one space.
   std::vector<std::string> arguments(std::size_t from) const {
     std::vector<std::string> list(1);
     int depth = 0;
@@ -242,7 +242,8 @@ class Reader {
            (list[1] == "1" || list[1] == "2" || list[1] == "4");
   }
 
-  // Reads `int leftSensor = analogRead(A1);`, which names the pin unless it already has a name.
+  // Reads `int leftSensor = analogRead(A1);`. The variable's name becomes the pin's name if it has no other
+  // name.
   void read_result(const std::string& argument) {
     if (at_ < 2 || !tokens_[at_ - 1].is("=") || tokens_[at_ - 2].kind != Token::Kind::word) return;
     if (argument.find(' ') != std::string::npos || values_.count(argument) != 0) return;
@@ -259,7 +260,7 @@ class Reader {
                                                    "bool",   "boolean", "float",  "double", "String",
                                                    "const",  "static",  "struct", "class"};
     if (no_types.count(tokens_[at_].text) != 0) return;
-    // `Wheel left(5, 7, 8), right(6, 9, 10);`
+    // Reads all objects of a declaration: `Wheel left(5, 7, 8), right(6, 9, 10);`
     for (std::size_t i = 1;
          ahead(i).kind == Token::Kind::word && (ahead(i + 1).is("(") || ahead(i + 1).is("{"));) {
       const auto list = arguments(i + 1);
@@ -299,7 +300,7 @@ class Reader {
     given_.push_back({inner[0].text, outer, {}, list, spot()});
   }
 
-  // Returns the name of the pin whose interrupt number is the argument, as in attachInterrupt(0, …).
+  // Returns the name of the pin whose interrupt number is the first argument, as in attachInterrupt(0, …).
   std::optional<std::string> pin_of_interrupt(const std::vector<std::string>& list) const {
     if (list.empty() || list[0].size() != 1 || std::isdigit(static_cast<unsigned char>(list[0][0])) == 0)
       return {};

@@ -1,5 +1,5 @@
-// Reads a sketch's source for its pins: their names, and the libraries that use them. The source is not
-// compiled: the results are hints, and a run shows the sketch's behaviour.
+// Searches a sketch's source for pins: their names, and the libraries that use them. The source is not
+// compiled. The results are therefore hints, and only a run shows the sketch's behaviour.
 #pragma once
 
 #include <string>

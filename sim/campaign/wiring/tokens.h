@@ -22,7 +22,7 @@ struct Token {
   bool is(const char* what) const { return text == what && kind != Kind::text; }
 };
 
-/// The text after the last token of a #define.
+/// The text of the token that marks the end of a #define.
 inline constexpr const char* kEndOfDefine = "end";
 
 std::vector<Token> tokens_of(const std::string& source);

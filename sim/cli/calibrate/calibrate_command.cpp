@@ -43,7 +43,7 @@ int calibrate_command(const CalibrateArguments& arguments) {
   const calibrate::Task task{arguments.robot, arguments.logs, arguments.stopwatch, arguments.tape_m,
                              arguments.supply_volts};
   const calibrate::Calibration result = calibrate::calibrate(task);
-  // Follows a symbolic link, so that its target is written.
+  // Resolves a symbolic link, so that the link's target is overwritten, and not the link.
   const std::string file = arguments.in_place ? fs::canonical(arguments.robot).string() : arguments.out;
   std::string written;
   if (!file.empty()) written = calibrate::calibrated_text(task, result, file);

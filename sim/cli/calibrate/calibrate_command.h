@@ -6,8 +6,8 @@
 
 namespace robosim::cli {
 
-/// Reports the results from the logs, and writes them if a file is named. Throws InputError before writing
-/// anything.
+/// Fits the robot's parameters to the logs and prints the results. Writes the fitted robot if the arguments
+/// name a file for it. Throws InputError; in this case, no file has been written.
 int calibrate_command(const CalibrateArguments& arguments);
 
 }  // namespace robosim::cli

@@ -16,7 +16,7 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-/// Escapes data for GitHub's workflow commands. `special`: characters to escape in addition, such as ":," in
+/// Escapes data for GitHub's workflow commands. Also escapes each character of `special`, such as ":," in
 /// properties.
 std::string workflow_text(const std::string& text, const char* special) {
   std::string data;

@@ -11,13 +11,15 @@ namespace robosim::cli {
 /// Returns whether the program runs in GitHub Actions: GITHUB_ACTIONS is "true".
 bool on_github();
 
-/// Returns a `::error file=…,line=…::…` for each failure, at its [[check]] or at the place in the sketch.
+/// Returns a `::error file=…,line=…::…` for each failure. It points to the [[check]], or to a line of the
+/// sketch.
 std::string github_notes(const std::vector<campaign::SketchResult>& sketches);
 
-/// Returns a Markdown table.
+/// Returns a Markdown table with a row for each check of each sketch.
 std::string github_summary(const std::vector<campaign::SketchResult>& sketches);
 
-/// Appends the summary to the file in GITHUB_STEP_SUMMARY, if that is set. Throws InputError.
+/// Appends the summary to the file that the variable GITHUB_STEP_SUMMARY names, if it is set. Throws
+/// InputError.
 void add_github_summary(const std::vector<campaign::SketchResult>& sketches);
 
 }  // namespace robosim::cli

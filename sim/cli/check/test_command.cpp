@@ -19,7 +19,8 @@
 namespace robosim::cli {
 namespace {
 
-/// Warns if a check for all sketches names no map or robot: a sketch's author may then choose it.
+/// Warns if a check for all sketches names no map or no robot. Files in the sketch's folder then determine
+/// the map or robot, and the author of the sketch can choose these files.
 void warn_of_own_files(const std::string& checks) try {
   for (const campaign::Check& check : campaign::read_checks(checks)) {
     if (!check.fleet.empty()) continue;

@@ -34,7 +34,7 @@ std::string mark(const campaign::CheckResult& result) {
   }
 }
 
-// Keeps a name in one line, since it comes from a sketch or its folder.
+// Puts a name into one line. Names come from a sketch or its folder, and may contain line breaks.
 std::string shown_name(const campaign::CheckResult& result) { return in_one_line(result.name); }
 std::string shown_place(const campaign::CheckResult& result) { return in_one_line(result.where); }
 

@@ -12,7 +12,7 @@ namespace robosim::cli {
 /// command that replays it.
 std::string sketch_report(const campaign::SketchResult& sketch);
 
-/// Returns the report on several sketches: a line for each.
+/// Returns the report on several sketches: one line for each sketch.
 std::string class_report(const std::vector<campaign::SketchResult>& sketches);
 
 }  // namespace robosim::cli

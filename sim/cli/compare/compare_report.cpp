@@ -122,7 +122,7 @@ Json json_of(const campaign::ComparedTarget& target_run) {
   return {{"target", target_run.target}, {"robots", std::move(robots)}};
 }
 
-/// Describes the last lateness: "where it is 0.26 ms late from 3.90 s on".
+/// Describes the last delay of the sketch on the host: "where it is 0.26 ms later from 3.90 s on".
 std::string late_text(const std::vector<result::Lateness>& late) {
   if (late.empty()) return "as it is";
   const double ms = 1e-6 * static_cast<double>(late.back().by_ns), from_s = seconds(late.back().from_ns);

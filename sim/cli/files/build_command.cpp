@@ -51,7 +51,7 @@ std::string host_sizes(const build::Image& image, const BoardSpec& board) {
       board.ram_bytes, board.chip->target);
 }
 
-// Arduino warns above this share of the RAM.
+// Arduino warns if variables occupy more than this share of the RAM.
 constexpr std::uint64_t kMuch_percent = 75;
 
 std::string chip_sizes(const build::Image& image, const BoardSpec& board) {
@@ -122,7 +122,7 @@ Built build_sketch(const BuildArguments& arguments, Boards boards) {
   if (!sketch.elf_target.empty())
     throw InputError({sketch.name, 0, 0}, "expected a sketch, got a compiled image; robosim run runs it");
   const launch::Choice choice = launch::choose_robot(arguments.robot, sketch, arguments.target);
-  // All targets have the same description, so the host's runner, which is always installed, provides it.
+  // Uses the host's runner, which is always installed. A robot's description is the same for all targets.
   client::Runner describer("host");
   const auto describe = [&](const std::string& name) { return describer.describe_robot(name); };
   launch::Carrier carrier = boards == Boards::own ? on_its_board(choice, describe)

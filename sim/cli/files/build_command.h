@@ -1,4 +1,4 @@
-// `robosim build`
+// `robosim build`: compiles a sketch and reports its size.
 #pragma once
 
 #include <filesystem>
@@ -28,15 +28,16 @@ struct Built {
   wire::RobotInfo robot;
 };
 
-/// Selects whether another board may replace the robot's own board if that board's chip is not of the target.
+/// Selects what to do if the chip of the robot's board does not suit the target. `own` keeps the board,
+/// `fitting` replaces it.
 enum class Boards { own, fitting };
 
 /// Compiles for the board of the robot that `robosim run` would use. The compiler's warnings go to standard
 /// error. Throws InputError or ToolMissing.
 Built build_sketch(const BuildArguments& arguments, Boards boards);
 
-/// Reports on standard error how an image for a chip exceeds the robot's budget, and returns `failed` if it
-/// does. Throws build::CompileError for an image that does not fit the chip at all.
+/// Checks an image for a chip against the robot's budget. Reports each excess on standard error and returns
+/// `failed`. Throws build::CompileError for an image that does not fit the chip at all.
 ExitStatus check_size(const Built& built);
 
 /// Compiles for the board of the robot that `robosim run` would use. The compiler's warnings go to standard

@@ -1,4 +1,4 @@
-// Draws a map with paths for a terminal: its floor in braille dots.
+// Draws a map for a terminal: its floor in braille dots.
 #pragma once
 
 #include <string>

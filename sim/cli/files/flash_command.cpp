@@ -65,9 +65,9 @@ Ending run_avrdude(const fs::path& program, std::vector<std::string> words) {
   return Child(start).wait();
 }
 
-/// Starts the boot loader of a board whose sketch serves the USB itself: opens the port at 1200 baud and
-/// closes it. The port disappears, and returns when the boot loader runs. A port that cannot be opened is
-/// ignored here, because avrdude reports it.
+/// Starts the boot loader of a board whose sketch itself handles USB. For this, opens the port at 1200 baud
+/// and closes it. The port disappears, and appears again when the boot loader runs. Ignores a port that
+/// cannot be opened, because avrdude reports the error.
 void touch(const std::string& port) {
   const Descriptor line(::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
   termios settings{};
@@ -77,13 +77,13 @@ void touch(const std::string& port) {
   ::tcsetattr(line.get(), TCSANOW, &settings);
 }
 
-/// Waits until the port exists again.
+/// Waits until the port has disappeared and appeared again, with a time limit for each.
 void await_boot_loader(const std::string& port) {
   constexpr auto kLook = std::chrono::milliseconds(100);
   constexpr int kLeaves = 20, kReturns = 80;
   for (int i = 0; i < kLeaves && fs::exists(port); ++i) std::this_thread::sleep_for(kLook);
   for (int i = 0; i < kReturns && !fs::exists(port); ++i) std::this_thread::sleep_for(kLook);
-  std::this_thread::sleep_for(5 * kLook);  // until udev grants access
+  std::this_thread::sleep_for(5 * kLook);  // gives udev time to grant access to the port
 }
 
 /// Returns a hint for boards that may have an older boot loader.
@@ -96,7 +96,8 @@ std::string older_boot_loaders() {
   return text;
 }
 
-/// Returns the board for a finished image: the board of a named robot, otherwise the project's board.
+/// Returns the board for a finished image: the board of the named robot. Without a robot, returns the
+/// project's board, or else the first AVR board.
 const BoardSpec& board_of_image(const std::string& robot, const project::Project& project) {
   if (robot.empty() && project.board) return *project.board;
   if (robot.empty()) return *find_board(build::boards_of("avr").front().c_str());

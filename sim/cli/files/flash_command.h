@@ -1,4 +1,4 @@
-// `robosim flash`
+// `robosim flash`: builds a sketch and writes it to a board.
 #pragma once
 
 #include <filesystem>
@@ -10,9 +10,9 @@
 
 namespace robosim::cli {
 
-/// Returns avrdude's command line, beginning with its name: for the board's chip through Arduino's boot
-/// loader, as in the core's platform.txt. `file` is a .hex or an .elf. The words include -D, because the boot
-/// loader erases each page before it writes the page.
+/// Returns the words of avrdude's command line. The command writes `file` (.hex or .elf) through Arduino's
+/// boot loader, with the options of the core's platform.txt. The option -D prevents an erase of the whole
+/// chip. No such erase is needed, because the boot loader erases each page before it writes the page.
 std::vector<std::string> avrdude_words(const FlashArguments& arguments, const BoardSpec& board,
                                        const std::filesystem::path& file);
 

@@ -54,7 +54,7 @@ void JsonLines::close() { members_ += "\n  }"; }
 std::string JsonLines::text() const { return "{" + members_ + "\n}\n"; }
 
 Json number(double value) {
-  constexpr double kExact = 9007199254740992.0;  // 2^53
+  constexpr double kExact = 9007199254740992.0;  // 2^53: up to here, a double represents every integer
   if (value == std::floor(value) && std::abs(value) < kExact) return static_cast<std::int64_t>(value);
   return value;
 }

@@ -1,5 +1,5 @@
-// A JSON object in a readable layout: one member or list element per line, with a space after each comma and
-// colon.
+// Formats a JSON object in a readable layout: one member or list element per line, with a space after each
+// comma and colon.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -26,7 +26,7 @@ class JsonLines {
   std::string members_;
 };
 
-/// Formats a number like fmt: 2.0 is "2".
+/// Returns a number that is printed without a needless fraction: 2.0 becomes "2".
 nlohmann::ordered_json number(double value);
 
 }  // namespace robosim::cli

@@ -1,4 +1,4 @@
-// `robosim map check|show|graph`
+// `robosim map check|show|graph|generate`: checks, draws and generates maps.
 #pragma once
 
 #include <iosfwd>
@@ -12,9 +12,9 @@
 namespace robosim::cli {
 
 /// Reads each map (a path, or the name of a sample) and reports size, line, start, goal, stations, and
-/// oddities. Errors go to `errors`, and the other maps are still checked. `start`: as on the command line; ""
-/// = the map's start. `json`: reports one JSON object for each map. Returns ok, or bad_input if any map is
-/// invalid.
+/// oddities. Errors go to `errors`, and the other maps are still checked. `start` is as on the command line;
+/// "" = the map's start. With `json`, reports one JSON object for each map. Returns ok, or bad_input if any
+/// map is invalid.
 ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& start, std::ostream& out,
                       std::ostream& errors, bool json = false);
 
@@ -25,8 +25,8 @@ ExitStatus show_map(const std::string& map, const std::string& start, const map:
 /// Returns the true graph of one map as text, JSON or for Graphviz. Throws InputError.
 std::string graph_of_map(const MapArguments& arguments);
 
-/// Runs the action, with the process's streams and its terminal's width. Returns the exit status. Throws
-/// InputError.
+/// Performs the action of `arguments`, prints the result, and uses the terminal's width. Returns the exit
+/// status. Throws InputError.
 int map_command(const MapArguments& arguments);
 int generate_command(const GenerateArguments& arguments);
 

@@ -1,4 +1,4 @@
-// `robosim map generate`
+// `robosim map generate`: generates random maps.
 #pragma once
 
 #include <iosfwd>

@@ -1,4 +1,4 @@
-// `robosim map print`: prints a floor on paper, in true size.
+// `robosim map print`: writes a PDF that prints a floor in true size.
 #pragma once
 
 #include <iosfwd>

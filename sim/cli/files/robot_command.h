@@ -1,4 +1,4 @@
-// `robosim robot list|show|check`
+// `robosim robot list|show|check`: lists the stock robots, prints or checks a robot file.
 #pragma once
 
 #include "sim/cli/arguments.h"

@@ -40,8 +40,8 @@ fs::path folder_for(const HuntArguments& arguments) {
   return folder;
 }
 
-/// Returns the checks of the findings. Repeats the `never` and `always` assertions, so that the checks
-/// include them.
+/// Returns the text of a checks.toml that fails until the findings are fixed. Repeats the hunt's `never` and
+/// `always` assertions, because findings may depend on them.
 std::string checks_text(const std::vector<campaign::HuntFinding>& findings,
                         const campaign::CampaignRunner& runner) {
   std::string text;

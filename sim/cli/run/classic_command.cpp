@@ -21,11 +21,11 @@ namespace {
 
 using cells::Ending;
 
-// Returns a limit for a robot that gets lost because of noise. The limit is far above the moves of a scan:
-// two for each line cell, and a few at the ends of lines.
+// Returns the default limit of moves, which stops a robot that gets lost because of noise. A scan needs far
+// fewer moves: two for each line cell, and a few at the ends of lines.
 std::uint64_t enough_moves(const map::Map& map) { return 100 * map.cells.size() + 100'000; }
 
-// Records moves if they must be printed, and forwards them.
+// Forwards all moves. Also records the moves if they must be printed.
 class Tape final : public cells::MoveWatcher {
  public:
   explicit Tape(cells::MoveWatcher* next, bool wanted) : next_(next), wanted_(wanted) {}
@@ -85,8 +85,8 @@ std::vector<cells::Route> drive(cells::Survey& survey, const map::TrueGraph& gra
   return routes;
 }
 
-/// Runs the algorithm and prints the report. `library`: the user's own algorithm, if any. `progressed`
-/// receives the robot's moves.
+/// Runs the algorithm and prints the report. `library` is the user's compiled algorithm; empty = none.
+/// `progressed` receives the robot's moves.
 int run_on(const map::Map& map, const map::Start& start, const ClassicArguments& arguments,
            const std::filesystem::path& library, cells::MoveWatcher* progressed) {
   const cells::CellFloor floor(map);

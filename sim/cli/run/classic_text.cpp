@@ -29,7 +29,7 @@ const char* name_of(Ending ending) {
   return kNames[static_cast<int>(ending)];
 }
 
-// Describes a failure; "" without a failure.
+// Describes why the run failed; "" without a failure.
 std::string trouble(Ending ending, const std::string& why) {
   switch (ending) {
     case Ending::complete:

@@ -15,7 +15,7 @@ struct TapedMove {
   cells::CellPose pose;  ///< pose and sense before the move
   cells::Sense sense;
   cells::Move move;
-  double clock;  ///< after the move
+  double clock;  ///< simulated time after the move, seconds
 };
 
 struct ClassicReport {

@@ -9,7 +9,8 @@
 namespace robosim::cli {
 
 /// Returns the folder of --coverage, otherwise $ROBOSIM_COVERAGE, otherwise empty. The environment variable
-/// is for whole test suites, so it does not apply to runs that cannot be counted (on a chip).
+/// is meant for whole test suites. It therefore does not apply to runs on a chip, whose lines cannot be
+/// counted.
 std::string coverage_folder(const std::string& option, const std::string& target);
 
 /// Names a file for a run's counters in the folder, and removes the file at the end of the scope. Throws
@@ -21,10 +22,12 @@ class CounterFile {
   CounterFile(const CounterFile&) = delete;
   CounterFile& operator=(const CounterFile&) = delete;
 
-  /// Adds the run to the folder, and returns the report: the lines that none of the folder's runs reached.
+  /// Adds the run's counters to the report in the folder. Returns a summary of the lines that none of the
+  /// folder's runs reached.
   std::string keep(const build::Request& request, const build::Image& image,
                    const std::string& description) const;
-  /// Makes the page of all runs in the folder if the necessary tool is installed. Returns the page's path.
+  /// Makes an HTML page of all runs in the folder if the necessary tool is installed. Returns the page's
+  /// path.
   std::string make_page() const;
   const std::filesystem::path& path() const { return path_; }
 

@@ -14,7 +14,7 @@ namespace robosim::cli {
 namespace {
 
 constexpr int kWidest_columns = 78;
-// Drawing a map above this size takes longer than the run.
+// Largest map file that is drawn. Drawing a larger map would take longer than the run.
 constexpr std::uintmax_t kLargestPicturedMap_bytes = 4'000'000;
 
 }  // namespace

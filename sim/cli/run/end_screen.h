@@ -1,4 +1,4 @@
-// The screen that ends a run: its size, and the map on it.
+// Prepares the screen that is printed at the end of a run: its size, and the map on it.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ ScreenSize screen_size();
 /// Throws InputError if --view has no terminal.
 void check_view(const RunArguments& arguments);
 
-/// Returns the map of a run, with the values that its seed and profile draw.
+/// Returns the map of a run. Random values of the map depend on the run's seed and profile.
 map::Map map_of(const wire::RunRequest& request);
 /// Returns the map for pictures; null if it is too large to draw.
 std::unique_ptr<map::Map> map_to_draw(const wire::RunRequest& request);

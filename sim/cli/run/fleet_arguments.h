@@ -1,5 +1,6 @@
-// Options of `run` and `compare` for one of several robots. `--robot A=uno5` is for robot A. `--robot uno5`
-// is for all robots without a value of their own. The sketch argument may also name a fleet's file.
+// Options of `run` and `compare` for one of several robots. `--robot A=uno5` applies to robot A.
+// `--robot uno5` applies to all robots without a value of their own. The sketch argument may also name a
+// fleet file.
 #pragma once
 
 #include <array>
@@ -20,9 +21,9 @@ Named named(const std::string& word);
 
 class FleetOptions {
  public:
-  /// `compares`: the command handles --target itself.
+  /// Adds the options. If `compares` is true, the command handles --target itself.
   FleetOptions(Options& options, launch::RunSettings& run, bool compares = false);
-  /// Distributes the given values. Call it after options.parse(). Throws InputError.
+  /// Distributes the given values to the robots. Call it after options.parse(). Throws InputError.
   void finish();
   /// Throws InputError if no robot has this name.
   void check_known(const char* option, const std::string& name);

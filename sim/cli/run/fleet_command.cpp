@@ -31,7 +31,8 @@ namespace {
 
 /// Returns 0 if all robots have reached their goals; otherwise the most important failure.
 int status_of(const std::vector<result::RunResult>& results) {
-  // If a sketch has crashed the process, the runs of the other robots are interrupted, too.
+  // Checks the signals first, because the verdict `interrupted` is ambiguous. If a sketch has crashed the
+  // process, the runs of the other robots are interrupted, too.
   if (client::Interrupts::count() > 0) return static_cast<int>(ExitStatus::interrupted);
   for (const ExitStatus status : {ExitStatus::failed, ExitStatus::timeout, ExitStatus::interrupted})
     for (const result::RunResult& result : results)
@@ -124,7 +125,7 @@ int fleet_command(const RunArguments& arguments) {
   }
   if (arguments.timing) report.wall_s = 1e-6 * static_cast<double>(wall_us()) - began_s;
   progress.clear();
-  std::exception_ptr unwritten;  // reported after the verdicts
+  std::exception_ptr unwritten;  // write error, reported after the verdicts
   try {
     recorders.finish(result);
   } catch (const InputError&) {

@@ -25,10 +25,10 @@ namespace {
 
 constexpr std::int64_t kFrame_us = 1'000'000 / 60;
 constexpr std::int64_t kTick_ns = 1'000'000;
-constexpr std::int64_t kLongestLeg_ns = 1'000'000'000;  // between checks for requests, at maximum speed
+constexpr std::int64_t kLongestLeg_ns = 1'000'000'000;  // maximum simulated time between checks for requests
 constexpr double kFastest = 1000.0;
 constexpr std::size_t kLongestRequest = 1 << 17;
-constexpr long long kId = 1;  // there is one run
+constexpr long long kId = 1;  // request number of the only run
 
 /// Reads lines of the standard input, as they arrive.
 class Requests {

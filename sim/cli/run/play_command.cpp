@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Larger files are listed without being examined.
+// Larger map files are listed with their size, without being read.
 constexpr std::uintmax_t kLargestListed_bytes = 256'000;
 
 volatile sig_atomic_t the_signal = 0;
@@ -70,7 +70,7 @@ class Host final : public play::SessionHost {
   std::vector<play::MapEntry> maps() override {
     std::vector<play::MapEntry> entries;
     std::error_code error;
-    // In the samples' own folder, the maps would be listed twice.
+    // Skips the current folder if it is the folder of the samples. Otherwise the maps would be listed twice.
     if (!fs::equivalent(fs::current_path(), launch::stock_map_folder(), error)) {
       for (const char* ending : {".map", ".dat"}) {
         for (const std::string& name : launch::names_in(".", ending)) {
@@ -86,7 +86,7 @@ class Host final : public play::SessionHost {
   map::Map open_map(const std::string& name) override {
     const auto quoted_path = launch::is_path(name) ? fs::path(name) : map::find_map(name);
     map::Map map = map::read_map(quoted_path);
-    map::require_cells(map, map::default_start(map), "play");  // also throws if there is no line
+    map::require_cells(map, map::default_start(map), "play");  // also throws if the map has no line
     return map;
   }
   std::unique_ptr<play::CellDriver> cells(const map::Map& map, const map::Start& start,

@@ -1,4 +1,4 @@
-// The files that `run` writes.
+// Creates the files that `robosim run` writes.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,8 @@ namespace robosim::cli {
 
 /// Returns the recorders of --record and --plot. Throws InputError.
 record::Recorders recorders_of(const RunArguments& arguments);
-/// Locks these files, so that no other process writes them at the same time. Throws InputError.
+/// Locks the files of --record and --plot, so that no other process writes them at the same time. Throws
+/// InputError.
 std::vector<FileLock> claims_of(const RunArguments& arguments);
 
 /// Returns a line for each file that a run has written: "run.html is written; open it in a browser".

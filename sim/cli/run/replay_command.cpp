@@ -40,7 +40,7 @@ std::vector<std::string> names_of(const record::RecordingHeader& header) {
   return names;
 }
 
-/// Returns a result that describes all robots in one sentence.
+/// Combines the results of all robots into one result.
 result::RunResult whole_result(const record::RecordingHeader& header) {
   result::RunResult result = header.result;
   wire::RunRequest request;
@@ -73,7 +73,7 @@ void watch(const record::Recording& recording, const map::Map& map, double speed
   view.finish(whole_result(header));
 }
 
-/// Writes a recording in other formats.
+/// Writes the recording to the files of --record, in the format of each file's ending.
 void write(const record::Recording& recording, const ReplayArguments& arguments, const record::Over* over) {
   for (const std::string& file : arguments.record) {
     const FileLock claim(file);

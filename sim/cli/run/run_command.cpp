@@ -43,21 +43,22 @@ namespace {
 
 double wall_now_s() { return 1e-6 * static_cast<double>(wall_us()); }
 
-/// Returns the sample period, as a multiple of 1 ms; 0 = no samples.
+/// Returns the period of the samples that the run reports, a multiple of 1 ms; 0 = no samples.
 std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
   if (arguments.view) return terminal::kViewEvery_ns;
   if (arguments.live || (arguments.json && !progress)) return 0;
   return terminal::trail_every_ns(arguments.request.for_ns);
 }
 
-/// Returns the RAM that neither variables nor the deepest stack used.
+/// Returns the bytes of RAM that neither the variables nor the stack have occupied. Returns nothing if the
+/// run did not measure them.
 std::optional<std::int64_t> free_bytes(const result::RunResult& result, const BoardSpec& board) {
   if (!result.resources) return std::nullopt;
   const std::int64_t used = result.resources->ram_bytes + result.resources->stack_bytes_max;
   return std::max<std::int64_t>(0, static_cast<std::int64_t>(board.ram_bytes) - used);
 }
 
-/// Returns how far the firmware's stated limits could be raised.
+/// Returns how far each limit that the firmware declares (build::Limit) could be raised in the free RAM.
 std::vector<terminal::Room> rooms(const build::Image& image, std::optional<std::int64_t> free) {
   std::vector<terminal::Room> rooms;
   if (!free) return rooms;
@@ -188,7 +189,7 @@ int run_command(const RunArguments& arguments) {
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();
   if (!run.remark.empty()) complain(fmt::format("robosim: {}\n", run.remark));
-  std::exception_ptr unwritten;  // reported after the verdict, which a full disk does not affect
+  std::exception_ptr unwritten;  // write error, reported after the verdict: a full disk does not affect it
   try {
     recorders.finish(result);
   } catch (const InputError&) {
@@ -229,7 +230,7 @@ int run_command(const RunArguments& arguments) {
     if (!unwritten) (arguments.serial ? complain : print)(written_text(arguments));
   }
   if (counters) {
-    // Counts runs with equal inputs and results only once.
+    // Describes the run by its inputs and result, so that equal runs are counted only once.
     const std::string text = counters->keep(run.wanted, run.image, run.request.script + json(std::nullopt));
     if (!arguments.coverage.empty()) {
       const std::string shown = text + counters->make_page();
@@ -239,7 +240,7 @@ int run_command(const RunArguments& arguments) {
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
     ::raise(client::Interrupts::signal());
   if (unwritten) std::rethrow_exception(unwritten);
-  // A program that only prints has succeeded when it ends.
+  // With --serial, a sketch whose program ends has succeeded.
   if (arguments.serial && result.verdict == "ended") return static_cast<int>(ExitStatus::ok);
   return result.status;
 }

@@ -165,8 +165,8 @@ void SourceText::add(result::Cause& cause, const result::SourceLine& where, std:
   if (cause.lines.size() < most && had_.insert({where.file, where.line}).second) cause.lines.push_back(where);
 }
 
-/// Returns the code for which these lines wait: the handlers that write the variables that the lines read,
-/// and the lines that install these handlers.
+/// Returns the interrupt handlers that write the `volatile` variables in these lines, and the lines that
+/// install these handlers.
 result::Cause SourceText::writers_in(const std::deque<result::SourceLine>& chain) {
   result::Cause writers{0.0, "an interrupt handler writes", {}};
   std::set<std::string> done;
@@ -234,8 +234,8 @@ result::Cause SourceText::named_in(std::deque<result::SourceLine> chain) {
   return named;
 }
 
-/// Returns the file that declares a name: `file` itself, or the only neighbouring file that declares the
-/// name. Returns `file` if there is no such file.
+/// Returns the file that declares a name: `file` itself, or the only file in its folder that declares it.
+/// Returns `file` if there is no such file, or more than one.
 std::string SourceText::file_that_declares(const std::string& name, const std::string& file) {
   if (declarations_in(file).contains(name)) return file;
   std::string found = file;
@@ -292,9 +292,9 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   return known->second;
 }
 
-// Skips missing files. A sketch can claim any file name with #line. Therefore also skips files outside the
-// reach of each folder (build::reach_of), even if a link leads to them. For a library, the image contains
-// only "libraries/NAME/...".
+// Skips missing files. A sketch can claim any file name with #line. Therefore also skips files outside of the
+// area that build::reach_of() permits, even if a link leads to them. For a library, the image contains only
+// "libraries/NAME/...".
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
   if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;

@@ -1,4 +1,4 @@
-// Reads the text of a sketch's lines, if its files are found: an image contains only the places of lines.
+// Reads the text of source lines from the sketch's files. An image contains only file names and line numbers.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,14 @@ class SourceText {
   /// contain libraries.
   explicit SourceText(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
-  /// Returns the line without surrounding blanks; empty if it is unknown.
+  /// Returns a line without blanks at its ends; empty if the line is unknown.
   std::string line(const result::SourceLine& where);
-  /// Removes lines without information. Adds facts that instructions do not show, from the same files:
+  /// Removes lines without information, except the first line of a cause. Adds facts from the source that
+  /// instructions do not show:
   /// - writers of the `volatile` variables that the lines read, and uses of these writers' names
   ///   (attachInterrupt());
-  /// - variables of functions that are declared without a value;
-  /// - constants and objects that the lines or their declarations name, also in neighbouring files.
+  /// - local variables that are declared without a value;
+  /// - constants and objects that the lines or their declarations name, also in files of the same folder.
   void explain(std::vector<result::Cause>& chain);
 
  private:
@@ -37,7 +38,8 @@ class SourceText {
   const std::vector<std::string>& beside(const std::string& file);
   /// Returns constants and objects outside functions, with their lines.
   const std::multimap<std::string, int>& declarations_in(const std::string& file);
-  /// Returns whether a line contains only a brace, or a function's head that only saves registers.
+  /// Returns whether a line contains only a brace, or a function's head, whose instructions only save
+  /// registers.
   bool says_nothing(const result::SourceLine& where);
   result::Cause writers_in(const std::deque<result::SourceLine>& chain);
   void add_handler(result::Cause& writers, const std::string& file, std::size_t at,

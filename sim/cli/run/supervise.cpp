@@ -47,7 +47,8 @@ void start_watchdog(const Progressed& progressed) {
 int run_in_child(const std::string& name, const std::function<int(Progressed&)>& work,
                  Progressed& progressed) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // Lets the parent report a crash: a sanitizer's handlers would turn it into a normal exit.
+  // Restores the default actions, so that the parent sees the signal of a crash. A sanitizer's handlers would
+  // turn the crash into a normal exit.
   for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(crash, SIG_DFL);
   start_watchdog(progressed);
   int status = static_cast<int>(ExitStatus::failed);

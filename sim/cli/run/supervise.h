@@ -10,7 +10,8 @@
 
 namespace robosim::cli {
 
-/// The progress of the other process, in shared memory, which survives that process.
+/// The child process's progress, in shared memory. The parent can still read this memory after a crash of the
+/// child.
 class Progressed final : public cells::MoveWatcher {
  public:
   void moved(const cells::CellPose& pose, cells::Sense, cells::Move, double) override {
@@ -29,9 +30,9 @@ class Progressed final : public cells::MoveWatcher {
   bool finished_ = false;
 };
 
-/// Runs `work` in another process. `work` receives the shared memory, prints its output and returns the exit
-/// status. Returns 1 if the process dies, exits by itself, or makes no move in 5 s of processor time. In
-/// these cases, supervise() also writes a sentence about `name` to standard error.
+/// Runs `work` in a child process. `work` receives the shared memory, prints its output and returns the exit
+/// status. Returns 1 if the child dies, exits by itself, or makes no move in 5 s of processor time. In these
+/// cases, supervise() also writes a sentence about `name` to standard error.
 int supervise(const std::string& name, const std::function<int(Progressed&)>& work);
 
 }  // namespace robosim::cli

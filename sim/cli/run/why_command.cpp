@@ -45,7 +45,7 @@ int why_command(const WhyArguments& arguments) {
   const client::Interrupts interrupts(runner);
   result::RunResult result = runner.run(run.request);
   progress.clear();
-  // A sketch may be an example of the library that it uses.
+  // Also searches two folders above the sketch: the sketch may be an example of a library that it uses.
   std::vector<std::filesystem::path> folders = {run.sketch.folder, run.sketch.folder / "../.."};
   folders.insert(folders.end(), run.wanted.libraries.begin(), run.wanted.libraries.end());
   SourceText source(std::move(folders));

@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// Runs the command. Throws InputError and ToolMissing. Returns the exit status: the verdict's, as for `run`.
+/// Runs the command. Throws InputError and ToolMissing. Returns the exit status of the verdict, as for `run`.
 int why_command(const WhyArguments& arguments);
 
 }  // namespace robosim::cli

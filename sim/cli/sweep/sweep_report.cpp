@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kFailuresShown = 3;
 
-// Round to four digits, down or up, so that a share near 0 or 1 does not become 0 or 1.
+// Round a share to four digits, down or up. A share below 1 is therefore not shown as 1, and a share above 0
+// not as 0.
 std::string share_down(double share) { return fmt::format("{:.4f}", std::floor(share * 1e4) / 1e4); }
 std::string share_up(double share) { return fmt::format("{:.4f}", std::ceil(share * 1e4) / 1e4); }
 
@@ -39,7 +40,7 @@ std::string aligned(const Lines& lines, std::size_t left) {
   return text;
 }
 
-// The minimum, mean and maximum of the runs that count.
+// The minimum, mean and maximum score of the runs that have a score.
 struct Scores {
   double least = 0.0, sum = 0.0, most = 0.0;
   int count = 0;
@@ -75,7 +76,7 @@ std::vector<std::string> line_of(const campaign::Combination& c, const analysis:
   return line;
 }
 
-/// Lists the failures, with commands that repeat the first ones.
+/// Lists the failures, with commands that repeat the first failures.
 std::string failures_text(const campaign::SweepPlan& plan, std::size_t combination,
                           const analysis::Tally& tally, const std::vector<std::size_t>& failures,
                           const std::vector<campaign::SweepOutcome>& outcomes) {
@@ -99,7 +100,8 @@ std::string failures_text(const campaign::SweepPlan& plan, std::size_t combinati
   return text;
 }
 
-/// Reports whether the demand is met, if that is known, and how certain it is.
+/// Reports whether the success rate meets --min-rate, as far as the runs decide that, and whether they prove
+/// it.
 std::string demand_text(const campaign::SweepOptions& options, const campaign::SweepPlan& plan,
                         const std::vector<analysis::Tally>& tallies) {
   const analysis::Demand demand = *campaign::demand_of(options);

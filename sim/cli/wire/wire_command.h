@@ -1,4 +1,4 @@
-// `robosim wire`
+// `robosim wire`: drafts a robot file from a sketch.
 #pragma once
 
 #include "sim/cli/arguments.h"

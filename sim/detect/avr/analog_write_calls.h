@@ -1,6 +1,6 @@
-// Collects calls of analogWrite() on the chip in LostPwmCalls. When the function starts, its arguments are in
-// registers (avr-gcc's ABI: the pin in R24, the value in R22 and R23). Not detected: inlined calls, such as
-// the only call in a sketch.
+// Observes the calls of analogWrite() on an AVR, and adds them to LostPwmCalls (lost_pwm.h). When the
+// function starts, the pin is in R24 and the value is in R22 and R23 (avr-gcc's ABI). Inlined calls are not
+// detected. For example, the compiler may inline the only call in a sketch.
 #pragma once
 
 #include <cstdint>

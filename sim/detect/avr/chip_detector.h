@@ -24,10 +24,11 @@ namespace reg = robosim::avr::reg;
 
 class ChipDetector : public exec::Detector, public exec::avr::ChipObserver {};
 
-/// Collects the first few findings of a detector, one per source line.
+/// Collects the first few findings, one for each detector and source line.
 class Sightings {
  public:
-  /// Adds a finding. If the same detector already has a finding at that line, increases its count.
+  /// Adds a finding. If the same detector already has a finding at the same line, increases the count of that
+  /// finding.
   void add(Detected seen) {
     for (Detected& known : all_) {
       if (known.detector != seen.detector || known.where.file != seen.where.file ||

@@ -1,4 +1,4 @@
-// Makes all detectors of an AVR.
+// Creates all detectors that observe the flashed sketch on an AVR.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,8 @@
 
 namespace robosim::detect::avr {
 
-/// Makes the detectors for a chip that is about to start. `counted`: pins on which every edge matters.
+/// Creates the detectors for a chip that is about to start. `counted` lists the pins on which every edge
+/// matters, such as the pins of an encoder.
 std::vector<std::unique_ptr<exec::Detector>> chip_detectors(const exec::avr::RunningProgram& program,
                                                             const std::vector<Pin>& counted);
 

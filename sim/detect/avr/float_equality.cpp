@@ -18,7 +18,7 @@ using robosim::avr::Op;
 
 constexpr std::uint8_t kLeft = 22, kRight = 18, kResult = 24, kZero = 1;  // registers
 constexpr std::uint8_t kFlagZ = 2;
-constexpr std::uint32_t kWordsOfTest = 6;  // largest distance between the call and the test of its result
+constexpr std::uint32_t kWordsOfTest = 6;  // largest distance from a call to the test of its result
 constexpr int kMany = 10, kLongAway = 20;
 
 float float_of(std::uint32_t bits) {

@@ -2,20 +2,22 @@
 //
 //   while (angle != 90.0) angle += 0.7;      // 89.6, 90.3, …: the loop does not end
 //
-// Most decimal fractions have no exact float, and measured or accumulated values rarely hit a number exactly:
-// 0.1, added up ten times, is 1.0000001. A finding is a comparison in the sketch that
+// A float cannot store most decimal fractions exactly, and a measured or accumulated value rarely equals a
+// number exactly. The sum of ten times 0.1 is 1.0000001. A finding is a comparison in the sketch with these
+// properties:
 //
-//   - ran at least 10 times, with a constant on one side, and never found equal values;
-//   - found the other side both below and above the constant, which proves that the value has passed it;
-//   - if the constant is 0, found the value moving away from 0 in 20 consecutive comparisons. A sketch
-//     that skips a step while an error is 0 is harmless.
+//   - it ran at least 10 times, with a constant on one side, and its two sides were never equal;
+//   - the other side was below the constant at some time and above at another: the value has passed it;
+//   - if the constant is 0, the value moved away from 0 in 20 consecutive comparisons. A sketch that skips
+//     a step while an error is 0 is harmless.
 //
-// A comparison that detects a change (x != last) is therefore not a finding. To fix the sketch, use >= or <=,
-// or fabs(a - b) < 0.5, or count in integers.
+// A comparison that detects a change (x != last) has no constant side, and is not a finding. To fix the
+// sketch, use >= or <=, or fabs(a - b) < 0.5, or count in integers.
 //
-// On the chip, such a comparison calls a libgcc function and tests the result for 0. The arguments are in
-// registers (avr-gcc's ABI: R22 to R25 and R18 to R21). Not examined: sketches on the host, where a
-// comparison is an ordinary instruction, and comparisons that the compiler has evaluated itself.
+// On the chip, a comparison of floats calls a libgcc function and tests the function's result for 0. The
+// floats are in registers (avr-gcc's ABI: R22 to R25 and R18 to R21). Sketches on the host are not examined,
+// because a comparison is an ordinary instruction there. Comparisons that the compiler has already evaluated
+// are not examined either.
 #pragma once
 
 #include <cstdint>
@@ -33,14 +35,14 @@ class FloatEquality final : public ChipDetector {
   std::vector<Detected> found(SimTime) const override;
 
  private:
-  /// A comparison in the program, and its results so far.
+  /// A comparison in the program, and the results of the comparison so far.
   struct Comparison {
     std::uint32_t pc = 0;
     std::uint32_t left = 0, right = 0;  ///< bits of the first compared floats
     bool left_varies = false, right_varies = false;
-    bool met = false;  ///< the floats were equal once, or both vary, or one is not finite
+    bool met = false;  ///< can no longer be a finding: was equal, not finite, or both sides vary
     std::int64_t times = 0;
-    float before = 0.0f;  ///< right - left in the last comparison
+    float before = 0.0f;  ///< right side minus left side in the last comparison
     bool has_passed = false;
     int away = 0;           ///< consecutive comparisons in which the value moved away
     SimTime found_at = -1;  ///< negative = not found yet
@@ -50,7 +52,7 @@ class FloatEquality final : public ChipDetector {
 
   const Machine& machine_;
   const DebugInfo& debug_;
-  std::vector<Comparison> comparisons_;  ///< by pc
+  std::vector<Comparison> comparisons_;  ///< sorted by pc
 };
 
 }  // namespace robosim::detect::avr

@@ -12,9 +12,9 @@ namespace {
 
 constexpr SimTime kSettled = kSecond;
 constexpr std::size_t kMostGrowths = 4096;
-constexpr int kMostPieces = 1024;  // stops the search if the list was overwritten
+constexpr int kMostPieces = 1024;  // ends the search if the sketch has overwritten the list
 constexpr int kTimesInPieces = 3;
-// Minimum for a leak: this number of rises, and of bytes, in each third of a run.
+// A finding requires this number of growths, and this growth in bytes, in each third of a run.
 constexpr int kThirds = 3, kTimesInThird = 3, kBytesInThird = 8;
 
 }  // namespace
@@ -38,8 +38,8 @@ std::uint16_t Heap::word(reg::Address at) const {
 
 void Heap::visited(std::uint32_t pc, Cycle) {
   if (asked_ && pc == asked_->returns_to && machine_.chip().sp() == asked_->sp) return answered();
-  // Ignores calls of malloc() by realloc(). A new request replaces any other open request, which cannot
-  // return any more, for example after a reset.
+  // Ignores calls of malloc() by realloc(). Any other new request replaces the open request, which cannot
+  // return any more. This happens after a reset, for example.
   const bool is_within =
       asked_ && machine_.chip().sp() + machine_.chip().spec().return_address_bytes < asked_->sp;
   if (!is_within && (pc == malloc_ || pc == realloc_))
@@ -93,7 +93,7 @@ void Heap::answered() {
   const std::uint16_t before = growths_.empty() ? end : growths_.back().end;
   growths_.push_back({machine_.now(), end});
   grown_at_ = program_.diagnosis().where_now();
-  // Excludes a block at the end of the heap, which grows in place.
+  // Excludes a block at the end of the heap, which realloc() enlarges in place.
   if (word(exec::avr::kArgument[0]) >= before && machine_.now() > kSettled) note_pieces(asked.bytes, end);
 }
 

@@ -1,6 +1,6 @@
 // Detects a heap that grows until it reaches the stack, a fragmented heap, and failed allocations.
 //
-//   log += String(position) + ' ';          each pass of loop() lengthens the text, and the heap
+//   log += String(position) + ' ';          each pass of loop() makes the text longer, and the heap larger
 //   Motor* m = new Motor(5);                runs in each pass; the object is never deleted
 //
 // The chip has 2 KB of RAM. Growth in each pass fills the RAM within a minute, although not in a short test
@@ -9,12 +9,13 @@
 // leaves a hole between used blocks, which fits only allocations of at most its size. A fragmented heap
 // (strings of many lengths, some freed, some not) therefore grows although enough bytes are free.
 //
-//   heap_grows      after the first second, the heap's end has risen several times in each third of the run
-//   heap_in_pieces  without heap_grows: after the first second, the end has risen three times although the
-//                   requested number of bytes was free, in pieces that were all too small
+//   heap_grows      after the first second, the heap's end has risen three times in each third of the run
+//   heap_in_pieces  heap_grows does not apply. After the first second, the heap's end has risen three times
+//                   although enough bytes were free, because each free piece was too small
 //   no_memory       malloc() or realloc() has failed; reports whether fragmentation was the reason
 //
-// Not detected: a heap that rises in rare steps; free pieces that a small object will soon use.
+// A heap that grows only rarely is not detected. The detector does not know whether small objects will soon
+// fill the free pieces.
 //
 // To fix the sketch, print text without storing it, or use a buffer of fixed size (char line[32]). One
 // reserve() in setup(), and objects that are created only once, also help.
@@ -67,11 +68,11 @@ class Heap final : public ChipDetector {
   const std::uint16_t end_;               ///< address of the variable with the heap's end
   const std::uint16_t free_;              ///< address of the variable with the first free piece
   std::vector<std::uint32_t> returns_;    ///< addresses to which the functions return
-  std::optional<Asked> asked_;            ///< request to the outer function
+  std::optional<Asked> asked_;            ///< open request of the sketch to malloc() or realloc()
   std::vector<Growth> growths_;
-  SourceLine grown_at_;                ///< place of the last growth
-  std::optional<Detected> in_pieces_;  ///< the worst rise by fragmentation, and the number of rises
-  int worst_bytes_ = 0;                ///< free bytes at the worst rise
+  SourceLine grown_at_;                ///< source line of the last growth
+  std::optional<Detected> in_pieces_;  ///< worst growth by fragmentation, with the number of growths
+  int worst_bytes_ = 0;                ///< free bytes at the worst growth
   Sightings seen_;
 };
 

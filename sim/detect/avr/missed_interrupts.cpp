@@ -37,7 +37,7 @@ MissedInterrupts::MissedInterrupts(const RunningProgram& program, const std::vec
 
 MissedInterrupts::~MissedInterrupts() { machine_.chip().chip().core().on_lost = nullptr; }
 
-/// Returns why the handler is delayed now, such as "because interrupts were off".
+/// Returns the reason why the handler is delayed at this moment, such as "because interrupts were off".
 std::string MissedInterrupts::held_off() const {
   return machine_.chip().in_handler() ? "because a handler was still running"
                                       : "because interrupts were off (noInterrupts(), cli())";
@@ -91,11 +91,11 @@ void MissedInterrupts::entered(int vector, Cycle at) {
 }
 
 void MissedInterrupts::ticks_lost(std::int64_t ticks, Cycle at) {
-  // If another handler delayed this interrupt, it has just returned: the last jump before this interrupt is
-  // its RETI.
+  // If another handler delayed this interrupt, that handler has just returned. The last jump before this
+  // interrupt is then the RETI of that handler.
   const std::vector<std::uint32_t> jumps = machine_.chip().last_jumps();
   const bool handler = jumps.size() > 1 && cpu_.instruction(jumps[1] / 2).op == robosim::avr::Op::reti;
-  // For a handler of the core, uses the last place in user code that the handler reached.
+  // If the handler belongs to the core, reports the last jump of the handler that was in user code.
   SourceLine where = handler ? SourceLine{} : program_.debug.place(machine_.chip().interrupted_pc());
   for (std::size_t i = 1; handler && where.file.empty() && i < std::min(jumps.size(), kJumpsOfHandler); ++i)
     where = program_.debug.place(jumps[i]);

@@ -1,21 +1,23 @@
 // Detects events that were lost while interrupts were off, or while another handler ran.
 //
-// The chip stores whether an interrupt was requested, not the number of requests. A second request before the
-// handler runs is lost:
+// The chip stores whether an interrupt was requested, but not how many times. If a second request arrives
+// before the handler has started, the second request is lost:
 //
 //   an edge at a pin of attachInterrupt()   the encoder's count is too low, and the robot turns too far
 //   a fourth unread byte                    the middle of a message is missing
 //   an overflow of timer 0                  millis() loses 1.024 ms: delay() and timeouts take longer
 //
-// Counts the actual losses. Reports the place that delayed the handler: a section between noInterrupts() and
-// interrupts(), or another slow handler. Slow handlers print, wait, or compute with floats. An encoder with
-// 1200 edges per second needs its handler within 0.8 ms; bytes at 115200 baud within 0.26 ms.
+// The detector counts the events that were lost. It reports the code that delayed the handler: a section
+// between noInterrupts() and interrupts(), or another slow handler. Slow handlers print, wait, or compute
+// with floats. For an encoder with 1200 edges per second, the handler must start within 0.8 ms. For bytes at
+// 115200 baud, the handler must start within 0.26 ms.
 //
 // Not detected: edges at pin change interrupts, which several pins share; matches of other timers; bytes that
-// did not fit in Serial's buffer of 64 bytes; ticks in runs that sleep or change timer 0.
+// did not fit in Serial's buffer of 64 bytes. Overflows of timer 0 are not examined while the chip sleeps or
+// the sketch changes the mode of timer 0.
 //
-// To fix the sketch, disable interrupts only to copy a number. Handlers should only record an event and
-// return; loop() does the work.
+// To fix the sketch, disable interrupts only while a number is copied. A handler should only record its event
+// and return, and leave the work to loop().
 #pragma once
 
 #include <cstdint>
@@ -49,9 +51,9 @@ class MissedInterrupts final : public ChipDetector {
   Machine& machine_;
   const robosim::avr::Cpu& cpu_;
   const TimerSpec& timer_;
-  std::map<int, Pin> pins_;                                     ///< by vector
-  std::map<std::pair<int, std::uint32_t>, SourceLine> places_;  ///< by vector and place
-  Cycle flagged_ = 0;  ///< cycle of the last overflow of timer 0, or slightly earlier; 0 = unknown
+  std::map<int, Pin> pins_;                                     ///< by interrupt vector
+  std::map<std::pair<int, std::uint32_t>, SourceLine> places_;  ///< by interrupt vector and flash address
+  Cycle flagged_ = 0;  ///< estimated cycle of timer 0's last overflow, slightly late; 0 = unknown
   Cycle period_ = 0, slept_ = 0, bitten_ = 0;
   Sightings seen_;
 };

@@ -7,7 +7,7 @@
 namespace robosim::detect::avr {
 namespace {
 
-constexpr std::size_t kFewest = 3, kMost = 64;  // open calls: fewest reported, most recorded
+constexpr std::size_t kFewest = 3, kMost = 64;  // active calls: fewest in a finding, most recorded
 
 }  // namespace
 

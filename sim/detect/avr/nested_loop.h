@@ -3,13 +3,14 @@
 //   void goTo(int n) { drive(n); for (;;) loop(); }      each destination starts another nested loop()
 //
 // Each call pushes a return address, saved registers and local variables, which are never popped. The chip
-// has 2 KB of RAM. After some calls, within a minute or a week, the stack reaches the variables. The stack
+// has 2 KB of RAM. Within a minute or a week, the stack therefore reaches the variables. The stack then
 // overwrites a threshold or a pointer, and the sketch misbehaves or restarts.
 //
-//   nested_loop   three calls of loop() are open at once, each within the previous call
+//   nested_loop   three calls of loop() are active at once, each within the previous call
 //
-// One nested call is not a finding: some sketches wait for a button that way, and return. Not detected: other
-// functions that call themselves; calls of loop() that the compiler has turned into jumps.
+// One nested call is not a finding, because some sketches call loop() once while they wait for a button.
+// Other recursive functions are not detected. Calls of loop() that the compiler has replaced by jumps are not
+// detected either.
 //
 // To fix the sketch, return from loop(), because main() calls loop() repeatedly.
 #pragma once
@@ -31,7 +32,7 @@ class NestedLoop final : public ChipDetector {
 
  private:
   const RunningProgram program_;
-  std::vector<std::uint16_t> open_;  ///< stack pointer at the start of each call, the outermost first
+  std::vector<std::uint16_t> open_;  ///< stack pointers at the start of the active calls, outermost first
   std::size_t deepest_ = 0;
   Detected seen_;
 };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint8_t kReference = 0xC0;  // bits REFS1 and REFS0
 constexpr int kManyChanges = 4, kManyUsed = 3;
-constexpr SimTime kAgain = 50 * kMillisecond;  // a second reading within this time discards the first
+constexpr SimTime kAgain = 50 * kMillisecond;  // a second reading within this time replaces the first
 
 }  // namespace
 

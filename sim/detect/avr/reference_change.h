@@ -5,18 +5,19 @@
 //
 // "The first ADC conversion result after switching reference voltage source may be inaccurate, and the user
 // is advised to discard this result" (ATmega328P, DS40002061B, 24.5.2). The capacitor at AREF, 100 nF on an
-// Uno, must first be charged or discharged. This takes some milliseconds from 5 V to 1.1 V. In the simulation
-// each conversion is exact. A finding is a sketch that
+// Uno, must first be charged or discharged. A change from 5 V to 1.1 V takes some milliseconds. In the
+// simulation each conversion is exact. A sketch is reported if it
 //
-//   - changes the reference at least four times,
-//   - and at least three times uses the first reading after the change: it does not read the pin again within
-//     50 ms.
+//   - changes the reference at least four times, and
+//   - uses the first reading after such a change at least three times. The first reading counts as used if
+//     the sketch does not read the same pin again within 50 ms.
 //
 // Sketches that discard a reading, average readings, or set the reference once in setup() are not reported.
-// To fix the sketch, discard one reading after a few milliseconds, or use one reference for everything.
+// To fix the sketch, discard one reading some milliseconds after the change, or use the same reference for
+// all readings.
 //
-// Not considered: sketches that do not use analogRead(); a pause before the reading, although a long pause
-// helps; readings after a change of the channel (sim/detect/slow_source.h).
+// Sketches that do not use analogRead() are not examined. The detector ignores pauses before a reading,
+// although a long pause helps. sim/detect/slow_source.h examines readings after a change of the channel.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +42,7 @@ class ReferenceChange final : public ChipDetector {
     std::uint8_t pin = 0;
     SimTime at = 0;
     std::uint32_t pc = 0;                   ///< address of the call
-    std::optional<std::uint8_t> reference;  ///< bits of ADMUX; unknown until the call ends
+    std::optional<std::uint8_t> reference;  ///< bits REFS1 and REFS0 of ADMUX; unknown during the call
   };
 
   const Machine& machine_;

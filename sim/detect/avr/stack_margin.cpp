@@ -44,8 +44,8 @@ int StackMargin::heap_end() const {
   return std::max<int>(end, firmware_.globals_end);
 }
 
-/// Returns the last instruction and its open calls, up to the return to `until`. Calls further out belong to
-/// interrupted code.
+/// Returns the last instruction and its active calls. Stops at the return address `until`, since calls
+/// further out belong to the interrupted code.
 StackMargin::Chain StackMargin::here(std::uint32_t until) const {
   Chain chain = {machine_.chip().last_pc()};
   machine_.stack().each_call(until, [&](const exec::avr::Stack::Call& call) {
@@ -55,7 +55,7 @@ StackMargin::Chain StackMargin::here(std::uint32_t until) const {
   return chain;
 }
 
-/// Returns the innermost line of user code; empty if the chain has none.
+/// Returns the innermost line of user code in the chain; empty if the chain contains only core code.
 SourceLine StackMargin::place(const Chain& chain) const {
   for (const std::uint32_t pc : chain)
     if (const SourceLine& where = debug_.place(pc); !where.file.empty()) return where;
@@ -80,7 +80,7 @@ void StackMargin::look() {
   if (open == 0) {
     open_.clear();
     if (cpu_.interrupts_enabled()) look_at_main();
-  } else if (open == open_.size()) {  // otherwise a handler is about to start
+  } else if (open == open_.size()) {  // if the numbers differ, a handler is about to start
     look_at_handler();
   }
   await_deeper();
@@ -129,8 +129,8 @@ void StackMargin::left() {
   await_deeper();
 }
 
-/// Makes the chip call look() when the stack gets deeper than before. If known handlers were disabled at the
-/// main program's deepest moment, an equal depth is enough.
+/// Makes the chip call look() when the stack gets deeper than before. If a handler that has run was disabled
+/// at the main program's deepest moment, an equal depth is enough.
 void StackMargin::await_deeper() {
   int watch = 0;
   if (open_.empty()) {
@@ -138,7 +138,7 @@ void StackMargin::await_deeper() {
   } else {
     watch = open_.back().began - handlers_[static_cast<std::size_t>(open_.back().vector)].bytes;
   }
-  // WatchedChip also needs a call whenever the stack is deeper than ever before.
+  // WatchedChip itself must be called whenever the stack is deeper than ever before.
   watch = std::clamp<int>(watch, machine_.chip().lowest_sp(), 0xFFFF);
   cpu_.state.sp_watch = static_cast<std::uint16_t>(watch);
 }
@@ -157,7 +157,7 @@ std::string StackMargin::name(int vector) const {
 
 std::vector<Detected> StackMargin::found(SimTime) const {
   if (has_own_stacks_ || !firmware_.named) return {};
-  int deepest = 0, bytes = 0;  // deepest: vector of the deepest handler that does not nest
+  int deepest = 0, bytes = 0;  // deepest: vector of the deepest handler that never enables interrupts
   std::string names;
   const auto take = [&](int vector) {
     const int its = handlers_[static_cast<std::size_t>(vector)].bytes;

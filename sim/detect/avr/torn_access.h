@@ -1,7 +1,7 @@
-// Detects torn reads, torn writes and lost updates in the flashed sketch, without ending the run. Uses
-// sim/exec/avr/race_analysis.h. In addition to the cases that RaceAnalysis misses, this detector misses
-// numbers that the compiler accesses through a pointer register. The compiler may access a number this way
-// only in the flashed image, not in an image with checks.
+// Detects torn reads, torn writes and lost updates in the flashed sketch by RaceAnalysis, which explains
+// these terms (sim/exec/avr/race_analysis.h). A finding does not end the run. RaceAnalysis does not see a
+// number that the compiler accesses through a pointer register. The flashed image may contain such accesses,
+// while an image with checks does not.
 #pragma once
 
 #include <vector>

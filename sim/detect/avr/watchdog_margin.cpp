@@ -92,7 +92,7 @@ void WatchdogMargin::fed() {
 }
 
 std::vector<Detected> WatchdogMargin::found(SimTime) const {
-  // Omits the resets if the run already failed because of repeated resets.
+  // Omits the resets if the run has crashed, since the crash may be due to these resets.
   std::vector<Detected> all;
   if (!machine_.chip().fault()) all = bite_;
   if (longest_ == 0) return all;

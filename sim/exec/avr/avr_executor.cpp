@@ -87,10 +87,10 @@ class AvrExecutor::Running final : public RunningChip {
   const BoardSpec& board_;
   avr::Machine machine_;
   std::vector<std::unique_ptr<Detector>> detectors_;
-  std::optional<avr::DrivenLines> lines_;  ///< unset without a listener
+  std::optional<avr::DrivenLines> lines_;  ///< nullopt if the lines that drive pins are not traced
   avr::DebugPort* debugger_;               ///< null without a debugger
   avr::BackwardSlice* causes_;             ///< null if causes are not searched
-  robosim::avr::Chip*& chip_;              ///< the executor's pointer to the chip
+  robosim::avr::Chip*& chip_;              ///< Firmware::chip, which this object sets and clears
 };
 
 class AvrExecutor::Firmware final : public ChipFirmware {
@@ -142,7 +142,7 @@ class AvrExecutor::Firmware final : public ChipFirmware {
  private:
   const Image image_;
   const MakeChipDetectors make_detectors_;
-  std::vector<Pin> counted_;  ///< pins whose edges detectors count
+  std::vector<Pin> counted_;  ///< pins on which every edge matters to the detectors
   std::unique_ptr<avr::DebugPort> debugger_;
   std::unique_ptr<avr::BackwardSlice> causes_;
 };

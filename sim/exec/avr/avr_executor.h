@@ -2,7 +2,7 @@
 //
 //   ELF ──► WatchedChip ── Chip of sim/mcu/avr ──► BoardAdapter ──► FirmwarePort
 //
-// The chip uses the board's clock. A tick ends with a whole instruction, up to 3 cycles late.
+// The chip uses the board's clock. A tick ends when the running instruction ends, up to 3 cycles late.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@ namespace avr {
 struct RunningProgram;
 }
 
-/// Makes the detectors (sim/detect/avr) of a chip that is about to start. `counted`: as in
+/// Creates the detectors (sim/detect/avr) for a chip that is about to start. For `counted`, see
 /// ChipAccess::detect().
 using MakeChipDetectors = std::function<std::vector<std::unique_ptr<Detector>>(
     const avr::RunningProgram& program, const std::vector<Pin>& counted)>;
@@ -36,7 +36,7 @@ class AvrExecutor final : public ChipExecutor {
               MakeChipDetectors make_detectors = {});
 
   // --- for tests
-  /// Runs waiting loops instead of skipping them (robosim::avr::Idle), from the next power-on.
+  /// From the next power-on, executes waiting loops instead of skipping them (robosim::avr::Idle).
   void run_waiting_loops();
   /// Returns the chip; null while the power is off.
   const robosim::avr::Chip* chip() const;

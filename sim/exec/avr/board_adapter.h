@@ -16,7 +16,8 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
 
   /// Connects the chip. Must be called before all other functions.
   void plug_in(robosim::avr::Chip& chip) { chip_ = &chip; }
-  /// Passes to the chip the inputs that have arrived by `now`, and schedules the call for the next input.
+  /// Passes to the chip the inputs that have arrived by `now`. Makes the chip call called() when the next
+  /// input arrives.
   void take_inputs(Cycle now) {
     state_.expected = kNever;
     if (board_.next_input() != kNever) take_waiting(now);
@@ -27,7 +28,8 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   int chip_pin(Pin pin) const { return chip_pins_[pin]; }
   /// Returns the board's pin for a pin of the chip; kNoPin = none.
   Pin board_pin(int pin) const { return pins_[static_cast<std::size_t>(pin)]; }
-  /// Return the board's pin that the firmware read last (kNoPin = none yet), and the cycle of that read.
+  /// Return the board's pin that the firmware read last, and the cycle of that read. The pin is kNoPin if the
+  /// firmware has not read a pin yet.
   Pin last_read() const;
   Cycle last_read_at() const { return chip_->pins().last_read_at(); }
   /// Returns InputReads::only_pin() with the board's numbers.
@@ -39,8 +41,8 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   /// All state that changes while the chip runs.
   struct State {
     ClockMap clock_map;
-    SimTime expected = kNever;  ///< time of the call for the next input
-    Cycle frame = 0;            ///< duration of a received frame; 0 = the receiver is off
+    SimTime expected = kNever;  ///< time at which the next input arrives
+    Cycle frame = 0;            ///< duration of a received frame in cycles; 0 = the receiver is off
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
@@ -76,7 +78,7 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   robosim::avr::Chip* chip_ = nullptr;
   std::vector<Pin> pins_;       ///< the board's pin for each pin of the chip; kNoPin = not connected
   std::vector<int> chip_pins_;  ///< the chip's pin for each pin of the board; -1 = none
-  const int serial_;            ///< the serial line to the computer
+  const int serial_;            ///< number of the chip's serial line that is connected to the computer
   State state_;
 };
 

@@ -1,4 +1,4 @@
-// Declares observers of a running chip. Observers do not change the run.
+// Declares the interface of objects that observe a running chip without changing the run.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Converts between the chip's cycles and times.
+// Converts between cycles of the chip and times.
 #pragma once
 
 #include "hal/board/cycle_time.h"
@@ -8,7 +8,7 @@ namespace robosim::exec::avr {
 
 using robosim::avr::Cycle;
 
-/// All times are measured by the chip's own clock.
+/// All times are measured by the chip's own clock, which may drift from the simulation's clock.
 class ClockMap {
  public:
   /// Maps cycle 0 to `began`, the time of the power-on.

@@ -13,14 +13,14 @@ namespace robosim::exec::avr {
 /// at its target.
 void add_next(const robosim::avr::Cpu& cpu, std::uint32_t pc, bool into_calls,
               std::vector<std::uint32_t>& next);
-/// Returns, for each word, whether interrupts are off because every path to the word passes a CLI. `code_end`
-/// is a byte address.
+/// Returns, for each word of flash, whether interrupts are off there because every path to the word passes a
+/// CLI. `code_end` is a byte address.
 std::vector<bool> without_interrupts(const robosim::avr::Cpu& cpu, std::uint32_t code_end);
-/// Returns, for each word, whether it belongs to a handler and the main program never runs it. Functions that
-/// handlers call are not included.
+/// Returns, for each word of flash, whether the word belongs to an interrupt handler. The main program never
+/// runs these words. Functions that handlers call are not included.
 std::vector<bool> of_handlers(const robosim::avr::Cpu& cpu, std::uint32_t code_end);
 
-/// Tracks the registers that contain a value read from memory, or a value computed from it.
+/// Tracks which registers contain a certain value that was read from memory, or a value computed from it.
 class ValueFlow {
  public:
   explicit ValueFlow(int reg) : read_(bit(reg)) {}

@@ -1,4 +1,4 @@
-// Converts a symbol to the variable's name in the sketch.
+// Converts a linker symbol to the variable's name in the sketch (C++ demangling).
 #pragma once
 
 #include <cxxabi.h>

@@ -192,7 +192,7 @@ Crash Diagnosis::crash(const Fault& fault) const {
   if (fault.kind == Fault::Kind::torn) crash.check = check_of(machine_.chip().race_analysis()->found()->kind);
   const Stack& stack = machine_.stack();
   if (!is_jump(fault)) crash.where = debug_.place(fault.pc);
-  // For a jump to an invalid address, finds the call or return that led there.
+  // After a jump to an invalid address, reports the instruction that jumped there, or else an earlier jump.
   if (is_jump(fault))
     for (const std::uint32_t pc : machine_.chip().last_jumps())
       if (crash.where.file.empty()) crash.where = debug_.place(pc);

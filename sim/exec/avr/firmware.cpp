@@ -19,7 +19,7 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr std::uint32_t kEnlargedFlash = 0x10000;  // the range of a data pointer
+constexpr std::uint32_t kEnlargedFlash = 0x10000;  // the number of bytes that a data pointer can address
 
 void load_symbols(const ElfFile& elf, const BoardSpec& board, Firmware& firmware) {
   const std::uint64_t first_ram = kAvrData + firmware.chip->ram_address;
@@ -76,10 +76,11 @@ void load_eeprom(const ElfFile& elf, Firmware& firmware) {
   }
 }
 
-/// Returns the end of the variables, from the start-up code of avr-libc. The code copies and clears variables
-/// through X up to their end: `ldi rN, high`, and later `cpi r26, low` and `cpc r27, rN`.
+/// Returns the end of the variables, which this function reads from the start-up code of avr-libc. That code
+/// initialises the variables through X, and compares X with the end of the variables. Its instructions are
+/// `ldi rN, high`, and later `cpi r26, low` and `cpc r27, rN`.
 std::uint16_t end_of_variables(const Firmware& firmware) {
-  constexpr std::size_t kStartupWords = 256;  // including vectors
+  constexpr std::size_t kStartupWords = 256;  // including the interrupt vectors
   constexpr std::uint8_t kX = 26;
   using robosim::avr::Op;
   const std::size_t bytes = std::min(firmware.flash.size() & ~std::size_t{1}, 2 * kStartupWords);
@@ -104,7 +105,7 @@ void load_hex(std::string_view text, const BoardSpec& board, Firmware& firmware)
   firmware.ram_bytes = firmware.globals_end - firmware.chip->ram_address;
 }
 
-/// Throws InputError if the file names another chip than the board's. Most files have such a name.
+/// Throws InputError if the file names another chip than the board's. Most files name their chip.
 void check_device(const ElfFile& elf, const BoardSpec& board) {
   const std::string device = avr_device(elf);
   if (device.empty() || is_same_device(device, board.chip->compiler_name)) return;

@@ -15,19 +15,19 @@
 
 namespace robosim::exec::avr {
 
-/// Prefix of the functions that gcc's checks call when they fail; the check's name follows.
+/// Prefix of the functions that gcc's checks call on failure. The name of the check follows the prefix.
 constexpr std::string_view kCheckPrefix = "__ubsan_handle_";
 
 struct Firmware {
   std::string file;
   const ChipSpec* chip = nullptr;
   std::vector<std::uint8_t> flash;   ///< content of flash: code, constants, initial values of variables
-  std::vector<std::uint8_t> eeprom;  ///< initial content of the EEPROM; may be shorter
-  bool named = true;                 ///< false = from a .hex file; `symbols` is empty
+  std::vector<std::uint8_t> eeprom;  ///< initial content of the EEPROM; may be shorter than the EEPROM
+  bool named = true;                 ///< false if read from a .hex file, which has no symbols
   std::uint32_t code_end = 0;        ///< end of .text
   std::uint16_t globals_end = 0;     ///< data address after the last variable: the start of the heap
   std::uint32_t ram_bytes = 0;       ///< size of the variables
-  Symbols symbols;                   ///< functions and variables: flash from 0, data memory from kAvrData
+  Symbols symbols;                   ///< functions (flash from address 0) and variables (from kAvrData)
   /// Last address of RAM, where the stack starts. An image built with checks is far larger than the chip.
   /// Such an image gets RAM up to the start of its stack, and 64 KB of flash.
   std::uint16_t last_ram = 0;
@@ -42,7 +42,7 @@ struct Firmware {
 
   /// Returns the address of a symbol, if the image contains the symbol.
   std::optional<std::uint32_t> find(const std::string& name) const;
-  /// Returns the data address of a variable.
+  /// Returns the address of a variable in data memory, if the image contains the variable.
   std::optional<std::uint16_t> find_variable(const std::string& name) const;
   /// Returns the function that contains a flash address; null if no function does.
   const Symbol* function_at(std::uint32_t pc) const;

@@ -23,7 +23,8 @@ bool is_usb(int vector, const ChipSpec& chip) {
   return chip.usb.address && vector >= chip.usb.vector && vector < chip.usb.vector + kVectorsOfUsb;
 }
 
-// Returns the Serial variable of the UART that `vector` belongs to; null if there is no such variable.
+// Returns the variable Serial, Serial1 and so on of the UART to which `vector` belongs. Returns null if
+// `vector` belongs to no UART, or if the image lacks the variable.
 const Symbol* serial_of(int vector, const Firmware& firmware) {
   for (int i = 0; i < firmware.chip->uart_count; ++i) {
     const UartSpec& uart = firmware.chip->uarts[i];
@@ -33,11 +34,11 @@ const Symbol* serial_of(int vector, const Firmware& firmware) {
   return nullptr;
 }
 
-// Returns the addresses that a handler of the Arduino core's Serial changes; nothing if `vector` does not
+// Returns the addresses that a handler of the Arduino core's Serial changes; nullopt if `vector` does not
 // belong to Serial.
 std::optional<Stores> stores_of_serial(int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
   const ChipSpec& chip = *firmware.chip;
-  // Assumes that the USB handlers change all addresses, because their state is in separate variables.
+  // Assumes that USB handlers may change all addresses, because their state is not in the variable Serial.
   if (is_usb(vector, chip) && firmware.symbols.find("Serial")) return Stores(cpu.data.size(), true);
   const Symbol* const serial = serial_of(vector, firmware);
   if (!serial || serial->address < kAvrData) return std::nullopt;
@@ -47,7 +48,7 @@ std::optional<Stores> stores_of_serial(int vector, const robosim::avr::Cpu& cpu,
   return stores;
 }
 
-// Returns the addresses that a handler of the Arduino core changes; nothing if the handler belongs to the
+// Returns the addresses that a handler of the Arduino core changes; nullopt if the handler belongs to the
 // sketch, or if the addresses are unknown.
 std::optional<Stores> stores_of_core(int vector, const robosim::avr::Cpu& cpu, const Firmware& firmware) {
   if (vector == overflow_of(firmware.chip->timers[0])) return robosim::avr::stores_of_handler(cpu, vector);

@@ -1,4 +1,4 @@
-// Proves that silent firmware will stay silent forever.
+// Proves that firmware which no longer accesses I/O will never access I/O again.
 #pragma once
 
 #include "sim/exec/avr/firmware.h"
@@ -6,11 +6,12 @@
 
 namespace robosim::exec::avr {
 
-/// Returns whether the firmware provably hangs; false if there is no proof. Proof requires an infinite loop
-/// (sim/mcu/avr/infinite_loop.h), and that no enabled handler can change memory that the loop reads. All
-/// enabled handlers must belong to the Arduino core. The code of the clock's handler shows which memory it
-/// changes. Serial's handlers store through pointers, and are known to change only Serial. Any enabled
-/// handler of the sketch counts as activity, even if it only increments a counter. Takes some milliseconds.
+/// Returns whether the firmware provably hangs. Takes some milliseconds. The proof requires an infinite loop
+/// (sim/mcu/avr/infinite_loop.h). No enabled handler may change memory that the loop reads.
+///
+/// All enabled handlers must belong to the Arduino core. The code of the clock's handler shows which memory
+/// the handler changes. Serial's handlers store through pointers, and are known to change only Serial. Any
+/// enabled handler of the sketch counts as activity, even if the handler only increments a counter.
 bool hangs(const WatchedChip& chip, const Firmware& firmware);
 
 }  // namespace robosim::exec::avr

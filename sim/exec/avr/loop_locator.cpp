@@ -17,7 +17,8 @@ using robosim::avr::control_of;
 using robosim::avr::Instruction;
 using robosim::avr::Op;
 
-// Functions that gcc calls or jumps to for a switch, and that jump through a table.
+// Functions of libgcc that the code of a switch statement calls or jumps to. These functions jump on through
+// a table of addresses.
 constexpr const char* kTableJumps[] = {"__tablejump2__", "__tablejump__", "__tablejump_elpm__"};
 
 class Code final : public ChipCode {
@@ -29,7 +30,7 @@ class Code final : public ChipCode {
       if (const auto address = firmware.find(name)) table_jumps_.insert(*address / 2);
   }
 
-  /// Returns the calls of a function, and the jumps to it from other code.
+  /// Returns the calls of a function, and the jumps to the function from other code.
   std::vector<std::uint32_t> calls_of(const Symbol& function) const override {
     std::vector<std::uint32_t> calls;
     const std::uint32_t begin = function.address, end = begin + function.size;
@@ -92,7 +93,8 @@ class Code final : public ChipCode {
       if (!goes_on) behind_jumps.insert(2 * next);
       steps.emplace(2 * pc, std::move(step));
     }
-    // Adds the cases of a switch: code that no other instruction reaches.
+    // Assumes that a jump through a table leads to each case of a switch. A case is code after a jump or
+    // return that no other instruction reaches.
     for (const std::uint32_t from : anywhere)
       for (const std::uint32_t to : behind_jumps)
         if (steps.contains(to) && !reached.contains(to)) steps[from].next.push_back(to);
@@ -107,7 +109,7 @@ class Code final : public ChipCode {
   const Firmware& firmware_;
   std::uint32_t words_;
   std::vector<Instruction> code_;
-  std::set<std::uint32_t> table_jumps_;  ///< addresses in words
+  std::set<std::uint32_t> table_jumps_;  ///< word addresses of the functions in kTableJumps
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Finds where a round of loop() begins in an image for this chip.
+// Finds the instructions where a round of loop() begins in an image for an AVR.
 #pragma once
 
 #include "sim/exec/avr/firmware.h"
@@ -7,7 +7,7 @@
 
 namespace robosim::exec::avr {
 
-/// Returns the rounds of loop() (sim/exec/elf/loop_locator.h).
+/// Returns the instructions that mark the rounds of loop() (sim/exec/elf/loop_locator.h).
 LoopMarks locate_loop(const Firmware& firmware, const DebugInfo& debug);
 
 }  // namespace robosim::exec::avr

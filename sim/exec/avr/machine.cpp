@@ -8,7 +8,7 @@
 namespace robosim::exec::avr {
 namespace {
 
-// The period of checks for growth of the heap.
+// The period, in cycles, of checks whether the heap has grown.
 constexpr Cycle kLookEvery = 1000;
 
 }  // namespace
@@ -41,7 +41,8 @@ void Machine::restore(const Saved& saved) {
 void Machine::look_at_heap(Cycle at) {
   if (!stack_.has_heap()) return;
   stack_.look();
-  // The event may be handled late, like all events that were due while no instruction ran.
+  // This event may be handled late, like all events that are due while the chip sleeps. Skips the checks that
+  // were missed.
   const Cycle missed = (chip_.cycle() - std::min(at, chip_.cycle())) / kLookEvery;
   chip_.chip().core().schedule(look_, at + (missed + 1) * kLookEvery);
 }

@@ -1,4 +1,4 @@
-// Combines the chip with everything around it that firmware can access.
+// Combines the emulated chip with its board, its stack observer and its debug port.
 #pragma once
 
 #include "sim/exec/avr/board_adapter.h"
@@ -30,8 +30,8 @@ class Machine final : BoardAdapter {
   void set_clock(SimTime start);
   Resources resources() const;
 
-  /// Returns a byte of data memory for a debugger, without effect on the firmware. PINx and UDR0 return their
-  /// last read value.
+  /// Returns a byte of data memory for a debugger, without effect on the firmware. For PINx and UDR0, returns
+  /// the value that the firmware read last.
   std::uint8_t peek(reg::Address address);
   /// Writes a byte of data memory with the same effects as a write by the firmware.
   void poke(reg::Address address, std::uint8_t value);

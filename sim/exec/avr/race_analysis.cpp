@@ -25,11 +25,11 @@ using robosim::avr::Interrupts;
 using robosim::avr::Op;
 
 constexpr std::uint32_t kLargestNumber = 8;
-// Largest distances, in words: between the bytes of one access, and between an access and the next read of
-// the number.
+// Largest distances in words: from the first to the last instruction of an access, and from an access to
+// another read of the number.
 constexpr std::uint32_t kWordsOfAccess = 16, kWordsOfSecondLook = 48;
-constexpr int kMostOfHandler = 5000;  // longest handler, in instructions
-constexpr int kZeroRegister = 1;      // register that avr-gcc keeps at 0
+constexpr int kMostOfHandler = 5000;  // longest examined handler, in instructions
+constexpr int kZeroRegister = 1;      // register that always contains 0 in code of avr-gcc
 constexpr const char* kInterruptsOff = "with interrupts off (noInterrupts(), ATOMIC_BLOCK)";
 constexpr std::int64_t kSoon_hz = 20'000;
 
@@ -59,8 +59,8 @@ RaceAnalysis::RaceAnalysis(const Firmware& firmware, const DebugInfo& debug, con
     if (may_write_numbers(vector)) writers_ |= Interrupts::bit(vector);
 }
 
-/// Returns whether a handler, or a function that it calls, may store to one of the numbers. Stores through
-/// pointers, and unknown code, count as such stores.
+/// Returns whether a handler, or a function that the handler calls, may store to one of the numbers. Stores
+/// through pointers, and calls or jumps through pointers, count as stores to a number.
 bool RaceAnalysis::may_write_numbers(int vector) const {
   const Cpu& cpu = chip_.cpu();
   std::vector<bool> seen(firmware_.code_end / 2 + 2);
@@ -118,8 +118,8 @@ void RaceAnalysis::find_accesses(const DebugInfo& debug) {
   accesses_.erase(same, accesses_.end());
 }
 
-/// Adds an access if the instruction at word address `pc` and a later instruction access different bytes of a
-/// number.
+/// Adds an access to a number of several bytes. The instruction at word address `pc` must access one byte of
+/// the number, and a later instruction another byte.
 void RaceAnalysis::add_group(std::uint32_t pc, const DebugInfo& debug) {
   const Cpu& cpu = chip_.cpu();
   const Instruction& first = cpu.instruction(pc);
@@ -156,7 +156,8 @@ void RaceAnalysis::add_update(std::uint32_t pc, const DebugInfo& debug) {
   }
 }
 
-/// Returns whether the function reads the number twice near `pc`, compares the values, and jumps back.
+/// Returns whether the function reads the number twice near `pc`, compares two values, and jumps back. Such a
+/// loop reads the number until two reads agree.
 bool RaceAnalysis::is_read_again(std::uint32_t pc, std::size_t number) const {
   const Cpu& cpu = chip_.cpu();
   std::uint32_t begin = pc > kWordsOfSecondLook ? pc - kWordsOfSecondLook : 0;

@@ -1,24 +1,25 @@
-// Detects torn reads and writes: a handler writes a number while the main program is between the number's
-// bytes, which mixes old and new values. Also detects lost updates: the main program has read a byte, and is
-// about to write back a changed value (flags |= 2). If a handler writes the byte in between, its write is
-// lost.
+// Detects torn reads and torn writes. In a torn access, an interrupt handler writes a number of which the
+// main program has accessed only some bytes. The main program then mixes old and new bytes. Also detects lost
+// updates: the main program reads a byte, changes the value and writes it back (flags |= 2). If a handler
+// writes the byte between the read and the write, the handler's write is lost.
 //
-// Such coincidences are rare, so the analysis does not wait for them. A finding requires four facts, which
-// prove that a coincidence is possible:
+// An interrupt at such a moment is rare, so the analysis does not wait for one. A finding requires four
+// facts, which prove that such an interrupt is possible:
 //
 //   the program accesses two bytes of a number, or writes back a byte, while interrupts are on
 //   an enabled interrupt has a handler that would change the number at that point
-//   that handler ran within 50 µs, and changed the number
+//   that handler ran within 50 µs after the access, and changed the number
 //   for a number of several bytes, handlers have changed at least two of the bytes in this run
 //
 // Accesses to a number are examined only after a handler has changed the number. Most numbers belong to the
 // main program alone, and observing each access takes time.
 //
 // Not a finding: a number that is read again until two reads agree; a number that a flag guards; a number
-// that is accessed while its interrupt is masked; a byte that is written independently of its old value. The
-// analysis covers global numbers of the sketch and its libraries whose addresses are in instructions. Numbers
-// of the core are excluded: when tone() writes its counter while the previous tone decrements the counter,
-// the sketch is not at fault.
+// that is accessed while its interrupt is masked; a byte that is written independently of its old value.
+//
+// The analysis covers global numbers of the sketch and its libraries if instructions contain the numbers'
+// addresses. Numbers of the core are excluded. For example, tone() writes a counter that the previous tone
+// may be decrementing, but the sketch is not at fault.
 #pragma once
 
 #include <cstdint>
@@ -35,18 +36,18 @@ namespace robosim::exec::avr {
 
 class RaceAnalysis {
  public:
-  /// The kind of access by the main program.
+  /// The kind of access by the main program; `writes_back` is the last step of an update.
   enum class AccessKind { reads, writes, writes_back };
   struct Found {
     const Symbol* number = nullptr;
     AccessKind kind = AccessKind::reads;
-    std::uint32_t pc = 0;           ///< byte address of the main program's access to a later byte
-    std::uint32_t handler_pc = 0;   ///< byte address at which the handler writes
-    robosim::avr::Cycle later = 0;  ///< delay from the access to the handler
+    std::uint32_t pc = 0;           ///< byte address of the main program's access
+    std::uint32_t handler_pc = 0;   ///< byte address of the handler's write
+    robosim::avr::Cycle later = 0;  ///< time from the access to the handler's start, in cycles
   };
 
-  /// Calls `show` with the byte addresses of accesses to a number, as soon as a handler has changed the
-  /// number. The caller of this class must call visited() at these addresses.
+  /// When a handler first changes a number, calls `show` with the byte address of each access to the number.
+  /// From then on, visited() must be called at these addresses.
   RaceAnalysis(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip,
                std::function<void(std::uint32_t pc)> show);
 
@@ -61,17 +62,17 @@ class RaceAnalysis {
   struct Number {
     const Symbol* symbol = nullptr;
     robosim::avr::Address begin = 0;
-    std::uint64_t before = 0;   ///< value when the handler started
-    std::uint64_t changed = 0;  ///< bits that handlers have changed
+    std::uint64_t before = 0;   ///< value at the start of the running handler
+    std::uint64_t changed = 0;  ///< bits that handlers have changed in this run
   };
-  /// An access to a later byte of a number, or the write-back of its only byte.
+  /// An access to the second byte that the program accesses, or the write-back of a number of one byte.
   struct Access {
     std::uint32_t pc = 0;
     std::size_t number = 0;
     AccessKind kind = AccessKind::reads;
   };
-  /// An access that a handler can tear, with the state of the chip at that time. Examined after a handler has
-  /// run.
+  /// An access that a handler can tear, with the state of the chip at that time. left() examines the access
+  /// after a handler has run.
   struct Armed {
     std::size_t access = 0;
     std::uint64_t vectors = 0;  ///< enabled interrupts, one bit per vector
@@ -98,18 +99,18 @@ class RaceAnalysis {
   const std::function<void(std::uint32_t)> show_;
   robosim::avr::Cpu alone_;
   std::vector<Number> numbers_;
-  std::vector<Access> accesses_;  ///< by pc
-  std::vector<Armed> armed_;      ///< for each number, the last access that could be torn
+  std::vector<Access> accesses_;  ///< sorted by pc
+  std::vector<Armed> armed_;      ///< for each number, the last access that a handler can tear
   std::uint64_t writers_ = 0;     ///< handlers that may write a number; one bit per vector
-  int vector_ = 0;                ///< vector of the running handler, if examined; 0 = none
+  int vector_ = 0;                ///< vector of the running handler; 0 = no handler, or not in writers_
   std::optional<Found> found_;
 };
 
 /// Returns "torn_read", "torn_write" or "lost_update".
 const char* check_of(RaceAnalysis::AccessKind kind);
-/// Returns a text that describes the possible fault and the handler's place.
+/// Returns a text that describes the possible fault and the source line of the handler.
 std::string torn_text(const RaceAnalysis::Found& found, const DebugInfo& debug, std::uint32_t clock_hz);
-/// Returns the fix: "copy it with interrupts off …"
+/// Returns a text that says how to fix the sketch: "copy it with interrupts off …"
 std::string fix_of(RaceAnalysis::AccessKind kind);
 
 }  // namespace robosim::exec::avr

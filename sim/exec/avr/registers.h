@@ -1,4 +1,4 @@
-// Names registers inside the emulated chip, and the registers that calls use.
+// Names the registers in which avr-gcc passes arguments, and the interrupt of a timer's overflow.
 #pragma once
 
 #include "hal/board/avr_registers.h"
@@ -8,11 +8,11 @@ namespace robosim::exec::avr {
 
 namespace reg = robosim::avr::reg;
 
-/// Lower registers of the pairs for a function's first three arguments of up to 16 bits. The first pair also
-/// returns a result. Source: avr-gcc's ABI, https://gcc.gnu.org/wiki/avr-gcc.
+/// A function's first three arguments of up to 16 bits are in pairs of registers. These are the lower
+/// registers of the pairs. The first pair also returns the result. Source: https://gcc.gnu.org/wiki/avr-gcc.
 inline constexpr reg::Address kArgument[] = {24, 22, 20};
 
-/// Returns the vector of a timer's overflow. The Arduino core's clock uses timer 0's overflow.
+/// Returns the interrupt vector of a timer's overflow. The Arduino core's clock uses the overflow of timer 0.
 inline int overflow_of(const TimerSpec& timer) {
   return timer.overflow_vector ? timer.overflow_vector : timer.vector + channels(timer);
 }

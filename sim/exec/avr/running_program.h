@@ -1,4 +1,4 @@
-// Combines a program with the chip that runs it, from power-on to power-off.
+// Combines a firmware image with the chip that runs it, for the time from power-on to power-off.
 #pragma once
 
 #include "sim/exec/avr/diagnosis.h"
@@ -8,7 +8,7 @@
 
 namespace robosim::exec::avr {
 
-/// All referenced objects outlive the users of this struct.
+/// The referenced objects outlive all users of this struct.
 struct RunningProgram {
   Machine& machine;
   const Firmware& firmware;

@@ -1,9 +1,9 @@
-// Observes the stack: its depth, its overflow into the variables, and the open calls.
+// Observes the stack: its depth, its overflow into the variables, and the calls that have not returned.
 //
 //   0x0100 variables | heap -> ...        ... <- stack | 0x08FF      addresses of an ATmega328P
 //
-// The chip checks every change of the stack pointer. Therefore deep calls that return soon, and large arrays
-// that are never written, are detected as well.
+// The chip checks every change of the stack pointer. It therefore detects even an overflow by a call that
+// returns soon, or by an array that is never written.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +20,11 @@ class Stack {
   bool has_heap() const { return heap_pointer_ != 0; }
   /// Sets the stack's limit to the current end of the heap.
   void look();
-  /// Returns the largest number of bytes that were in use.
+  /// Returns the largest number of bytes that the stack has used.
   std::uint32_t most_bytes() const {
     return firmware_.last_ram - static_cast<std::uint32_t>(chip_.lowest_sp());
   }
-  /// Returns the number of bytes between the end of variables and heap, and the end of RAM.
+  /// Returns the number of bytes from the end of the variables and the heap to the end of RAM.
   std::uint32_t room_bytes() const { return firmware_.last_ram + 1u - state_.heap_end; }
   /// Returns whether the stack has reached the variables or the heap.
   bool has_overflown() const { return chip_.lowest_sp() + 1 < state_.heap_end; }
@@ -34,11 +34,11 @@ class Stack {
     std::uint32_t pc = 0;     ///< address of the call instruction
     bool by_pointer = false;  ///< the instruction is icall or eicall
   };
-  /// Returns the open calls, innermost first. Every word on the stack that is the address after a call counts
-  /// as an open call. Saved registers may match by chance.
+  /// Returns the calls that have not returned, innermost first. Every word on the stack that is the address
+  /// after a call instruction counts as such a call. Saved registers may match by chance.
   std::vector<Call> open_calls() const;
-  /// Passes each open call to `visit`, until `visit` returns true. Also stops at the word `until`, unless
-  /// `until` is 0.
+  /// Passes each call that has not returned to `visit`, until `visit` returns true. Also stops at the return
+  /// address `until`; 0 = no such address.
   template <typename Visit>
   void each_call(std::uint32_t until, Visit visit) const {
     Call call;
@@ -58,7 +58,7 @@ class Stack {
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
 
-  /// Returns the word that the last `ret` has popped, as a flash address.
+  /// Returns the return address that the last `ret` has popped, as a flash address in bytes.
   std::uint32_t last_return() const;
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 constexpr reg::Address kWord = 2, kLocation = 3 * kWord;
 
-/// Reads the chip's memory in the layout of gcc's data.
+/// Reads words, integers and texts from the chip's memory, where gcc has stored data about a check.
 class Memory {
  public:
   explicit Memory(const WatchedChip& chip) : chip_(chip) {}
@@ -31,17 +31,17 @@ class Memory {
   }
 
  private:
-  static constexpr std::size_t kLongest = 4096;  // longest path, in bytes
+  static constexpr std::size_t kLongest = 4096;  // longest path of a source file, in bytes
   const WatchedChip& chip_;
 };
 
-/// Converts "'int [6]'" to "'int'". For an `int`, avr-gcc 5 reuses the description of the first `int` array.
+/// Converts "'int [6]'" to "'int'". avr-gcc 5 describes an `int` by the description of the first `int` array.
 std::string without_lengths(std::string name) {
   const std::size_t length = name.find(" [");
   return length == name.npos ? name : name.replace(length, name.rfind(']') + 1 - length, "");
 }
 
-/// Copies a type's description to the layout of the host's memory.
+/// Converts gcc's description of a type from the chip's memory layout to the layout of the host.
 class Type {
  public:
   enum class Of { value, array };
@@ -57,7 +57,7 @@ class Type {
   const ubsan::Type* get() const { return reinterpret_cast<const ubsan::Type*>(storage_.data()); }
   unsigned bits() const { return bits_; }
 
-  /// Returns a value of this type. Values wider than a pointer are passed by address.
+  /// Returns a value of this type. If the type is wider than a pointer, `handle` is the address of the value.
   std::uint64_t value(const Memory& memory, std::uint16_t handle) const {
     return bits_ <= 8 * kWord ? handle : memory.bytes(handle, bits_ <= 64 ? bits_ / 8 : 8);
   }
@@ -67,7 +67,8 @@ class Type {
   unsigned bits_ = 0;
 };
 
-/// Returns what the host's gcc passes for a value: the value, or its address if wider than a pointer.
+/// Returns the argument by which the host's gcc passes a value. If the value is wider than a pointer, gcc
+/// passes the value's address.
 std::uintptr_t handle(const std::uint64_t& value, unsigned bits) {
   return bits <= 8 * sizeof(std::uintptr_t) ? static_cast<std::uintptr_t>(value)
                                             : reinterpret_cast<std::uintptr_t>(&value);

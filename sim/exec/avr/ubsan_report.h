@@ -1,5 +1,6 @@
-// Explains a failed check of an image built with checks (build::Request::sanitize). Reads gcc's data about
-// the check from the chip's memory, where pointers and `unsigned` have 16 bits.
+// Explains a failed check of an image that was built with the checks of gcc's UndefinedBehaviorSanitizer
+// (build::Request::sanitize). Reads gcc's data about the check from the chip's memory, where pointers and
+// `unsigned` have 16 bits.
 #pragma once
 
 #include <optional>

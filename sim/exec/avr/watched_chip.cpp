@@ -18,8 +18,8 @@ constexpr std::size_t kLargestFlash = 0x10000;
 constexpr std::uint8_t kErased = 0xFF;
 constexpr std::uint16_t kErasedWord = 0xFFFF;
 constexpr std::uint8_t kWatchdogUnlocked = 0x18;  // bits WDCE and WDE
-// Largest distance between the writes of the stack pointer's two halves. Unoptimised code computes the second
-// half after it has written the first one.
+// Largest distance, in cycles, between the writes of the stack pointer's two halves. Unoptimised code
+// computes the second half after the write of the first half.
 constexpr Cycle kHalvesApart = 32;
 // Largest distance, in instructions, between the computation of a stack pointer's value and its write.
 constexpr std::uint32_t kLooksBack = 8;
@@ -31,14 +31,15 @@ bool is_arithmetic(Op op) {
          op == Op::sbiw;
 }
 
-/// The source of a register's value.
+/// The source of the value in a register.
 struct Origin {
-  Op op = Op::nop;           ///< a load, IN or LDI; nop = unknown
-  std::int32_t address = 0;  ///< the address of an IN
+  Op op = Op::nop;           ///< the instruction that loaded the value: a load, IN or LDI; nop = unknown
+  std::int32_t address = 0;  ///< for IN, the address of the I/O register
   bool is_changed = false;   ///< arithmetic has changed the loaded value
 };
 
-/// Returns the origin of the value that the last instruction has stored. Follows copies through registers.
+/// Returns the origin of the value that the last instruction has stored. Follows the value back through
+/// copies from register to register.
 Origin origin_of_stored_value(const robosim::avr::Cpu& cpu) {
   const std::uint32_t pc = cpu.last_pc();
   unsigned source = cpu.instruction(pc).a;
@@ -143,7 +144,7 @@ void WatchedChip::run_to(Cycle cycle) {
         if (data(reg::kSpmcsr) & 1) fail(Fault::Kind::flash_write, last, cpu().pair(30));
         break;
       case Chip::Stop::break_:
-        break;  // no effect, because the chip contains no debugger
+        break;  // has no effect, because no debugger is connected to the chip
       case Chip::Stop::stopped:
         return;
     }
@@ -193,7 +194,7 @@ void WatchedChip::was_browned_out(const std::vector<std::uint8_t>& ram) {
 
 namespace {
 
-// Returns the first trap at or after `pc`; `traps` are sorted by place.
+// Returns the first trap at or after `pc`. `traps` must be sorted by pc.
 template <class Traps>
 auto first_from(Traps& traps, std::uint32_t pc) {
   return std::lower_bound(traps.begin(), traps.end(), pc,
@@ -323,7 +324,7 @@ void WatchedChip::stack_is_low() {
 }
 
 void WatchedChip::stack_pointer_written() {
-  // The stack pointer is complete after both halves are written, or on a push.
+  // The stack pointer is complete after the write of its second half. stack_is_low() handles pushes.
   const Cycle now = cycle();
   const bool whole = state_.pointer_written != 0 && now - state_.pointer_written <= kHalvesApart;
   state_.pointer_written = whole ? 0 : now;
@@ -335,7 +336,8 @@ void WatchedChip::stack_pointer_written() {
   const bool computed_from_itself =
       origin.op == Op::in && (origin.address == reg::kSpL || origin.address == reg::kSpH);
   if (loaded) task_changed(state_.pointer_before, sp());
-  // The sketch's own stack may begin at the last byte of the variables and heap, or directly after it.
+  // A stack that the sketch has set up may begin at the last byte of the variables and the heap. It may also
+  // begin directly after this byte.
   if (sp() > state_.stack_limit || (computed_from_itself && sp() + 1 >= state_.stack_limit)) {
     state_.own_stack = false;
   } else if (!computed_from_itself) {
@@ -346,15 +348,15 @@ void WatchedChip::stack_pointer_written() {
   stack_moved();
 }
 
-/// Returns the lowest address of the stack that the sketch has set up. A stack among the variables that has
-/// no symbol, as in a .hex, has an unknown size.
+/// Returns the lowest address of the stack that the sketch has set up. In an image without symbols (.hex),
+/// the size of a stack among the variables is unknown. Such a stack may reach down to the start of RAM.
 std::uint16_t WatchedChip::lowest_of_own_stack() const {
   if (state_.own_variable) return static_cast<std::uint16_t>(state_.own_variable->address - kAvrData);
   return sp() > firmware_.globals_end ? firmware_.globals_end : spec_.ram_address;
 }
 
-/// Returns the variable that contains a stack. A new stack may start directly after its variable, at the
-/// first byte of another variable.
+/// Returns the variable that contains a stack. `at` is the stack pointer. The stack pointer of an empty stack
+/// may be directly after the variable, at the first byte of another variable.
 const Symbol* WatchedChip::variable_of_stack(std::uint16_t at, bool is_in_use) const {
   const Symbol* const here = firmware_.symbols.variable_at(kAvrData + at);
   if (here && (is_in_use || here->address < kAvrData + at)) return here;
@@ -362,8 +364,9 @@ const Symbol* WatchedChip::variable_of_stack(std::uint16_t at, bool is_in_use) c
   return below ? below : here;
 }
 
-/// Handles a switch of tasks. A handler may leave the interrupted task, and continue another task. If the
-/// other task had yielded by itself, the handler returns by RET instead of RETI.
+/// Handles a switch from one task to another. A handler may suspend the interrupted task, and continue
+/// another task. If the other task had suspended itself outside a handler, it continues by RET instead of
+/// RETI.
 void WatchedChip::task_changed(std::uint16_t from, std::uint16_t to) {
   if (cpu().open_handlers() > 0) state_.handlers_of_stacks[from] = cpu().open_handlers();
   const auto left = state_.handlers_of_stacks.find(to);

@@ -1,5 +1,5 @@
-// Runs a chip (sim/mcu/avr) with a sketch in its flash, and detects faults: wild reads, writes and jumps,
-// stack overflow, and repeated watchdog resets.
+// Runs a chip (sim/mcu/avr) with a sketch in its flash, and detects faults. Faults are reads, writes and
+// jumps to invalid addresses, stack overflow, and repeated watchdog resets.
 //
 // The chip starts at the address to which the boot loader would jump. After a watchdog reset, the chip is in
 // the state that the Uno's boot loader (optiboot) leaves: MCUSR is cleared, and the watchdog is off. Without
@@ -53,10 +53,10 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   std::uint32_t return_address(reg::Address at) const;
 
   /// Runs until `cycle` or a few cycles later. Returns earlier after a fault, before an instruction with a
-  /// trap, when the firmware has stopped itself, or after Cpu::stop().
+  /// trap, when the firmware sleeps for ever, or after Cpu::stop().
   void run_to(Cycle cycle);
   const std::optional<Fault>& fault() const { return state_.fault; }
-  /// Returns whether the firmware sleeps with interrupts off, and nothing will ever wake it.
+  /// Returns whether the firmware sleeps with interrupts off, so that nothing will ever wake the chip.
   bool is_off() const { return state_.off; }
   bool is_asleep() const { return chip_.is_asleep() && !state_.off; }
 
@@ -74,10 +74,10 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     kObserverTrap = 256
   };
   void set_trap(Trap trap, std::uint32_t pc);
-  /// Counts the executions of lines, by a kLineTrap at the start of each line.
+  /// Counts in `lines` how often each line runs, by a kLineTrap at each address where a line begins.
   void count(LineCounts& lines);
-  /// Counts rounds at each kLoopTrap, from the second round on. run_to() does not return at such a place
-  /// unless the place has another trap.
+  /// Counts in `rounds` the rounds that begin at a kLoopTrap, from the second round on. From then on,
+  /// run_to() returns at such an instruction only if the instruction also has another trap.
   void count(LoopTimer<Cycle>& rounds) { rounds_ = &rounds; }
   /// Reports torn reads and writes as faults.
   void look_for_tearing(const DebugInfo& debug);
@@ -87,7 +87,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   /// Calls `observer` when a handler starts or returns.
   void show_handlers(ChipObserver& observer);
   void clear_trap(Trap trap, std::uint32_t pc);
-  /// Returns the traps for which run_to() returned, as a sum, and clears them.
+  /// Returns the sum of the traps for which run_to() has returned, and clears this sum.
   unsigned take_traps() { return std::exchange(state_.trapped, 0); }
 
   // --- for debuggers
@@ -98,19 +98,19 @@ class WatchedChip final : robosim::avr::MarkVisitor {
 
   // --- the stack
   std::uint16_t lowest_sp() const { return state_.lowest_sp; }
-  /// Sets the end of variables and heap, below which the sketch's stack must not go.
+  /// Sets the end of the variables and the heap, below which the stack must not grow.
   void set_stack_limit(std::uint16_t limit);
-  /// Returns whether the sketch has set up the current stack, for example for a task. own_stack_variable()
-  /// returns the variable that contains this stack; null = in the heap.
+  /// Returns whether the sketch has set up the current stack itself, for example for a task. If so,
+  /// own_stack_variable() returns the variable that contains the stack, or null if the stack is in the heap.
   bool has_own_stack() const { return state_.own_stack; }
   const Symbol* own_stack_variable() const { return state_.own_variable; }
-  /// Returns false between the writes of the stack pointer's two halves.
+  /// Returns false while the firmware has written only one half of the stack pointer.
   bool is_stack_pointer_whole() const { return state_.pointer_written == 0; }
   /// Returns the addresses of the most recent calls, returns and interrupted instructions, the latest first.
   std::vector<std::uint32_t> last_jumps() const;
 
   // --- statistics, in cycles
-  Cycle last_io() const;  ///< last access to an I/O register outside handlers
+  Cycle last_io() const;  ///< cycle of the last access to an I/O register outside handlers
   std::uint32_t last_io_pc() const { return 2 * cpu().state.last_io_pc; }
   Cycle handler_cycles() const { return cpu().handler_cycles(); }
   Cycle sleep_cycles() const { return chip_.sleep_cycles(); }
@@ -128,7 +128,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   };
   /// All state that changes while the chip runs, except the state inside Chip.
   struct State {
-    std::vector<TrapPlace> traps;  ///< sorted by place
+    std::vector<TrapPlace> traps;  ///< sorted by pc
     unsigned trapped = 0;
     std::optional<Fault> fault;
     bool off = false;
@@ -138,8 +138,8 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     const Symbol* own_variable = nullptr;  ///< the variable that contains this stack; null = in the heap
     std::uint16_t own_limit = 0;
     std::uint16_t pointer_before = 0;                 ///< stack pointer before its first half was written
-    std::map<std::uint16_t, int> handlers_of_stacks;  ///< by stack pointer: open handlers of suspended tasks
-    Cycle pointer_written = 0;  ///< cycle at which the first half was written; 0 = whole
+    std::map<std::uint16_t, int> handlers_of_stacks;  ///< running handlers of each suspended task, by SP
+    Cycle pointer_written = 0;  ///< cycle at which only the first half was written; 0 = pointer is complete
     int watchdog_resets = 0;
     Cycle last_bite = 0;
   };
@@ -148,18 +148,18 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     SnapshotRegistry::Snapshot chip;
   };
   Saved save() const { return {state_, chip_.save()}; }
-  /// Restores saved state. Breakpoints, which belong to the debugger, and the traps of observers stay as they
-  /// are.
+  /// Restores a saved state. Breakpoints and the traps of observers do not change, because they belong to the
+  /// debugger and the observers.
   void restore(const Saved& saved);
 
   /// Returns the cycle of the last watchdog reset; 0 = never.
   Cycle last_bite() const { return state_.last_bite; }
-  /// Notes that the chip has reset itself. Called by the chip's environment.
+  /// Handles a reset by the watchdog. The chip's environment calls this function.
   void was_reset();
   std::vector<std::uint8_t> ram() const;
-  /// Turns the power-on into a brown-out reset, before the chip has run. MCUSR reports a brown-out, and RAM
-  /// has its old content, which no reset changes (DS40002061B, Resetting the AVR). A boot loader preserves
-  /// both (optiboot from version 7 on).
+  /// Turns the power-on into a brown-out reset. Must be called before the chip runs. MCUSR reports a
+  /// brown-out, and RAM has its old content, which no reset changes (DS40002061B, Resetting the AVR). A boot
+  /// loader preserves MCUSR and RAM (optiboot from version 7 on).
   void was_browned_out(const std::vector<std::uint8_t>& ram);
 
  private:
@@ -182,7 +182,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   std::uint16_t lowest_of_own_stack() const;
   void task_changed(std::uint16_t from, std::uint16_t to);
   unsigned traps_at(std::uint32_t pc) const;
-  /// Returns the first place with a trap at or after `pc`.
+  /// Returns the first element of state_.traps at or after `pc`.
   std::vector<TrapPlace>::iterator trap_from(std::uint32_t pc);
 
   const Firmware& firmware_;
@@ -192,7 +192,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   LoopTimer<Cycle>* rounds_ = nullptr;
   LineCounts* lines_ = nullptr;
   std::optional<RaceAnalysis> race_analysis_;
-  std::multimap<std::uint32_t, ChipObserver*> shown_;  ///< observers by place
+  std::multimap<std::uint32_t, ChipObserver*> shown_;  ///< observers, by address of the instruction
   std::vector<ChipObserver*> told_of_handlers_;
   bool singly_ = false;
   State state_;

@@ -2,8 +2,8 @@
 //
 //   ELF ──► ChipFirmware ── power_on() ──► RunningChip ──► ClockedBoard ──► board
 //
-// A tick runs to the first instruction that ends at or after the tick's end. Edges and bytes from the robot
-// reach the chip after the instruction that runs at their scheduled time.
+// A tick runs up to the first instruction that ends at or after the tick's end. An edge or byte from the
+// robot reaches the chip after the instruction that runs at its scheduled time.
 #pragma once
 
 #include <memory>
@@ -58,13 +58,13 @@ class ChipExecutor : public Executor, public ChipAccess {
  private:
   struct State {
     std::optional<Crash> crash;
-    std::optional<Resources> before;  ///< measured before the last power-on
+    std::optional<Resources> before;  ///< resources used before the last power-on
     std::vector<Detected> detected;   ///< findings from before the last power-on
     std::vector<std::uint8_t> ram;    ///< last content of the RAM while the power is off
     SimTime clock_start = 0;
     SimTime reached = 0;  ///< time up to which the firmware has run
     HangProbeBackoff silence;
-    bool hangs = false;  ///< result of the last check
+    bool hangs = false;  ///< result of the last call of RunningChip::hangs()
   };
   struct Saved {
     State own;

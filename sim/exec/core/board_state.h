@@ -1,6 +1,6 @@
-// The board that all executors share. It implements the views of firmware and robot. It stores how pins are
-// driven, their watchers, and the inputs that have not reached the chip yet. All times are by the world's
-// clock.
+// Implements the simulated board, which all executors use. Firmware and robot access the board through the
+// interfaces FirmwarePort and RobotPort. The board stores the drives and watchers of the pins, and the inputs
+// that have not reached the chip yet. All times are measured by the world's clock.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct BoardInput {
   Kind kind = Kind::edge;
   Pin pin = kNoPin;        ///< pin of the edge
   std::uint8_t value = 0;  ///< level after the edge, or the byte
-  SimTime at = 0;          ///< when the input reaches the chip
+  SimTime at = 0;          ///< time at which the input reaches the chip
 };
 
 class BoardState final : public FirmwarePort, public RobotPort, public BoardProbe {
@@ -68,28 +68,28 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   const PinUse& use(Pin pin) const override { return state_of(pin).use; }
 
   // --- for executors
-  /// Resets the board: all pins become inputs, no edges are requested, the receiver is off, and pending
-  /// inputs are lost.
+  /// Resets the board at `t`. All pins become inputs, requests for edges end, the receiver is turned off, and
+  /// pending inputs are lost.
   void reset(SimTime t);
-  /// Starts or stops reporting edges on `pin` from `now` on. At a start, reads the pin on behalf of the
-  /// firmware and returns its level, to which the first edge is relative.
+  /// Starts or stops reporting edges on `pin` from `now` on. If reporting starts, reads the pin on behalf of
+  /// the firmware and returns the pin's level. The first edge is reported when the pin leaves this level.
   bool set_wants_edges(Pin pin, bool wanted, SimTime now);
-  /// Drives a pin like set_drive(). A change of level is reported as an edge if the pin's edges are
-  /// requested. Edges of PWM do not count.
+  /// Drives a pin like set_drive(). If edges of the pin are requested, also reports a change of level to the
+  /// firmware as an edge. The edges of PWM are not reported.
   void set_drive_heard(Pin pin, const PinDrive& drive, SimTime t);
-  /// Turns on the receiver from `now` on; each byte lasts `byte_time`. 0 turns it off. Bytes sent earlier are
-  /// lost.
+  /// Turns on the receiver at `now`. Each byte takes `byte_time`; a `byte_time` of 0 turns the receiver off.
+  /// Bytes that were sent before the receiver was turned on are lost.
   void listen(SimTime byte_time, SimTime now);
 
-  /// Returns when the next requested edge or byte arrives; kNever if none is pending.
+  /// Returns the time at which the next requested edge or byte arrives; kNever if no input is pending.
   SimTime next_input() const { return state_.next_input; }
-  /// Returns the time before which reads of `pin` surely equal the read at `t`, and can be skipped without
-  /// any effect. Returns `t` if that time is unknown.
+  /// Returns the time before which all reads of `pin` return the same level as at `t`, and have no effect.
+  /// Returns `t` if that time is unknown.
   SimTime same_until(Pin pin, SimTime t) const;
-  /// Returns whether convert() may differ from read_volts(), because a source charges the converter slowly or
-  /// a watcher exists.
+  /// Returns whether convert() must be called instead of read_volts(). This is so if a source charges the
+  /// ADC's capacitor slowly, or if a watcher observes the ADC.
   bool converts_slowly() const { return converts_slowly_; }
-  /// Moves the next input to `input` if it arrives at or before `until`; else returns false.
+  /// Moves the next input to `input` if that input arrives at or before `until`; otherwise returns false.
   bool take_input(SimTime until, BoardInput& input);
   /// Drops edges before `t` on pins whose edges are not requested.
   void forget_edges(SimTime t) {
@@ -101,7 +101,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
     PinDrive drive;
     PinUse use;
     bool wants_edges = false;
-    bool last_level = false;  ///< level after the last known edge, while edges are requested
+    bool last_level = false;  ///< while edges are requested: level after the last scheduled edge
   };
   struct Byte {
     std::uint8_t value;
@@ -109,15 +109,15 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   };
   /// All state that changes during a run.
   struct State {
-    std::vector<PinState> pins;  ///< the last one represents all invalid pin numbers, and is never driven
+    std::vector<PinState> pins;  ///< the last element stands for all invalid pin numbers
     int wanted_pins = 0;         ///< number of pins whose edges are requested
     std::vector<std::uint8_t> eeprom;
-    std::vector<BoardInput> edges;  ///< sorted by time; equal times in the order of scheduling
+    std::vector<BoardInput> edges;  ///< sorted by time; edges at the same time in the order of scheduling
     std::vector<Byte> bytes;        ///< sorted by time
     SimTime byte_time = 0;          ///< 0 = the receiver is off
     SimTime last_arrival = 0;
     SimTime next_input = kNever;
-    std::size_t spoken_to = kNobody;  ///< addressed device of the two-wire bus
+    std::size_t spoken_to = kNobody;  ///< index of the addressed device on the two-wire bus
   };
   const State& save() const { return state_; }
   /// Restores a saved state without notifying watchers.
@@ -125,10 +125,10 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
 
  private:
   void forget_all_edges(SimTime t);
-  /// The connections of a pin.
+  /// The parts that are connected to a pin.
   struct Wire {
     PinSource* source = nullptr;
-    double ohms = 0.0;  ///< resistance of the source
+    double ohms = 0.0;  ///< output resistance of the source
     std::vector<PinWatcher*> watchers;
   };
 

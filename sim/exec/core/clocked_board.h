@@ -1,6 +1,5 @@
-// Connects executors to the board, with all times by the firmware's own clock. Only this class converts
-// between times of the firmware and times of the world. Executors and their parts use the firmware's clock
-// only.
+// Connects an executor to the board. The executor measures all times by the firmware's own clock, which may
+// drift. The board measures all times by the world's clock. Only this class converts between the two clocks.
 #pragma once
 
 #include <algorithm>
@@ -14,16 +13,16 @@ class ClockedBoard final : public FirmwarePort {
  public:
   explicit ClockedBoard(BoardState& board) : board_(board) {}
 
-  // --- for executors; times are by the firmware's clock, except where stated
-  /// Begins a tick that ends at `end`, a time of the world. Returns `end` by the firmware's clock. If an
-  /// instruction begins before `end` and ends after it, its effects appear in the world at `end`.
+  // --- for executors; times are measured by the firmware's clock, except where stated
+  /// Begins a tick that ends at `end` by the world's clock. Returns `end` by the firmware's clock. If an
+  /// instruction begins before `end` and ends after `end`, its effects appear in the world at `end`.
   SimTime begin_tick(SimTime end) {
     state_.limit = end;
     return state_.clock.to_firmware(end);
   }
   SimTime to_firmware(SimTime world) const { return state_.clock.to_firmware(world); }
   SimTime to_world(SimTime t) const { return state_.clock.to_world(t); }
-  /// Makes the clock too fast by `ppm` parts per million from `world` on.
+  /// Makes the firmware's clock too fast by `ppm` parts per million, from the time `world` of the world on.
   void drift(int ppm, SimTime world) { state_.clock.drift(ppm, world); }
 
   bool wants_edges(Pin pin) const { return board_.wants_edges(pin); }
@@ -48,7 +47,7 @@ class ClockedBoard final : public FirmwarePort {
     FirmwareClock clock;
     SimTime limit = kNever;
   };
-  /// Saves the state, except the board's state.
+  /// Returns the state of this object, without the state of the board.
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
 

@@ -1,5 +1,5 @@
 // Declares the base class of all detectors. Detectors observe a run without changing it, and report behaviour
-// that would fail on a real robot (docs/howto/sanitizers.md). They are in sim/detect.
+// that would fail on a real robot (docs/howto/sanitizers.md). The detectors are in sim/detect.
 #pragma once
 
 #include <vector>

@@ -1,8 +1,8 @@
-// Converts between the firmware's clock and the world's. Both are equal until drift() is called, when they
-// are f0 and w0. From then on, in whole nanoseconds:
+// Converts between the firmware's clock and the world's clock. The two clocks are equal until drift() is
+// called. If they show f0 and w0 at the last call of drift(), the conversion in whole nanoseconds is
 //   firmware = f0 + ceil((world - w0) (1 + ppm / 10^6))
 //   world    = w0 + floor((firmware - f0) / (1 + ppm / 10^6))
-// The rounding ensures that world(f) >= w if and only if f >= firmware(w).
+// This rounding ensures that world(f) >= w if and only if f >= firmware(w).
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -11,7 +11,8 @@ namespace robosim::exec {
 
 class FirmwareClock {
  public:
-  /// Makes the firmware's clock too fast by `ppm` parts per million from `world` on. The clock does not jump.
+  /// Makes the firmware's clock too fast by `ppm` parts per million, from the time `world` on. The clock does
+  /// not jump.
   void drift(int ppm, SimTime world) {
     firmware_0_ = to_firmware(world);
     world_0_ = world;
@@ -36,7 +37,7 @@ class FirmwareClock {
   static constexpr SimTime kMillion = 1'000'000;
   static SimTime shifted(SimTime t, SimTime by) { return t == kNever ? kNever : t + by; }
 
-  SimTime rate_ = kMillion;  // nanoseconds of the firmware's clock per millisecond of the world
+  SimTime rate_ = kMillion;  // nanoseconds of the firmware's clock in a millisecond of the world
   SimTime world_0_ = 0;
   SimTime firmware_0_ = 0;
 };

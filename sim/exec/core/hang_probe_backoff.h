@@ -1,4 +1,4 @@
-// Decides when to check whether silent firmware will ever make a call again. Such a check is costly.
+// Decides when to check whether firmware that makes no calls will ever call the API again. The check is slow.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -9,7 +9,7 @@ class HangProbeBackoff {
  public:
   static constexpr SimTime kFirstLook = kSecond;
 
-  /// Returns whether to check now: 1, 2, 4, … s after the last call.
+  /// Returns whether to check now. Checks are due 1, 2, 4, … s after the last call of the API.
   bool is_time(SimTime last_call, SimTime now) {
     if (last_call != since_) {
       since_ = last_call;

@@ -1,5 +1,5 @@
-// Declares the capabilities that only executors of some targets have. Executor::chip_access() and
-// Executor::host_access() return them.
+// Declares the functions that only the executors of some targets have. Executor::chip_access() and
+// Executor::host_access() return these interfaces.
 #pragma once
 
 #include <any>
@@ -17,51 +17,53 @@ namespace gdb {
 class Server;
 }
 
-/// Firmware that runs in an emulated chip.
+/// The interface to firmware that runs in an emulated chip.
 class ChipAccess {
  public:
   /// Returns a copy of all changing state of firmware, chip and board.
   virtual std::any save() const = 0;
   /// Restores a state that save() of this executor returned. Watchers of the board are not notified.
   virtual void restore(const std::any& saved) = 0;
-  /// Returns the resources used; nothing for an image built with checks.
+  /// Returns the resources used; nullopt for an image built with checks.
   virtual std::optional<result::Resources> resources() const = 0;
-  /// Turns on the detectors whose findings detected() returns. Call it before the first power-on. `counted`:
-  /// pins on which every edge matters, such as an encoder's.
+  /// Turns on the detectors whose findings detected() returns. Must be called before the first power-on.
+  /// `counted` lists the pins on which every edge matters, such as the pins of an encoder.
   virtual void detect(const std::vector<Pin>& counted) = 0;
   virtual std::vector<result::Detected> detected() const = 0;
   /// Sets the value at which millis() starts at the next power-on. Throws InputError if the firmware never
   /// calls millis().
   virtual void set_clock_start(SimTime start) = 0;
-  /// Lets a debugger halt the firmware, starting at the next power-on. run_until() does not return while the
-  /// firmware is halted. `server` must outlive the executor's use.
+  /// Lets a debugger halt the firmware from the next power-on. run_until() does not return while the firmware
+  /// is halted. `server` must outlive all use of the executor.
   virtual void debug_with(gdb::Server& server) = 0;
-  /// Returns an object that finds the causes of firmware's actions; null if that is impossible. Call it
-  /// before the first power-on. The object is valid as long as the executor.
+  /// Returns an object that finds the causes of firmware's actions; null if that is impossible. Must be
+  /// called before the first power-on. The object is valid as long as the executor exists.
   virtual CauseFinder* find_causes() = 0;
-  /// Prepares driving(). Takes effect at the next power-on. Returns false if lines are unknown, or are not
-  /// known while the drive is reported.
+  /// Enables driving() from the next power-on. Returns false if the executor cannot find the lines, for
+  /// example because the image has no debug information.
   virtual bool trace_drives() = 0;
-  /// Returns the line that drives a pin; empty without one. Call it while the drive is reported.
+  /// Returns the line that drives a pin; empty if there is no such line. Must be called while the board
+  /// reports the pin's change to a PinWatcher.
   virtual const result::SourceLine& driving(Pin pin, const PinDrive& drive) = 0;
-  /// Prepares source_of() for bytes that are sent in this time span. Takes effect at the next power-on.
+  /// Enables source_of() for bytes that are sent from `from` to `to`. Takes effect at the next power-on.
   virtual void trace_bytes(SimTime from, SimTime to) = 0;
-  /// Returns the line that printed the byte that is being sent. After trace_bytes(), call it for every byte.
+  /// Returns the line that printed the byte that is being sent. After trace_bytes(), this function must be
+  /// called for every byte that the firmware sends.
   virtual result::SourceLine source_of(std::uint8_t byte) = 0;
 
  protected:
   ~ChipAccess() = default;
 };
 
-/// Firmware that runs as a program of this machine.
+/// The interface to firmware that is compiled for this computer.
 class HostAccess {
  public:
-  /// Returns the places where firmware has divided by zero since the first power-on.
+  /// Returns the source lines that have divided by zero since the first power-on.
   virtual const std::vector<result::DivisionByZero>& divisions_by_zero() const = 0;
-  /// Returns the chip features that firmware has used since the first power-on, but that the host lacks.
+  /// Returns the chip features that the host lacks, and that firmware has used since the first power-on.
   virtual const std::vector<result::Lack>& lacks() const = 0;
-  /// Delays the sketch at these times, in ascending order, as if its code took longer. Takes effect at the
-  /// next power-on.
+  /// Delays the sketch at these times, as if its code took longer. The times must be in ascending order.
+  /// Takes effect at the next power-on.
   virtual void set_lateness(const std::vector<result::Lateness>& lateness) = 0;
 
  protected:

@@ -1,5 +1,5 @@
-// When a byte leaves the chip, finds the line of the sketch that printed it. Bytes leave in the order in
-// which they were passed to HardwareSerial::write(), although a buffer delays them.
+// Finds the line of the sketch that printed a byte, at the time when the serial port sends the byte. A buffer
+// delays the bytes, but the port sends them in the order in which HardwareSerial::write() received them.
 #pragma once
 
 #include <cstdint>
@@ -19,19 +19,19 @@ class TxProvenance {
 
   TxProvenance(SimTime from, SimTime to) : from_(from - kLongestWait), to_(to) {}
 
-  /// Starts at power-on. `printing` returns the line of the sketch that is printing. Its argument is the line
-  /// of the previous byte.
+  /// Clears the state at power-on. `printing` must return the line of the sketch that is printing. Its
+  /// argument is the line of the previous byte.
   void begin(std::function<SourceLine(const SourceLine&)> printing) {
     state_ = {};
     printing_ = std::move(printing);
   }
-  /// Records that the firmware called kFunction at `t`.
+  /// Records that the firmware called kFunction with `byte` at `t`.
   void wrote(std::uint8_t byte, SimTime t) {
     if (t >= from_ && t < to_) state_.last = printing_(state_.last);
     state_.waiting.emplace_back(byte, state_.last);
   }
-  /// Returns the line of a byte that leaves the chip. Drops earlier bytes, which never left because the port
-  /// was closed.
+  /// Returns the line of a byte that the port is sending. Drops earlier bytes, which were never sent because
+  /// the firmware had closed the port.
   SourceLine take(std::uint8_t byte) {
     while (!state_.waiting.empty()) {
       auto [written, line] = std::move(state_.waiting.front());
@@ -49,7 +49,7 @@ class TxProvenance {
   void restore(const State& saved) { state_ = saved; }
 
  private:
-  static constexpr SimTime kLongestWait = kSecond;  // 64 bytes take that long at 600 baud
+  static constexpr SimTime kLongestWait = kSecond;  // duration of 64 bytes at about 600 baud
 
   const SimTime from_, to_;
   std::function<SourceLine(const SourceLine&)> printing_;

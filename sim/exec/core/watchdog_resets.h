@@ -1,5 +1,5 @@
-// Counts resets by the watchdog. An occasional reset is the watchdog's purpose. Firmware that is reset
-// several times in a row has crashed.
+// Counts resets by the watchdog. An occasional reset is the watchdog's purpose. If the watchdog resets the
+// firmware several times in a row, the firmware counts as crashed.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ class WatchdogResets {
   static constexpr int kTooMany = 3;
   static constexpr SimTime kRow = 10 * kSecond;  ///< longest time between successive resets in a row
 
-  /// Counts a reset; returns true if there are too many in a row.
+  /// Counts a reset at `now`. Returns true if there have been kTooMany resets in a row.
   bool add(SimTime now) {
     in_row_ = in_row_ > 0 && now - last_ < kRow ? in_row_ + 1 : 1;
     last_ = now;

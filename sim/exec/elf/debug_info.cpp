@@ -16,7 +16,8 @@
 namespace robosim::exec {
 namespace {
 
-// Limits of nesting, links of a type, rows of line tables, and name lengths. Compiled programs need far less.
+// Limits of nested scopes, chained types, rows of line tables, and name lengths. They end the search in
+// damaged files. Compiled programs stay far below these limits.
 constexpr int kDeepest = 256, kMostLinks = 64;
 constexpr std::size_t kMostRows = 300'000, kLongestName = 1000;
 
@@ -48,7 +49,7 @@ bool is_code(Dwarf_Die& die) {
   return tag == DW_TAG_subprogram || tag == DW_TAG_inlined_subroutine;
 }
 
-/// Collects the scopes that contain `pc`, from the outermost to the innermost function.
+/// Collects the functions and inlined functions that contain `pc`, from the outermost to the innermost.
 void find_scopes(Dwarf_Die parent, Dwarf_Addr pc, std::vector<Dwarf_Die>& scopes, int depth = 0) {
   Dwarf_Die child;
   if (depth > kDeepest || dwarf_child(&parent, &child) != 0) return;
@@ -90,7 +91,7 @@ void find_code(Dwarf_Die parent, const std::string& function, DebugInfo::CodeOf&
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-/// Returns file and line of the call that was inlined.
+/// Returns the file and line of the call that the compiler has inlined.
 SourceLine call_of(Dwarf_Die& unit, Dwarf_Die& inlined) {
   SourceLine place;
   Dwarf_Attribute attribute;
@@ -117,7 +118,7 @@ void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
     bool ends = false, begins = false;
     dwarf_lineaddr(row, &address);
     dwarf_lineendsequence(row, &ends);
-    // Code that the linker has dropped is at address 0.
+    // Skips code that the linker has dropped. Its line table begins at address 0.
     if (std::exchange(first, ends)) left_out = address == 0;
     if (ends || left_out || dwarf_linebeginstatement(row, &begins) != 0 || !begins) continue;
     DebugInfo::CodeLine line{static_cast<std::uint32_t>(address), tidy(dwarf_linesrc(row, nullptr, nullptr))};
@@ -126,7 +127,7 @@ void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
   }
 }
 
-/// Adds lines that have no code except calls of inlined functions.
+/// Adds the lines of calls that were inlined. Such a line may have no other code.
 void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLine>& lines, int depth = 0) {
   Dwarf_Die child;
   if (depth > kDeepest || lines.size() >= kMostRows || dwarf_child(&parent, &child) != 0) return;
@@ -172,8 +173,9 @@ void find_numbers(Dwarf_Die parent, std::vector<std::uint32_t>& addresses, int d
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-/// Returns whether a part of the debug information is in other files. libdw would open any file that the
-/// program names (DW_AT_dwo_name, .gnu_debugaltlink), even a pipe or another user's file.
+/// Returns whether a part of the debug information is in other files. Then none of it is used, because libdw
+/// would open any file that the image names (DW_AT_dwo_name, .gnu_debugaltlink). The image could name a pipe
+/// or another user's file.
 bool names_other_files(Elf* elf, Dwarf* dwarf) {
   std::size_t names = 0;
   if (::elf_getshdrstrndx(elf, &names) != 0) return true;

@@ -1,7 +1,7 @@
-// Converts addresses in flash to places in the sketch's source, from the image's DWARF.
+// Converts addresses in flash to source lines, by the DWARF debug information of the image.
 //
 // Uses libdw (elfutils), since a sketch's loop() is usually inlined into main(). libdw reports the place of
-// the call; addr2line does not.
+// the inlined call, while addr2line does not.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,8 @@ namespace robosim::exec {
 
 class DebugInfo {
  public:
-  /// Opens an image. An image without debug information is valid, but all searches in it find nothing.
+  /// Opens an image. An image without debug information is valid, but the functions below find nothing in
+  /// such an image.
   explicit DebugInfo(const std::filesystem::path& file);
   ~DebugInfo();
   DebugInfo(const DebugInfo&) = delete;
@@ -27,13 +28,14 @@ class DebugInfo {
 
   /// Returns whether the image has debug information.
   bool is_there() const { return dwarf_ != nullptr; }
-  /// Returns the function that contains the instruction at `pc`, and the functions into which it was inlined,
-  /// innermost first. Each entry has the line that was reached. Empty if unknown.
+  /// Returns the function that contains the instruction at `pc`, and the functions into which that function
+  /// was inlined, innermost first. Each entry has the line of the instruction or of the inlined call. The
+  /// result is empty if the function is unknown.
   std::vector<SourceLine> frames(std::uint32_t pc) const;
-  /// Returns the first of frames() in the user's code; empty without one. The result is cached for each
-  /// `pc`.
+  /// Returns the first of frames() that is in the user's code, including libraries. Returns an empty line if
+  /// all frames are in the core. The result is cached for each `pc`.
   const SourceLine& place(std::uint32_t pc) const;
-  /// Returns the first of frames() in the sketch itself, excluding libraries.
+  /// Returns the first of frames() that is in the sketch itself, not in a library.
   const SourceLine& sketch_place(std::uint32_t pc) const;
 
   struct Range {
@@ -42,28 +44,28 @@ class DebugInfo {
   /// The code of a function that belongs to no class and has no parameters.
   struct CodeOf {
     std::vector<Range> itself;
-    std::vector<Range> inlined;  ///< its copies in other functions
+    std::vector<Range> inlined;  ///< copies of the function that were inlined into other functions
   };
   CodeOf code_of(const std::string& function) const;
 
-  /// An address where a statement of a line begins. A line may have several addresses, and an address several
-  /// lines.
+  /// An address where a statement of a source line begins. A line may have several addresses, and an address
+  /// may belong to several lines.
   struct CodeLine {
     std::uint32_t address = 0;
     std::string file;
     int line = 0;
   };
-  /// Returns the addresses of the user's global and static variables whose value is a single number,
-  /// enumerator or pointer.
+  /// Returns the addresses of the user's global and static variables that are a single number, enumerator or
+  /// pointer.
   std::vector<std::uint32_t> numbers() const;
 
   /// A variable or constant of the user's code that has an address.
   struct Variable {
-    std::string name;   ///< its name, including the member: "motors.left"
-    SourceLine where;   ///< its declaration
-    SourceLine member;  ///< declaration of the member, if no constructor initialises it
+    std::string name;   ///< name of the variable and of the member at the address: "motors.left"
+    SourceLine where;   ///< declaration of the variable
+    SourceLine member;  ///< declaration of the member; empty if a constructor may set the member
   };
-  /// Returns the variable that contains this address; empty if none is known.
+  /// Returns the variable that contains this address; empty if no variable is known.
   Variable variable_at(std::uint32_t address) const;
 
   /// Returns the addresses where lines begin, except lines of core files.
@@ -73,14 +75,14 @@ class DebugInfo {
   template <class Wanted>
   const SourceLine& first(std::map<std::uint32_t, SourceLine>& places, std::uint32_t pc, Wanted wanted) const;
 
-  std::string content_;  ///< the whole file, since later reads may be denied
+  std::string content_;  ///< content of the file; a confined process could not read the file later
   Elf* elf_ = nullptr;
   Dwarf* dwarf_ = nullptr;
   mutable std::map<std::uint32_t, SourceLine> places_, sketch_places_;
 };
 
-/// Returns whether a file named by debug information belongs to the core, the C library or Robosim, not to
-/// the user.
+/// Returns whether a file named by debug information does not belong to the user. Such files belong to the
+/// core, the C library or Robosim.
 bool is_core_file(const std::string& file);
 
 }  // namespace robosim::exec

@@ -14,7 +14,7 @@ constexpr std::size_t kHeadBytes = 4, kSumBytes = 1;
 constexpr const char* kNotALine = "expected a line of an Intel HEX file";
 enum Kind : unsigned { kData = 0, kEnd = 1, kSegment = 2, kStartSegment = 3, kUpper = 4, kStart = 5 };
 
-/// Returns the bytes of a line; empty if the line is not in this format.
+/// Returns the bytes of a line; empty if the line is not valid Intel HEX.
 std::vector<std::uint8_t> bytes_of(std::string_view line) {
   if (line.empty() || line[0] != ':' || line.size() % 2 == 0) return {};
   std::vector<std::uint8_t> bytes;

@@ -10,17 +10,19 @@
 
 namespace robosim::exec {
 
-/// The chip-specific part: decodes the instructions of functions.
+/// The part that depends on the chip: decodes the instructions of functions.
 class ChipCode {
  public:
   virtual ~ChipCode() = default;
-  /// Returns the addresses of calls of a function, and of jumps to it from other functions.
+  /// Returns the addresses of the instructions that call a function, or that jump to it from another
+  /// function.
   virtual std::vector<std::uint32_t> calls_of(const Symbol& function) const = 0;
   virtual Steps steps_of(const Symbol& function) const = 0;
 };
 
-/// Returns the beginnings of loop()'s rounds: its calls, or loop_marks_of() if loop() is inlined. For a
-/// program without setup() and loop(), returns the beginnings of the rounds of the for (;;) in main().
+/// Returns the instructions that mark the rounds of loop(). These are the calls of loop(), or the result of
+/// loop_marks_of() if loop() is inlined. For a program without setup() and loop(), returns the instructions
+/// that mark the rounds of the for (;;) in main().
 LoopMarks locate_loop(const ChipCode& code, const Symbols& symbols, const DebugInfo& debug);
 
 }  // namespace robosim::exec

@@ -28,8 +28,8 @@ Addresses reachable(const Steps& function, std::uint32_t from) {
   return found;
 }
 
-/// Returns the cycles among `nodes`: sets in which each member can reach all others. Uses Tarjan's algorithm
-/// with an explicit stack, since functions may be long.
+/// Returns the cycles among `nodes`. In a cycle, each instruction can reach all other instructions. Uses
+/// Tarjan's algorithm with an explicit stack, since recursion could be too deep for long functions.
 std::vector<Addresses> cycles(const Steps& function, const Addresses& nodes) {
   struct Node {
     std::uint32_t address;
@@ -101,7 +101,7 @@ std::vector<Addresses> cycles(const Steps& function, const Addresses& nodes) {
   return found;
 }
 
-/// Returns whether a cycle has no effect.
+/// Returns whether a cycle has no effect, because it contains only jumps.
 bool is_idle(const Steps& function, const Addresses& cycle) {
   return std::all_of(cycle.begin(), cycle.end(),
                      [&](std::uint32_t address) { return at(function, address).kind == Step::Kind::jump; });

@@ -1,4 +1,4 @@
-// Counts the rounds of loop(), and measures the longest one.
+// Counts the rounds of loop(), and measures the total time and the longest round.
 #pragma once
 
 #include <algorithm>
@@ -6,27 +6,28 @@
 
 namespace robosim::exec {
 
-/// `Time` is an integer in the unit of the chip's clock.
+/// `Time` is an integer type: cycles on an AVR, nanoseconds on an STM32.
 template <typename Time>
 class LoopTimer {
  public:
-  /// Makes the next round the first one, with no round before it.
+  /// Discards the running round, for example after a reset. The next round is then the first round again.
   void await() { running_ = false; }
   bool is_running() const { return running_; }
-  /// Begins a round, and ends the previous one.
+  /// Begins a round at `at`, and ends the previous round.
   void began(Time at) {
     if (running_) add(at - began_, 1);
     running_ = true;
     began_ = at;
   }
-  /// Adds `rounds` rounds. The first one began at `first`, and each following one a `period` later.
+  /// Begins `rounds` rounds: the first round at `first`, and each further round one `period` later.
   void began(Time first, Time period, std::uint64_t rounds) {
     began(first);
     if (rounds == 1) return;
     add(period, rounds - 1);
     began_ += static_cast<Time>(rounds - 1) * period;
   }
-  /// Adds rounds that were not longer than earlier ones. The last of them began at `at`.
+  /// Begins `rounds` rounds, of which the last round begins at `at`. Must be called only if no round is
+  /// longer than an earlier round.
   void went_on(Time at, std::uint64_t rounds) {
     count_ += rounds;
     total_ += at - began_;
@@ -36,7 +37,7 @@ class LoopTimer {
   /// Returns the number of completed rounds.
   std::uint64_t count() const { return count_; }
   Time total() const { return total_; }
-  /// Returns the duration of the longest round, including the one that is running at `now`.
+  /// Returns the duration of the longest round, including the round that is running at `now`.
   Time longest(Time now) const { return std::max(longest_, running_ ? now - began_ : Time{0}); }
 
  private:

@@ -1,4 +1,4 @@
-// Loads finished programs for chips from ELF files. This part is common to all chips.
+// Loads linked programs from ELF files: the functions that do not depend on the chip.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,10 @@
 
 namespace robosim::exec {
 
-/// Returns the content if it is an ELF file for this target. Throws InputError, which names `file`,
-/// otherwise.
+/// Returns `content` if it is an ELF file for `target`. Otherwise throws InputError, which names `file`.
 std::string content_for(std::string_view target, std::string content, const std::string& file);
 
-/// Throws InputError unless the file is a finished program.
+/// Throws InputError if the file is not a linked program, but for example an object file.
 void check_program(const ElfFile& elf);
 
 /// The bytes to flash.
@@ -24,12 +23,12 @@ struct FlashContent {
   std::uint32_t code_end = 0;       ///< address after the last byte of code
 };
 
-/// Places these segments at their addresses, none of which is below `begin`, the address of flash. Throws
-/// InputError if they need more than `room` bytes.
+/// Copies segments to their addresses in flash. `begin` is the first address of flash; no segment may lie
+/// below this address. Throws InputError if the segments need more than `room` bytes.
 FlashContent flash_content(const ElfFile& elf, const std::vector<ElfSegment>& segments, std::uint32_t begin,
                            std::uint32_t room, const BoardSpec& board);
 
-/// Throws InputError if variables of `bytes` bytes exceed `room`.
+/// Throws InputError if the variables, which take `bytes` bytes, exceed the RAM of `room` bytes.
 void check_ram(const ElfFile& elf, std::uint64_t bytes, std::uint32_t room, const BoardSpec& board);
 
 }  // namespace robosim::exec

@@ -1,4 +1,4 @@
-// Names and addresses of the functions and variables of a chip's program.
+// Stores the names and addresses of a program's functions and variables.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Implements DebugInfo::variable_at() by the locations of variables and the offsets of members in DWARF.
+// Implements DebugInfo::variable_at(). DWARF contains the addresses of variables and the offsets of members.
 #include <dwarf.h>
 #include <elfutils/libdw.h>
 
@@ -10,7 +10,8 @@
 namespace robosim::exec {
 namespace {
 
-// No compiled program comes near these limits of nesting, and of typedefs in a row.
+// Limits of nested scopes and chained typedefs, which end the search in damaged files. Compiled programs stay
+// far below these limits.
 constexpr int kMostNested = 256, kMostNames = 64;
 
 std::optional<Dwarf_Die> type_of(Dwarf_Die die) {
@@ -52,8 +53,9 @@ bool has_constructor(Dwarf_Die type) {
   return false;
 }
 
-/// Returns the path of the member at this offset, such as ".left.pwm"; empty without one. `where`
-/// receives the member's declaration, unless a class that contains it has a constructor.
+/// Returns the path of the member at this offset, such as ".left.pwm"; empty if there is no member. Sets
+/// `where` to the member's declaration. If a class that contains the member has a constructor, sets `where`
+/// to an empty line.
 std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool constructed = false,
                       int depth = 0) {
   if (depth > kMostNames) return "";
@@ -99,7 +101,7 @@ bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found, i
       const auto type = type_of(child);
       const Dwarf_Word offset = address - operations[0].number;
       if (type && offset < size_of(*type)) {
-        // The declaration may have a separate entry, as for a static member.
+        // The name may be in a separate entry for the declaration, as for a static member.
         const char* const name =
             dwarf_attr_integrate(&child, DW_AT_name, &attribute) ? dwarf_formstring(&attribute) : nullptr;
         found = {name ? name : "", declaration_of(child), {}};

@@ -18,7 +18,7 @@ namespace robosim::exec::gdb {
 namespace {
 
 constexpr char kInterrupt = '\x03';
-constexpr int kSlice_ms = 200;  // limit of one poll(): a signal just before poll() does not end it
+constexpr int kSlice_ms = 200;  // longest poll(), because a signal just before poll() does not end it
 constexpr std::size_t kLongestPacket = 1 << 16;
 
 int checksum(std::string_view body) {
@@ -104,7 +104,7 @@ void Connection::send(std::string_view body) {
 
 std::optional<std::string> Connection::take_packet() {
   for (;;) {
-    // The text before a packet is '+', '-', or a late Ctrl-C.
+    // Drops the text before the packet: an acknowledgement ('+' or '-'), or a Ctrl-C that came too late.
     received_.erase(0, std::min(received_.find('$'), received_.size()));
     const std::size_t end = received_.find('#');
     if (end == std::string::npos || end + 2 >= received_.size()) return std::nullopt;

@@ -101,7 +101,7 @@ const DebugPort::Watch* DebugPort::changed_watch() {
 
 // --- reverse execution
 
-/// Returns the search; null if the run is not being repeated.
+/// Returns the current search; null if the run is not being repeated for a search.
 Search* DebugPort::search() const {
   History* const history = server_.history();
   return history && history->search.goal != Search::Goal::none ? &history->search : nullptr;
@@ -146,7 +146,7 @@ void DebugPort::look(Search& search, bool at_breakpoint) {
   }
   here_ = {time(), {}, at_breakpoint, pc()};
   if (fault() != Signal::none) {
-    // gdb displays the place of the failed instruction.
+    // gdb displays the place of the failed instruction. A reverse step therefore skips this place.
     const auto& found = search.found;
     if (search.steps && found && found->pc == here_.pc && !found->stop.access) search.found = search.before;
     throw LeftRun();

@@ -1,16 +1,16 @@
-// The debug port of any chip. It halts and steps the chip, and stores breakpoints and watchpoints, while a
-// debugger is attached. Each chip derives a class that describes its registers and memories.
+// Implements the part of the debug port that all emulated chips have in common. While a debugger is attached,
+// the debug port halts and steps the chip, and stores breakpoints and watchpoints. For each chip, a derived
+// class describes the registers and memories.
 //
 //   machine ── begin_tick(), ran() ──► DebugPort ── stand_still() ──► Server ◄──► gdb
 //   chip    ◄── its state ──────────── (derived) ◄── Processor ───────
 //
-// If there is a watchpoint, instructions run one by one, and the watched bytes are compared after each of
-// them. One step is one instruction of the sketch. A handler that interrupts the step runs to its end, unless
-// it has a breakpoint. In all these cases the firmware's behaviour is the same at every cycle as without a
-// debugger.
+// If there is a watchpoint, instructions run one by one, and the watched bytes are compared after each
+// instruction. One step is one instruction of the sketch. A handler that interrupts the step runs to its end,
+// or to a breakpoint. In all these cases, the firmware behaves at every cycle as without a debugger.
 //
-// The debugger's settings (breakpoints, watchpoints, how to continue) are not part of a run: restoring a
-// reversible run (history.h) does not change them.
+// The debugger's settings (breakpoints, watchpoints, how to continue) do not belong to the state of a run.
+// When reverse execution restores an earlier state (history.h), these settings do not change.
 #pragma once
 
 #include <set>
@@ -24,25 +24,25 @@ namespace robosim::exec::gdb {
 
 class DebugPort : protected Processor {
  public:
-  /// Call it before the instructions of a tick. Does not return while the chip is halted.
+  /// Must be called before the instructions of a tick. Does not return while the chip is halted.
   void begin_tick();
-  /// Call it after instructions have run. Does not return while the chip is halted.
+  /// Must be called after instructions have run. Does not return while the chip is halted.
   void ran(bool at_breakpoint);
   /// Returns whether instructions run one by one.
   bool steps_singly() const;
-  /// Records that the state of another time has been restored to the chip.
+  /// Must be called after the chip's state has been restored to another time.
   void restored();
 
  protected:
   explicit DebugPort(Server& server) : server_(server) {}
   ~DebugPort() = default;
 
-  /// Handles power-on: sets all breakpoints in the chip. The chip halts before its first instruction if no
-  /// debugger has been attached yet.
+  /// Sets all breakpoints in the chip at power-on. At the first power-on, begin_tick() then halts the chip
+  /// before its first instruction.
   void power_on();
 
   // --- implemented for each chip
-  /// Returns the signal that describes why the firmware ended; none while it can run.
+  /// Returns the signal that describes why the firmware ended; Signal::none while the firmware can run.
   virtual Signal fault() const = 0;
   virtual bool is_asleep() const = 0;
   /// Returns the number of handlers that have begun but not returned.
@@ -71,8 +71,8 @@ class DebugPort : protected Processor {
     std::string value;
   };
 
-  /// Writes to RAM only. Flash must not change, since the tested image is the flashed one. Only the firmware
-  /// writes EEPROM.
+  /// Writes to RAM only. The debugger must not change flash, so that the tested image is the flashed image.
+  /// Only the firmware writes EEPROM.
   bool write_memory(std::uint32_t address, std::string_view bytes) final;
   bool set_breakpoint(std::uint32_t address, bool set) final;
   bool set_watchpoint(std::uint32_t address, std::uint32_t size, Access access, bool set) final;
@@ -96,7 +96,7 @@ class DebugPort : protected Processor {
   bool crashed_ = false;
   bool stepping_ = false;
   bool restored_ = false;  ///< the chip was restored and has not run since then
-  Place here_;             ///< during a search: the place before the last instruction
+  Place here_;             ///< during a search, the place before the last instruction
   std::uint64_t step_began_ = 0;
   std::size_t step_depth_ = 0;
 };

@@ -1,6 +1,7 @@
-// Supports reverse execution of a run that can be saved and restored. The run's driver stores snapshots. To
-// go back, a halted debug port leaves the run by an exception. The driver then restores and repeats the run
-// twice: first to find the place where it must halt, then to halt there.
+// Supports reverse execution of a run that can be saved and restored. The driver of the run stores snapshots.
+// To go back, a halted debug port throws LeftRun. The driver then restores a snapshot and repeats the run
+// twice. The first repetition finds the place where the run must halt. The second repetition halts at this
+// place.
 //
 //   gdb: bs, bc ──► DebugPort ── throws LeftRun ──► driver ── Search: look, restored, runs ──► DebugPort
 //                                                         ◄── found ──────────────────────────
@@ -17,13 +18,13 @@
 
 namespace robosim::exec::gdb {
 
-/// Thrown to leave a run that will be restored. The run does not continue from the present place.
+/// An exception that leaves the run. The driver then restores an earlier state of the run.
 struct LeftRun {};
 
 /// A place between two instructions.
 struct Place {
   SimTime t = 0;  ///< time of the world
-  Stop stop;      ///< reason for halting there
+  Stop stop;      ///< reason for a halt at this place
   bool at_breakpoint = false;
   std::uint32_t pc = 0;
 };
@@ -32,16 +33,16 @@ struct Place {
 struct Search {
   enum class Goal { none, look, seek };
   Goal goal = Goal::none;
-  /// In ticks that begin at this time or later, instructions run one by one, so that places are known.
+  /// In ticks that begin at this time or later, instructions run one by one, so that every place is examined.
   SimTime closely_from = 0;
 
   // --- look: finds the last place before `present` that has a breakpoint, or whose instruction changes
-  // watched bytes. A reverse step finds the place of the previous instruction.
+  // watched bytes. For a reverse step, finds the place of the previous instruction.
   SimTime present = 0;
   bool steps = false;
-  std::size_t depth = 0;  ///< number of open handlers; a step ignores instructions in further handlers
+  std::size_t depth = 0;  ///< number of running handlers; a step ignores instructions in further handlers
   std::optional<Place> found;
-  std::optional<Place> before;  ///< the result at an earlier time than `found`
+  std::optional<Place> before;  ///< the previous result, at an earlier time than `found`
 
   // --- seek
   Place target;
@@ -49,12 +50,13 @@ struct Search {
 
 class History {
  public:
-  /// Returns whether there are snapshots to go back to.
+  /// Returns whether the driver has an earlier snapshot that can be restored.
   virtual bool reaches_back() const = 0;
-  /// Returns whether the run is at its latest time, so that no reports about later times exist.
+  /// Returns whether the run is at its latest time. If not, the run has already reported events of later
+  /// times.
   virtual bool is_at_front() const = 0;
-  /// Drops the snapshots, because the debugger has changed the state. A run from a snapshot would no longer
-  /// reach the present state.
+  /// Drops the snapshots after the debugger has changed the state. A run from a snapshot would not reach the
+  /// changed state.
   virtual void forget() = 0;
 
   Search search;

@@ -11,7 +11,7 @@
 namespace robosim::exec::gdb {
 namespace {
 
-constexpr std::uint32_t kMostBytes = 0x1000;  // per packet
+constexpr std::uint32_t kMostBytes = 0x1000;  // limit of memory bytes in a packet
 constexpr const char* kDone = "OK";
 constexpr const char* kRefused = "E01";
 constexpr const char* kUnknown = "";
@@ -121,7 +121,7 @@ std::string Server::query(Processor& processor, const std::string& packet) {
     const char* const back = history_ ? ";ReverseStep+;ReverseContinue+" : "";
     return fmt::format("PacketSize={:x};QStartNoAckMode+{}{}", 2 * kMostBytes, features, back);
   }
-  if (begins(packet, "qAttached")) return "1";  // so that gdb detaches when it quits, instead of killing
+  if (begins(packet, "qAttached")) return "1";  // makes gdb detach when it quits, not kill
   if (begins(packet, "qRcmd,")) {
     Fields fields(std::string_view(packet).substr(6));
     return to_hex(processor.monitor(fields.bytes()));
@@ -140,7 +140,8 @@ std::string Server::query(Processor& processor, const std::string& packet) {
   return kUnknown;
 }
 
-/// Executes a write. Refuses if the run has gone back, since later events have already been reported.
+/// Executes a packet that writes registers or memory. Refuses the write if the run has gone back in time,
+/// because later events have already been reported.
 std::string Server::write(Processor& processor, const std::string& packet) {
   if (history_ && !history_->is_at_front()) return kRefused;
   const std::string said = write_to(processor, packet);

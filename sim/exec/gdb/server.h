@@ -1,13 +1,13 @@
 // Serves gdb's remote protocol for any executor that can report the state of its processor. While the
-// processor is halted, control does not return to the simulation: the world stops, too, and no simulated time
+// processor is halted, stand_still() does not return. Therefore the world stops, too, and no simulated time
 // passes.
 //
 //   executor ──── stand_still(processor, why) ───► Server ◄── packets ──► gdb
 //            ◄─── go, or one instruction ─────────
 //
-// The emulators' own servers are not suitable. They listen at all network addresses, and serve one emulator
-// only. They print to standard output, which the runner protocol uses, and poll their socket at every
-// instruction.
+// The gdb servers of existing emulators are not suitable. They listen at all network addresses, and each
+// server works with one emulator only. They print to standard output, which the runner protocol uses. They
+// poll their socket at every instruction.
 #pragma once
 
 #include <atomic>
@@ -25,31 +25,32 @@ enum class Signal { none = 0, interrupt = 2, illegal = 4, trap = 5, fault = 11 }
 
 enum class Access { write = 2, read = 3, any = 4 };  ///< as in the packets Z2, Z3, Z4
 
-/// An end of the time span that can be repeated.
+/// The beginning or the end of the time span in which the debugger can move.
 enum class Edge { none, begin, end };
 
 /// The reason why a processor is halted.
 struct Stop {
   Signal signal = Signal::trap;
   std::optional<Access> access;  ///< the access detected by a watchpoint
-  std::uint32_t address = 0;     ///< address of that watchpoint, as gdb gave it
-  Edge edge = Edge::none;        ///< end of the time span that was reached
+  std::uint32_t address = 0;     ///< address of this watchpoint, as set by gdb
+  Edge edge = Edge::none;        ///< the end of the time span at which the processor has halted
 };
 
-/// A halted processor. Addresses are gdb's; bytes are in the target's order.
+/// A halted processor. Addresses are in gdb's numbering. Bytes are in the byte order of the target.
 class Processor {
  public:
   /// Returns all registers, concatenated in gdb's order.
   virtual std::string registers() const = 0;
-  /// Returns a register; empty if it does not exist.
+  /// Returns the bytes of a register; empty if the register does not exist.
   virtual std::string read_register(unsigned number) const = 0;
   virtual bool write_register(unsigned number, std::string_view bytes) = 0;
-  /// Returns bytes of memory. If memory ends, returns fewer bytes than requested, or none.
+  /// Returns bytes of memory. If the range reaches past the end of a memory, returns only the bytes before
+  /// the end, possibly none.
   virtual std::string read_memory(std::uint32_t address, std::uint32_t size) const = 0;
   virtual bool write_memory(std::uint32_t address, std::string_view bytes) = 0;
   virtual bool set_breakpoint(std::uint32_t address, bool set) = 0;
   virtual bool set_watchpoint(std::uint32_t address, std::uint32_t size, Access access, bool set) = 0;
-  /// Returns the XML of gdb's "target.xml"; empty if gdb has the list of this processor's registers already.
+  /// Returns the XML of gdb's "target.xml"; empty if gdb already knows the registers of this processor.
   virtual std::string description() const { return ""; }
   /// Returns the answer to `monitor COMMAND`, with a line feed at the end.
   virtual std::string monitor(const std::string& command) = 0;
@@ -62,28 +63,29 @@ class History;
 
 class Server {
  public:
-  /// See Connection. Sets `interrupted` when the debugger kills the program.
+  /// For the arguments, see Connection. Sets `interrupted` when the debugger kills the program.
   Server(std::uint16_t port, std::atomic<bool>& interrupted)
       : connection_(port, interrupted), interrupted_(interrupted) {}
 
-  /// Enables reverse execution. `history` outlives this server. Without it, gdb reports that reverse
-  /// execution is unavailable.
+  /// Enables reverse execution. `history` must outlive this server. Without this call, gdb reports that
+  /// reverse execution is unavailable.
   void go_back_in(History& history) { history_ = &history; }
-  /// Returns the history; null without reverse execution.
+  /// Returns the history; null if reverse execution is not enabled.
   History* history() const { return history_; }
 
   enum class Order { go, step, go_back, step_back };
-  /// Reports why `processor` is halted, and serves the debugger until it continues. The first call also waits
-  /// for the debugger to attach. If the debugger detaches, kills the program, or disconnects, returns
-  /// Order::go, and no debugger is attached any more.
+  /// Reports why `processor` is halted, and serves the debugger until the debugger continues the program. The
+  /// first call also waits for the debugger to attach. If the debugger detaches, kills the program, or
+  /// disconnects, returns Order::go. No debugger is attached any more then.
   Order stand_still(Processor& processor, const Stop& stop);
   /// Returns whether a debugger is attached or still expected.
   bool attached() const { return !met_ || connection_.open(); }
-  /// Returns whether the debugger requests a halt by Ctrl-C. Does not wait, but costs a system call.
+  /// Returns whether the debugger requests a halt by Ctrl-C, or has disconnected. Does not wait, but makes a
+  /// system call.
   bool asks_to_halt() { return met_ && connection_.asks_to_halt(); }
   /// Prints a line in the debugger at the next halt.
   void say(const std::string& line);
-  /// Reports the end of the run, with this exit status.
+  /// Reports to the debugger that the run has ended with this exit status, and closes the connection.
   void ended(int status);
 
  private:

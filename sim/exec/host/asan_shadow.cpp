@@ -34,11 +34,12 @@ ShadowMemory::~ShadowMemory() { allow(memory_); }
 namespace {
 
 constexpr std::uintptr_t kShadowGrain = 8;
-// Number of bytes below a range that also get a shadow. A function marks its frame even if the frame
-// overflows the stack.
+// Number of bytes below a range that also get a shadow. A function marks its stack frame in the shadow even
+// if the frame overflows the stack.
 constexpr std::uintptr_t kMargin = 64 * 1024;
 
-/// Returns the number of memory ranges that use each shadow page. Neighbouring ranges may share a page.
+/// Returns, for each page of the shadow, the number of memory ranges that use the page. Neighbouring ranges
+/// may share a page.
 std::map<std::uintptr_t, int>& holders() {
   static std::map<std::uintptr_t, int> pages;
   return pages;
@@ -76,8 +77,8 @@ ShadowMemory::ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memor
       hold(at);
       pages_.push_back(at);
     }
-    // Clears the marks of memory that was mapped here earlier. These marks survive if a neighbouring range
-    // uses the same shadow page.
+    // Clears the marks of memory that was mapped at this address earlier. These marks still exist if a
+    // neighbouring range uses the same shadow page.
     const auto first = reinterpret_cast<std::uintptr_t>(range.begin) / kShadowGrain + offset;
     std::memset(reinterpret_cast<void*>(first), 0,
                 static_cast<std::size_t>(range.end - range.begin) / kShadowGrain);

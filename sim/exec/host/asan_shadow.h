@@ -1,5 +1,5 @@
-// Maps the shadow memory of address checks (hal/host/addresses.h), but only for memory that firmware may
-// access. gcc's own runtime would reserve 16 TB.
+// Maps the shadow memory that the address checks of firmware use (hal/host/addresses.h). Only memory that
+// firmware may access gets a shadow, since gcc's own runtime would reserve 16 TB.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,13 @@ struct MemoryRange {
   const std::byte* end;
 };
 
-/// The shadow is initially all zero, which permits all accesses. If Robosim itself runs under
-/// AddressSanitizer, the shadow exists already, and is restored at the end.
+/// The shadow of some ranges of memory. Initially the shadow is all zero, which permits all accesses. If
+/// Robosim itself runs under AddressSanitizer, the shadow exists already, and the destructor permits all
+/// accesses again.
 class ShadowMemory {
  public:
-  /// `offset` is host::Image::shadow; 0 = no shadow. Throws std::runtime_error if the shadow's address range
-  /// is in use.
+  /// Maps the shadow of `memory`. `offset` is host::Image::shadow; 0 = the image needs no shadow. Throws
+  /// std::runtime_error if the shadow's address range is in use.
   ShadowMemory(std::uintptr_t offset, std::vector<MemoryRange> memory);
   ~ShadowMemory();
   ShadowMemory(const ShadowMemory&) = delete;

@@ -18,7 +18,7 @@ struct Object {
 
 std::string count(std::uintptr_t bytes) { return fmt::format("{} byte{}", bytes, bytes == 1 ? "" : "s"); }
 
-/// Returns the distance of `object` from `address`.
+/// Returns the distance of `address` from `object` in bytes; 0 if `address` is in the object.
 std::uintptr_t distance(const Object& object, std::uintptr_t address) {
   if (address < object.begin) return object.begin - address;
   return address < object.begin + object.bytes ? 0 : address - (object.begin + object.bytes);
@@ -43,8 +43,8 @@ std::optional<Object> global_near(std::uintptr_t address, const std::vector<host
   return nearest;
 }
 
-/// Parses the text by which gcc describes a stack frame. It contains the number of variables; then, for each
-/// variable, its offset, its size, the length of its name, and "name:line".
+/// Parses the text by which gcc describes a stack frame. The text begins with the number of variables. Each
+/// variable has four fields: its offset, its size, the length of the next field, and "name:line".
 std::vector<Object> variables(std::uintptr_t frame, const char* text) {
   std::vector<Object> found;
   std::istringstream in(text);
@@ -64,7 +64,7 @@ std::vector<Object> variables(std::uintptr_t frame, const char* text) {
 }
 
 std::optional<Object> local_near(std::uintptr_t address, MemoryRange stack, std::uintptr_t shadow) {
-  constexpr std::uintptr_t kMagic = 0x41B58AB3;  // first word of a frame that gcc describes by a text
+  constexpr std::uintptr_t kMagic = 0x41B58AB3;  // first word of a frame with such a text
   constexpr std::uintptr_t kGrain = 8;
   const auto bottom = reinterpret_cast<std::uintptr_t>(stack.begin);
   std::uintptr_t at = address / kGrain * kGrain;
@@ -80,7 +80,7 @@ std::optional<Object> local_near(std::uintptr_t address, MemoryRange stack, std:
   return nearest;
 }
 
-/// Returns which part of the object was accessed, or the distance from the object.
+/// Returns a text about the position of the access: the part of the object, or the distance from the object.
 std::string relation(const host::BadAccess& access, const Object& object) {
   const std::uintptr_t end = object.begin + object.bytes;
   if (access.address < object.begin) return count(object.begin - access.address) + " before";

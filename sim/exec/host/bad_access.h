@@ -1,5 +1,5 @@
-// Explains an access that an address check has rejected. Finds the variable that was probably meant, and how
-// far outside the variable the access was.
+// Explains an access that an address check has rejected. Finds the nearest variable, which the sketch
+// probably meant, and the distance of the access from the variable.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace robosim::exec {
 
-/// Returns a clause for Crash::reason. `stack` is the firmware's stack, whose frames contain gcc's texts
-/// about local variables. `shadow` is host::Image::shadow.
+/// Returns a clause for Crash::reason. `stack` is the firmware's stack. Its frames contain texts in which gcc
+/// describes the local variables. `shadow` is host::Image::shadow.
 std::string explain(const host::BadAccess& access, const std::vector<host::GlobalRecord>& globals,
                     MemoryRange stack, std::uintptr_t shadow);
 

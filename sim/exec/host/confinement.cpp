@@ -30,26 +30,28 @@
 namespace robosim::exec {
 namespace {
 
-// Placeholders in the common filter for numbers that differ between processes.
+// Placeholders in the common filter for numbers that differ between processes: the key and the process
+// number.
 constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProcessHere = 0x4F1D5A03;
 
 /// Size in bytes of the kernel's signal sets.
 constexpr std::size_t kSignalSet = 8;
-/// Limit of the address space. It also bounds the memory that RLIMIT_DATA does not count: page tables and
-/// read-only pages. A page may become read-only after a write. A kernel may allocate even unwritten pages.
+/// Limit of the address space. RLIMIT_DATA does not count page tables and read-only pages, so this limit
+/// bounds them. A process may make a page read-only after a write. Some kernels allocate even pages without a
+/// write.
 constexpr rlim_t kConfinedAddresses = kConfinedMemory + (64 << 20);
 /// Size of the process's first stack, which RLIMIT_DATA does not count.
 constexpr rlim_t kConfinedStack = 8 << 20;
 
 CallKey key_of_process{};
 bool confined = false;
-/// Memory in bytes: the address space, and the memory that RLIMIT_DATA counts.
+/// The size of the address space, and of the memory that RLIMIT_DATA counts, in bytes.
 struct MemoryInUse {
   rlim_t addresses = 0, data = 0;
 };
 MemoryInUse memory_when_prepared;
 
-/// System calls that affect only memory of the same process, and never wait.
+/// System calls that affect at most the memory of the calling process, and never wait.
 constexpr const char* kHarmless[] = {
     "brk",          "cacheflush",  "clock_getres", "clock_gettime",   "clock_gettime64", "getcpu",
     "getpid",       "getrandom",   "gettid",       "gettimeofday",    "mremap",          "munmap",
@@ -60,7 +62,8 @@ class Filter {
  public:
   Filter() : filter_(::seccomp_init(SCMP_ACT_TRAP)) {
     if (!filter_) throw std::runtime_error("no filter of system calls");
-    // Uses a tree for speed: when a filter is installed, the kernel evaluates it for each system call.
+    // Makes libseccomp arrange the rules as a binary tree. This saves time when the filter is installed,
+    // because the kernel then evaluates the filter for each possible system call.
     ::seccomp_attr_set(filter_.get(), SCMP_FLTATR_CTL_OPTIMIZE, 2);
   }
 
@@ -93,7 +96,8 @@ class Filter {
   std::unique_ptr<void, End> filter_;
 };
 
-/// Tests that argument `number`, an int, equals `value`. The upper half of its register may have any value.
+/// Returns the condition that argument `number`, which is an int, equals `value`. The upper half of the
+/// argument's register may have any value.
 scmp_arg_cmp is(unsigned number, std::uint32_t value) {
   return {number, SCMP_CMP_MASKED_EQ, 0xFFFFFFFF, value};
 }
@@ -101,9 +105,9 @@ scmp_arg_cmp has(unsigned number, std::uint32_t bits, std::uint32_t of) {
   return {number, SCMP_CMP_MASKED_EQ, of, bits};
 }
 
-/// Allows memory calls. Mappings must be private and must not grow downwards, since RLIMIT_DATA does not
-/// count other mappings. The image is mapped from its sealed file. Pages that were written cannot be
-/// executed.
+/// Allows system calls for memory. Mappings must be private and must not grow downwards, since RLIMIT_DATA
+/// does not count other mappings. Only an image may be mapped from a file, the sealed file at kImageFd. A
+/// writable page cannot become executable.
 void add_memory(Filter& filter) {
   constexpr std::uint32_t kUncounted =
       ~(MAP_NORESERVE | MAP_STACK | MAP_FIXED | MAP_FIXED_NOREPLACE | MAP_POPULATE | MAP_DENYWRITE);
@@ -113,9 +117,11 @@ void add_memory(Filter& filter) {
       filter.allow(name, {has(2, 0, one), has(3, MAP_PRIVATE, kUncounted), is(4, kImageFd)});
   }
   filter.allow("mprotect", {has(2, 0, PROT_EXEC)});
-  // Rejects names for memory ranges. RE2 in Debian 13 sets such names, but works on kernels without them.
+  // Rejects names for memory ranges. RE2 in Debian 13 sets such names, but also works if the kernel rejects
+  // them.
   filter.add(SCMP_ACT_ERRNO(EINVAL), "prctl", {is(0, PR_SET_VMA)});
-  // Allows only this advice. Other advice may affect other processes: root can take pages out of use.
+  // Allows only these kinds of advice. Other kinds may affect other processes. For example, root could take
+  // pages of memory out of use.
   for (const std::uint32_t advice : {MADV_DONTNEED, MADV_FREE, MADV_HUGEPAGE})
     filter.allow("madvise", {is(2, advice)});
   for (const char* name : {"futex", "futex_time64"}) filter.allow(name, {has(1, FUTEX_WAKE, FUTEX_CMD_MASK)});
@@ -127,7 +133,7 @@ void add_descriptors(Filter& filter) {
     filter.allow("read", {is(0, static_cast<std::uint32_t>(fd)), is(3, kKeyHere), is(4, kOtherKeyHere)});
   for (const std::uint32_t fd : {0u, 1u, 2u}) {
     for (const char* name : {"read", "write", "writev", "lseek", "_llseek"}) filter.allow(name, {is(0, fd)});
-    // Rejects calls that stdio makes before it prints.
+    // Lets the calls that stdio makes before it prints fail with ENOTTY, instead of raising SIGSYS.
     for (const char* name : {"fcntl", "fcntl64", "fstat", "fstat64", "ioctl", "newfstatat", "statx"})
       filter.add(SCMP_ACT_ERRNO(ENOTTY), name, {is(0, fd)});
   }
@@ -137,19 +143,19 @@ void add_descriptors(Filter& filter) {
   filter.allow("newfstatat", {is(0, kImageFd), is(4, kKeyHere), is(5, kOtherKeyHere)});
   filter.allow("statx", {is(0, kImageFd), is(5, kKeyHere)});
   filter.allow("dup3", {is(1, kImageFd), is(3, kKeyHere), is(4, kOtherKeyHere)});
-  // Keeps sealed images open.
+  // Allows close(), except for sealed images, which must stay open.
   filter.allow("close", {{0, SCMP_CMP_LT, kFirstSealed, 0}});
   filter.add(SCMP_ACT_ERRNO(EBADF), "close", {{0, SCMP_CMP_GE, kFirstSealed, 0}});
 }
 
-/// Allows the process to end, or to send itself a signal, but both only with the key. A sketch's attempts are
-/// reported and do not end the process.
+/// Allows the process to end, or to send itself a signal, but only with the key. A sketch does not have the
+/// key: its attempts are reported, and do not end the process.
 void add_signals(Filter& filter) {
   filter.allow("kill", {is(0, kProcessHere), is(3, kKeyHere), is(4, kOtherKeyHere)});
   filter.allow("exit_group", {is(3, kKeyHere), is(4, kOtherKeyHere)});
   for (const char* name : {"rt_sigaction", "rt_sigprocmask"})
-    filter.allow(name, {{1, SCMP_CMP_EQ, 0, 0}});  // only returns the present setting
-  // serve_call() handles SIG_BLOCK.
+    filter.allow(name, {{1, SCMP_CMP_EQ, 0, 0}});  // calls that only return the present setting
+  // Does not allow SIG_BLOCK, which serve_call() emulates.
   filter.allow("rt_sigprocmask", {{0, SCMP_CMP_NE, SIG_BLOCK, 0}});
   for (const int fault : {SIGSEGV, SIGBUS, SIGILL, SIGFPE})
     filter.allow("rt_sigaction", {is(0, static_cast<std::uint32_t>(fault))});
@@ -167,7 +173,7 @@ Descriptor open_statm() { return Descriptor(::open("/proc/self/statm", O_RDONLY 
 
 /// Reads the memory use of the process that has opened `statm`.
 MemoryInUse memory_in_use(const Descriptor& statm) {
-  // Does not use a stream: the first stream of a process takes longer than the rest of this function.
+  // Does not use a C++ stream: the first stream of a process takes longer than the rest of this function.
   char text[256];
   const ssize_t bytes = statm.is_open() ? ::pread(statm.get(), text, sizeof text - 1, 0) : 0;
   if (bytes <= 0) return {};
@@ -182,14 +188,15 @@ MemoryInUse memory_in_use(const Descriptor& statm) {
   return in_use;
 }
 
-/// Erases the environment, so that a sketch learns neither its content nor the user's identity.
+/// Erases the environment variables, so that a sketch cannot read them and learn the user's identity.
 void forget_environment() {
   for (char** variable = environ; variable && *variable; ++variable)
     ::explicit_bzero(*variable, std::strlen(*variable));
   ::clearenv();
 }
 
-/// Returns the common filter, which takes a millisecond to make. Each process then replaces the placeholders.
+/// Returns the common filter. The first call creates the filter, which takes a millisecond. Each process
+/// replaces the placeholders in its copy.
 const std::vector<sock_filter>& filter_for_all() {
   static const std::vector<sock_filter> steps = [] {
     Filter filter;
@@ -236,7 +243,8 @@ struct Subject {
   std::vector<std::string_view> beginnings;
 };
 
-/// Returns the subject of a system call, by the first prefix in the table that matches the call's name.
+/// Returns the subject of a system call, such as "files". Searches the table for the first prefix that
+/// matches the call's name.
 std::string_view subject_of(std::string_view call) {
   static const std::vector<Subject> subjects = {
       {"programs", {"exec"}},
@@ -269,7 +277,8 @@ std::string_view subject_of(std::string_view call) {
 
 std::string what_kernel_lacks() {
   if (!kKnownMachine) return "Robosim does not support it on this kind of processor yet";
-  // A kernel that supports filters tries to read the filter at this invalid address.
+  // Passes an invalid address. A kernel that supports filters tries to read the filter there, and sets
+  // EFAULT.
   static const bool has_filter =
       ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) != 0 && errno == EFAULT;
   return has_filter ? "" : "the kernel has no filter of system calls (seccomp)";
@@ -304,8 +313,8 @@ void confine(const CallKey& key, bool has_grown) {
   key_of_process = key;
   confined = true;
   const sock_fprog program{static_cast<unsigned short>(steps.size()), steps.data()};
-  // SPEC_ALLOW disables mitigations of speculative execution, which would slow down branches. This process
-  // has no secrets.
+  // SPEC_ALLOW disables mitigations against attacks by speculative execution, which would slow down branches.
+  // This process contains no secrets that an attack could read.
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
       ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program) != 0)
     throw std::runtime_error(fmt::format("the process cannot be confined: {}", std::strerror(errno)));
@@ -315,8 +324,8 @@ void prepare_to_confine() {
   ensure_signal_stack();
   static const Descriptor statm = open_statm();
   memory_when_prepared = memory_in_use(statm);
-  // Makes libfmt bind its lazily bound symbols now, such as memchr() for texts of at least 32 bytes.
-  // Otherwise each process would look them up in all libraries.
+  // Makes the loader bind the symbols that libfmt uses, such as memchr() for texts of at least 32 bytes.
+  // Otherwise each forked process would look these symbols up in all libraries.
   static const std::string bound = fmt::format("so that it has formatted {} text: {}", 1, kImageName);
   if (why_not_confined().empty()) filter_for_all();
 }
@@ -360,11 +369,12 @@ bool serve_call(const siginfo_t& info, ucontext_t& context) {
   const auto* const path = reinterpret_cast<const char*>(asked.arguments[1]);
   long result = 0;
   static std::uint64_t opened = 0;
-  // The loader identifies files by their inode number. Memory files have smaller numbers than these.
+  // The loader identifies files by their inode number. Therefore each opened image gets another number,
+  // beginning here. The inode numbers of memory files are smaller.
   constexpr std::uint64_t kFirstNumber = std::uint64_t{1} << 30;
   if (info.si_syscall == SYS_rt_sigprocmask) {
     // Reports success for SIG_BLOCK, but blocks nothing. If SIGSYS were blocked, the kernel would end the
-    // process at the next refused call, and no handler could report the call. glibc 2.41 blocks all signals
+    // process at the next refused call. No handler could report that call. glibc 2.41 blocks all signals
     // in fork() and abort().
     if (asked.arguments[3] != kSignalSet) return false;
     if (auto* const before = reinterpret_cast<void*>(asked.arguments[2]))

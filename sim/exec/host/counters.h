@@ -1,4 +1,4 @@
-// Collects the files for gcov from an image that was built with line counters.
+// Collects the files for gcov (.gcda) from an image that counts how often its lines run.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Records the first few lines where firmware divided by zero, sorted by time.
+// Records the first few source lines that have divided by zero, sorted by the time of the first division.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,16 @@ class Divisions {
  public:
   /// Drops the code addresses, because the image will be loaded at another address.
   void forget_addresses() { at_.clear(); }
-  /// Counts a division at a known code address; returns false if the address is not known yet.
+  /// Counts a division at a code address. Returns false if the address is new: add() must then be called.
   bool count(const void* address);
-  /// Adds the first division at this address, on a line of the firmware. `t` is the present time.
+  /// Adds the first division at a code address. `place` is the source line of the address, and `t` is the
+  /// present time.
   void add(const void* address, const SourceLine& place, SimTime t);
   const std::vector<DivisionByZero>& lines() const { return lines_; }
 
  private:
   std::vector<DivisionByZero> lines_;
-  std::map<const void*, std::size_t> at_;  ///< indices into lines_; past its end if there was no room
+  std::map<const void*, std::size_t> at_;  ///< indices into lines_; past its end if lines_ was full
 };
 
 }  // namespace robosim::exec

@@ -23,14 +23,15 @@ GuardedMemory::GuardedMemory(std::size_t bytes) : page_(static_cast<std::size_t>
     throw std::bad_alloc();
   }
 #ifdef ROBOSIM_ASAN
-  // Clears AddressSanitizer's marks of stack frames that were abandoned in earlier memory at this address.
+  // Clears AddressSanitizer's marks. Earlier memory at this address may have contained stack frames of a
+  // destroyed fiber.
   ASAN_UNPOISON_MEMORY_REGION(begin_, bytes_);
 #endif
 }
 
 GuardedMemory::~GuardedMemory() {
 #ifdef ROBOSIM_ASAN
-  // Clears the marks of abandoned stack frames, since an image may be mapped here next.
+  // Clears the marks of stack frames, since an image may be mapped at this address next.
   ASAN_UNPOISON_MEMORY_REGION(begin_, bytes_);
 #endif
   munmap(begin_ - page_, bytes_ + 2 * page_);

@@ -1,7 +1,7 @@
 // Runs firmware on a second stack, and switches between this stack and the stack of the simulation.
 //
-// Uses Boost.Context's fcontext instead of its fiber class. That class unwinds an abandoned stack by an
-// exception. Exceptions must not reach firmware, which is compiled without them and may have crashed.
+// Uses Boost.Context's fcontext instead of its fiber class. The fiber class unwinds an abandoned stack by an
+// exception. Exceptions must not reach firmware, which is compiled without exceptions and may have crashed.
 #pragma once
 
 #include <cstddef>
@@ -30,9 +30,10 @@ class GuardedMemory {
   std::byte* begin_;
 };
 
-/// While it exists, functions put a constant into their stack frames instead of the C library's random value.
-/// Such a canary detects overflows (-fstack-protector). With a constant, firmware that reads its unwritten
-/// stack reads the same in each run. Has an effect only on x86-64: on ARM the C library protects its value.
+/// Makes stack canaries constant while this object exists. With -fstack-protector, each function stores a
+/// canary in its stack frame to detect overflows. The C library's canary is random. With a constant canary,
+/// firmware that reads unwritten bytes of its stack reads the same values in each run. Has an effect only on
+/// x86-64, because the C library protects the canary on ARM.
 class ConstantCanary {
  public:
   ConstantCanary() : before_(exchange(0)) {}
@@ -53,16 +54,17 @@ class ConstantCanary {
   std::uintptr_t before_;
 };
 
-/// Runs `body` on `stack`. A fiber may be abandoned at any time: its destructor unwinds nothing.
+/// Runs `body` on `stack`. A fiber may be destroyed at any time, because its destructor does not unwind the
+/// stack.
 class Fiber {
  public:
   using Body = void (*)(void* argument);
 
   /// Prepares the fiber. The first resume() starts `body`, which must not return.
   Fiber(const GuardedMemory& stack, Body body, void* argument);
-  /// Continues the fiber until it suspends. Call it outside the fiber.
+  /// Continues the fiber until the fiber calls suspend(). Must be called outside the fiber.
   void resume();
-  /// Returns to the caller of resume(). Call it on the fiber.
+  /// Returns to the caller of resume(). Must be called on the fiber.
   void suspend();
 
  private:

@@ -1,5 +1,6 @@
-// A snapshot of all state of firmware: its variables, heap and stack. Registers that calls preserve are saved
-// on the stack (hal/host/clock.cpp). Free-running clocks are not included (host::Image::clockwork_begin).
+// Stores a copy of the firmware's state, and compares it with the present state. The state consists of
+// variables, heap and stack. The stack contains the registers that calls preserve (hal/host/clock.cpp). The
+// state of running clocks is not included (host::Image::clockwork_begin).
 #pragma once
 
 #include <cstddef>
@@ -17,12 +18,12 @@ class FirmwareSnapshot {
   explicit FirmwareSnapshot(const LoadedImage& image);
 
   void take(Memory heap, Memory stack);
-  /// Returns whether all state equals that of the snapshot.
+  /// Returns whether the present state equals the stored state.
   bool is_like(Memory heap, Memory stack) const;
 
-  // These variants use only the part of the heap that malloc() has used. They compare settings (image.h) only
-  // if the settings may have changed since the last call that returned true. An image can therefore have only
-  // one such snapshot.
+  // These variants use only the part of the heap that malloc() has used. They compare the settings (image.h)
+  // only if the settings may have changed since take() or the last call that returned true. Therefore only
+  // one snapshot of an image may use these variants.
   void take(host::FirmwareState& state, Memory stack);
   bool is_like(host::FirmwareState& state, Memory stack) const;
 
@@ -33,7 +34,7 @@ class FirmwareSnapshot {
     Memory memory;
     std::vector<std::byte> copy = {};
   };
-  std::vector<Part> variables_;  ///< without the settings
+  std::vector<Part> variables_;  ///< variables, without the settings and running clocks
   Part settings_;
   std::vector<std::byte> heap_, stack_;
 };

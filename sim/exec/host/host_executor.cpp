@@ -74,8 +74,8 @@ class HostExecutor::Instance final : public host::Host {
       cycle_detector_.begin();
     }
     state_.watched = watched;
-    // If the image counts how often blocks run, its state never repeats. Then only the interrupts are
-    // checked.
+    // If the image counts how often its code runs (coverage), its state never repeats. In this case, checks
+    // only whether an interrupt can still occur.
     if (wanted && image_.entry().counters) goes_round_ = !image_.entry().may_interrupt(true);
   }
   void has_called() { goes_round_ = false; }
@@ -84,7 +84,7 @@ class HostExecutor::Instance final : public host::Host {
     const bool waits = state_.waiting || (state_.polls && state_.polls_by_calls);
     return waits && !owner_.crash_ ? reached : owner_.clocked_.to_world(state_.last_call);
   }
-  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< and is not known to loop
+  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< not checked, not known to loop
   bool hangs() const {
     return state_.stopped_by || goes_round_ || (state_.endless && !image_.entry().may_interrupt(false));
   }
@@ -99,7 +99,8 @@ class HostExecutor::Instance final : public host::Host {
     return !owner_.crash_;
   }
 
-  /// If firmware only polls, runs it up to the limit. Its fiber may have been left suspended for some time.
+  /// If the firmware only polls, its fiber may have been suspended for some time. Then runs the firmware up
+  /// to the present time limit.
   void come_up() {
     if (!state_.polls || owner_.crash_) return;
     state_.called_up = true;
@@ -107,7 +108,7 @@ class HostExecutor::Instance final : public host::Host {
     state_.called_up = false;
   }
 
-  /// Returns whether the watchdog has reset the chip. If so, a new instance must replace this one.
+  /// Returns whether the watchdog has reset the chip. If so, a new Instance must replace this Instance.
   bool bitten() const { return bitten_; }
 
   SourceLine place() const {
@@ -116,7 +117,7 @@ class HostExecutor::Instance final : public host::Host {
     return image_.locate(addresses);
   }
 
-  /// Returns the place of the current call. Call it during that call.
+  /// Returns the source line of the current call of the API. Must be called during this call.
   SourceLine source() {
     std::vector<CodeAddress> addresses = {{state_.place, true}};
     calls_.add_callers(addresses);
@@ -127,11 +128,11 @@ class HostExecutor::Instance final : public host::Host {
     return known->second;
   }
 
-  // Functions of host::Host, called on the fiber.
+  // Functions of host::Host, which the firmware calls on its fiber.
   void yield() override { suspend(); }
   void block_begins(const std::uint8_t* stack) override {
-    // Checks interrupts again, since the result may differ from that in watch(). At that time, a handler may
-    // have been running. Or the sketch may have cleared the I flag to read a shared variable.
+    // Checks again whether an interrupt can occur, since the answer may have changed since watch(). During
+    // watch(), a handler may have been running, or the sketch may have disabled interrupts briefly.
     const bool alive = image_.entry().may_interrupt(false);
     goes_round_ = !alive && cycle_detector_.sees(state_.place, from(stack));
     if (goes_round_ || alive) state_.watched = false;
@@ -222,7 +223,7 @@ class HostExecutor::Instance final : public host::Host {
     return {{begin, end}, {heap_.begin(), heap_.end()}, {stack_.begin(), stack_.end()}};
   }
 
-  /// Reports a fault that the firmware's own checks have detected. Called on the fiber.
+  /// Reports a fault that a check in the firmware has detected. Must be called on the fiber.
   void report(const Undefined& fault, const void* where) {
     owner_.crash_ = Crash{fault.reason, place_of(fault, where)};
     owner_.crash_->check = fault.check;
@@ -297,7 +298,8 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
   if (refused && serve_call(*info, *static_cast<ucontext_t*>(context))) return;
   if (Instance* const self = running_) {
     const HostFault fault = describe(signal, *info, *static_cast<ucontext_t*>(context));
-    // Includes faults in Robosim's code on the firmware's stack: the firmware has passed bad arguments.
+    // Includes faults in Robosim's own code on the firmware's stack, because the firmware has passed bad
+    // arguments.
     const bool firmware = self->stack_.in_guard_before(fault.address) ||
                           self->stack_.contains(fault.stack_pointer) ||
                           !in_same_object(fault.pc, reinterpret_cast<const void*>(&Instance::on_fault));
@@ -310,8 +312,8 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
     if (const int sent = own_signal(*info, *static_cast<ucontext_t*>(context))) end_by_signal(sent);
     keyed_exit(kRefusedStatus);
   }
-  // Firmware did not cause the fault: restores the previous handler. The faulting instruction then runs
-  // again.
+  // Firmware did not cause the fault. Restores the previous handler, which the kernel calls when the faulting
+  // instruction runs again.
   for (std::size_t i = 0; i < kFaults.size(); ++i)
     if (kFaults[i] == signal) sigaction(signal, &previous_handlers[i], nullptr);
 }

@@ -1,9 +1,9 @@
-// The executor for the host. Firmware is a shared object that runs on its own fiber, in virtual time
-// (hal/host).
+// Implements the executor for firmware that is compiled for this computer (hal/host). Firmware is a shared
+// object that runs on a fiber, in virtual time.
 //
-// After a fault of the firmware (a signal on its fiber), the fiber is abandoned and a Crash is reported.
-// Power-on installs handlers of SIGSEGV, SIGBUS, SIGILL and SIGFPE for this purpose. Signals that firmware
-// did not cause are passed to the previous handler.
+// If firmware causes a signal, its fiber never continues, and a Crash is reported. For this purpose, power-on
+// installs handlers of SIGSEGV, SIGBUS, SIGILL, SIGFPE and SIGSYS. Signals that firmware did not cause are
+// passed to the previous handler.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace robosim::exec {
 
 class HostExecutor final : public Executor, public HostAccess {
  public:
-  /// `image` is a file built by robosim_sketch. It is read at every power_on().
+  /// `image` is a file built by robosim_sketch. power_on() reads the file each time.
   HostExecutor(const BoardSpec& spec, std::filesystem::path image);
   ~HostExecutor() override;
 
@@ -32,8 +32,9 @@ class HostExecutor final : public Executor, public HostAccess {
   BoardProbe& probe() override { return board_; }
   /// Starts the firmware. Throws InputError if the image cannot be loaded.
   void power_on(SimTime t) override;
-  /// Prepares for confinement (confinement.h): opens files now, and later runs programs only through `lines`.
-  /// `image` is the content of the image's file, if known. Call it before the process is confined.
+  /// Prepares for confinement (confinement.h). Reads the image now, unless the caller passes its content as
+  /// `image`. Later, finds source lines by `lines` instead of starting addr2line. Must be called before the
+  /// process is confined.
   void prepare_for_confinement(AddressLines lines, std::shared_ptr<const ImageContent> image = nullptr);
   void power_off(SimTime t) override;
   void run_until(SimTime t) override;
@@ -50,8 +51,8 @@ class HostExecutor final : public Executor, public HostAccess {
   const std::vector<Lack>& lacks() const override { return unsupported_features_.all(); }
   std::vector<ArchivedFile> counters() override;
   bool has_boards_eeprom() const override { return true; }
-  /// Sets whether firmware that only polls may be left suspended, starting at the next power_on(). This
-  /// changes only the duration of the simulation (hal/host/polling.h).
+  /// Sets whether firmware that only polls may stay suspended, from the next power_on(). This changes only
+  /// the duration of the simulation (hal/host/polling.h).
   void skip_waiting(bool may) { skips_waiting_ = may; }
   void set_lateness(const std::vector<Lateness>& lateness) override { injected_delays_.set(lateness); }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }

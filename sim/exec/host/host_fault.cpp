@@ -49,7 +49,7 @@ std::string reason_of(const HostFault& fault, const GuardedMemory& heap, const G
   if (stack.in_guard_before(fault.address)) return "stack overflow (deep recursion?)";
   const char* const hint = address < kNullPage ? " (null pointer)" : "";
   if (fault.address == fault.pc) return fmt::format("jump to address {:#x}{}", address, hint);
-  // The processor does not report an address that is not canonical.
+  // An x86-64 processor does not report the address if the address is not canonical.
   if (fault.signal == SIGSEGV && fault.code == SI_KERNEL) return "access through a wild pointer";
   const bool behind_heap = fault.address >= heap.end() && fault.address < heap.end() + kNullPage;
   if (heap.in_guard_before(fault.address) || behind_heap)

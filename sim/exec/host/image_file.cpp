@@ -41,7 +41,7 @@ struct Segments {
   std::uintptr_t begin = UINTPTR_MAX;  ///< bounds of the code
   std::uintptr_t end = 0;
   std::vector<MemoryRange> variables = {};
-  std::pair<std::uintptr_t, std::uintptr_t> constants = {};  ///< write-protected by the loader after loading
+  std::pair<std::uintptr_t, std::uintptr_t> constants = {};  ///< range that the loader makes read-only
 };
 
 int find_segments(dl_phdr_info* info, std::size_t, void* argument) {
@@ -80,13 +80,13 @@ std::vector<void*>& handles() {
 
 [[noreturn]] void fail(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// A buffer for parts of images. It is erased after use, so that no part stays in memory.
+/// A buffer for a part of an image. The destructor erases the buffer, so that firmware cannot read the part.
 struct Part {
   static constexpr std::size_t kBytes = 16 * 1024;
   char bytes[kBytes];
   ~Part() { explicit_bzero(bytes, kBytes); }
 
-  /// Reads from the offset `at`. Returns the number of bytes read; 0 at the end.
+  /// Reads from the offset `at` of a file. Returns the number of bytes read; 0 at the file's end.
   std::size_t read(const Descriptor& file, std::size_t at) {
     for (;;) {
       const ssize_t n = pread(file.get(), bytes, kBytes, static_cast<off_t>(at));
@@ -110,8 +110,8 @@ std::pair<Descriptor, std::size_t> copy_in_memory(const Descriptor& file) {
   return {std::move(copy), bytes};
 }
 
-/// Returns the memory that a confined process needs for the segments of the image at kImageFd, in bytes.
-/// Returns 0 for other files.
+/// Returns the number of bytes that the segments of the image at kImageFd need in memory. Returns 0 if the
+/// file is shorter than its headers.
 std::uint64_t loaded_bytes() {
   ElfW(Ehdr) header{};
   std::uint64_t bytes = 0;
@@ -125,9 +125,10 @@ std::uint64_t loaded_bytes() {
   return bytes;
 }
 
-// Loads an image in a confined process. The loader cannot open a file. Instead, it gets kImageFd, and closes
-// it. serve_call() makes the loader believe that each image is a different file. A process can therefore load
-// one copy of an image several times, and share the memory of its code.
+// Loads an image in a confined process. The loader cannot open a file. Instead, serve_call() gives kImageFd
+// to the loader, which later closes kImageFd. serve_call() also reports another inode number for each image,
+// so that the loader sees different files. A process can therefore load one file several times, and share the
+// memory of its code.
 void* load_confined(const ImageFile& file) {
   static int loaded = 0;
   if (!keyed_dup(file.content->sealed().get(), kImageFd)) throw std::logic_error("an image is not sealed");
@@ -147,7 +148,7 @@ bool is_own_file(const std::string& file) {
          file.find("/robosim/") != std::string::npos || file.starts_with("/usr/");
 }
 
-/// Limit of addr2line's output: a sketch may have long names of functions and files.
+/// Limit of addr2line's output in bytes, since a sketch may contain very long names of functions and files.
 constexpr std::size_t kMostLines_bytes = std::size_t{1} << 20;
 
 std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets) {
@@ -184,9 +185,9 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
   if (is_confined()) {
     handle_ = load_confined(file);
   } else {
-    // Loads a copy in memory, because the loader would not load the same file twice. The loader identifies
-    // files by inode and by the path below. The descriptor stays open while the image is loaded, so that no
-    // other image gets the same path.
+    // Loads a copy in a memory file, because the loader does not load the same file twice. The loader
+    // identifies files by inode and by the path below. The descriptor stays open while the image is loaded,
+    // so that no other image gets the same path.
     copy_ = (file.content ? copy_in_memory(file.content->sealed()) : copy_in_memory(open_to_read(file.name)))
                 .first;
     handle_ = dlopen(fmt::format("/proc/self/fd/{}", copy_.get()).c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -252,12 +253,14 @@ std::vector<SourceLine> LoadedImage::frames_of(const std::vector<std::uintptr_t>
 SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const {
   std::vector<std::uintptr_t> offsets;
   for (const CodeAddress& address : addresses) {
-    // A call may be the last instruction of the code: its return address is then after the end of the code.
+    // Looks up the call instead of its return address. If a call is the last instruction of a function, the
+    // return address belongs to other code.
     const std::uintptr_t pc = without_mode(address.pc) - (address.is_return ? 1 : 0);
     if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};
-  // Skips instructions without a line. Their folder, which shows whose code they are, is also unknown.
+  // Skips instructions without a source line. Their folder is unknown, too. The folder would show whether the
+  // code belongs to the user.
   for (const SourceLine& frame : frames_of(offsets))
     if (frame.line > 0 && !is_own_file(frame.file)) return frame;
   return {};

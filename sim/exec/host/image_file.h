@@ -1,6 +1,6 @@
-// Loads a firmware image into memory. Each instance loads the image again, and therefore has its own
-// variables. In a confined process (confinement.h), all instances of an image share the memory of its code,
-// so that the code stays in caches.
+// Loads a firmware image into memory. Each LoadedImage loads the image again, so that it has separate
+// variables. In a confined process (confinement.h), all copies of an image share the memory of the code. The
+// code therefore stays in the processor's caches.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +22,14 @@ struct CodeAddress {
   bool is_return = false;  ///< a return address, just after a call instruction
 };
 
-/// Returns the output of `addr2line -f -C -i` for these offsets in the image.
+/// A function that returns the output of `addr2line -f -C -i` for these offsets in the image.
 using AddressLines = std::function<std::string(const std::filesystem::path& image,
                                                const std::vector<std::uintptr_t>& offsets)>;
-/// Runs addr2line (binutils); returns an empty text if it is not installed.
+/// Runs addr2line (binutils). Returns an empty text if addr2line is not installed.
 std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets);
 
-/// The content of an image's file, in a sealed memory file. The content is not in the memory of the process
-/// itself, where the firmware of a later run would find it.
+/// The content of an image's file, in a sealed memory file (memfd). It is not in the memory of the process
+/// itself, where the firmware of a later run could read it.
 class ImageContent {
  public:
   /// Reads the file. Throws InputError or std::system_error if that fails.
@@ -37,7 +37,7 @@ class ImageContent {
 
   /// Returns whether `file` still has this content.
   bool is_like(const std::filesystem::path& file) const;
-  /// Returns the descriptor by which confined processes load the image. It is at least kFirstSealed.
+  /// Returns the descriptor by which confined processes load the image. Its number is at least kFirstSealed.
   const Descriptor& sealed() const { return sealed_; }
 
  private:
@@ -54,7 +54,7 @@ struct ImageFile {
 class LoadedImage {
  public:
   /// Loads an image. Throws InputError if `file` is not an image, or was built for another version of
-  /// Robosim. Opens no file in a confined process.
+  /// Robosim. In a confined process, uses only the sealed content and opens no file.
   explicit LoadedImage(const ImageFile& file);
   ~LoadedImage();
   LoadedImage(const LoadedImage&) = delete;
@@ -65,15 +65,16 @@ class LoadedImage {
   const std::vector<MemoryRange>& variables() const { return variables_; }
   /// Returns whether `address` lies in the image's code.
   bool has_code(const void* address) const;
-  /// Returns the place of the first of `addresses` that is in the user's code: the sketch or one of its
-  /// libraries, not the core or hal. Empty if there is no such address, or without addr2line.
+  /// Returns the source line of the first of `addresses` that is in the user's code. The user's code is the
+  /// sketch and its libraries, not the core or hal. Returns an empty line if there is no such address, or if
+  /// addr2line is not installed.
   SourceLine locate(const std::vector<CodeAddress>& addresses) const;
 
  private:
   std::vector<SourceLine> frames_of(const std::vector<std::uintptr_t>& offsets) const;
 
   const ImageFile& file_;
-  Descriptor copy_;  ///< unnamed copy in memory; none in a confined process
+  Descriptor copy_;  ///< memory file with a copy of the image; not open in a confined process
   void* handle_ = nullptr;
   const host::Image* entry_ = nullptr;
   std::uintptr_t base_ = 0;

@@ -1,4 +1,5 @@
-// The times at which a sketch is delayed as if its code took longer, in the format for the sketch's image.
+// Stores the times at which a sketch is delayed as if its code took longer. The array has the format that the
+// sketch's image reads.
 #pragma once
 
 #include <vector>
@@ -16,8 +17,8 @@ class InjectedDelays {
     for (const result::Lateness& one : late) times_.push_back({one.from_ns, one.by_ns});
     times_.emplace_back();
   }
-  /// Passes the times from `t` on to the sketch that starts at `t`. The times must not change while the
-  /// sketch runs.
+  /// Passes the times from `t` on to the sketch that starts at `t`. set() must not be called while the sketch
+  /// runs.
   void begin(host::FirmwareState& state, SimTime t) const {
     state.lateness = times_.data();
     while (state.lateness->from < t) ++state.lateness;

@@ -5,7 +5,7 @@
 namespace robosim::exec {
 namespace {
 
-constexpr std::size_t kMostAddresses = 40;  // maximum number of addresses that are looked up for one place
+constexpr std::size_t kMostAddresses = 40;  // limit of addresses that are looked up for one source line
 
 // Returns the word on the stack at `address`, even where a sanitizer forbids access.
 __attribute__((no_sanitize("address"))) const void* word_at(const std::byte* address) {

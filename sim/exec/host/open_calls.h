@@ -14,10 +14,11 @@ class OpenCalls {
   /// Both arguments must outlive this object.
   OpenCalls(const LoadedImage& image, const GuardedMemory& stack) : image_(image), stack_(stack) {}
 
-  /// Adds the callers of the running function. Call it on the fiber. Uses the unwind tables and, where these
-  /// end, words on the stack that look like return addresses.
+  /// Adds the callers of the running function. Must be called on the fiber. Uses the unwind tables. If these
+  /// do not lead out of the firmware, also adds words on the stack that look like return addresses.
   void add_callers(std::vector<CodeAddress>& addresses) const;
-  /// Adds return addresses on the stack from `from` on. Some may be stale addresses in unused slots.
+  /// Adds the return addresses on the stack from `from` on. Some of these may be old addresses in unused
+  /// bytes of the stack.
   void add_stack(const std::byte* from, std::vector<CodeAddress>& addresses) const;
 
  private:

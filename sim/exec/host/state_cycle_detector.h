@@ -1,5 +1,5 @@
-// Detects firmware whose own state shows that it loops for ever: a basic block begins with the same stack,
-// variables and heap as before. Registers that calls preserve are saved on the stack (hal/host/clock.cpp).
+// Detects firmware that loops for ever. This is proved if a basic block begins with the same stack, variables
+// and heap as at an earlier time. The stack contains the registers that calls preserve (hal/host/clock.cpp).
 #pragma once
 
 #include "sim/exec/host/firmware_snapshot.h"
@@ -10,18 +10,18 @@ class StateCycleDetector {
  public:
   using Memory = FirmwareSnapshot::Memory;
 
-  /// The firmware's state consists of the image's variables, `heap` and the stack.
+  /// `image` and `heap` contain the firmware's variables and heap. sees() receives the stack.
   StateCycleDetector(const LoadedImage& image, Memory heap) : state_(image), heap_(heap) {}
 
   /// Drops the recorded state. Call it after code other than firmware has run.
   void begin();
-  /// Returns whether this state was recorded before. `place` identifies the block.
+  /// Returns whether the present state equals the recorded state. `place` identifies the basic block.
   bool sees(const void* place, Memory stack);
 
  private:
   FirmwareSnapshot state_;
   Memory heap_;
-  // Stores only one state, and replaces it by the present one after 1, 2, 4 … blocks. Source: Brent, 1980:
+  // Records only one state, and replaces it by the present state after 1, 2, 4 … blocks. Source: Brent, 1980:
   // An improved Monte Carlo factorization algorithm, section 2.
   const void* place_ = nullptr;
   int power_ = 1, since_ = 0;

@@ -54,11 +54,11 @@ bool is_signed(const Type& type) { return type.info & 1; }
 
 /// An integer of up to 64 bits.
 struct Whole {
-  std::uint64_t bits;  // the bits above the type's width repeat its sign
+  std::uint64_t bits;  // the bits above the type's width are copies of the sign bit
   bool is_signed;
 };
 
-/// Returns a value of `bits` bits. Values wider than a register are passed by address.
+/// Returns a value of `bits` bits. If the value is wider than a register, `handle` is the value's address.
 template <typename T>
 T stored(std::uintptr_t handle, int bits) {
   T result = 0;
@@ -102,7 +102,8 @@ std::string number(const Type& type, std::uintptr_t handle) {
   return "number";
 }
 
-// Returns a remark if all bytes are FE, the value with which sim/build/target.cpp fills local variables.
+// Returns a remark that the variable may never have been set, if all bytes of a value are FE. The compiler
+// fills local variables with this value (sim/build/target.cpp).
 std::string if_never_set(const Type& type, std::uintptr_t handle) {
   constexpr std::uintptr_t kFilling = 0xFE;
   const int width = std::min(bits(type), 64);

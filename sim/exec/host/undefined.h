@@ -1,5 +1,5 @@
-// Explains findings of gcc's UndefinedBehaviorSanitizer. Names and data of gcc's handlers are as in LLVM's
-// compiler-rt (lib/ubsan/ubsan_handlers.h).
+// Explains findings of gcc's UndefinedBehaviorSanitizer. The handlers that gcc calls have the names and data
+// of LLVM's compiler-rt (lib/ubsan/ubsan_handlers.h).
 #pragma once
 
 #include <cstdint>
@@ -42,7 +42,7 @@ struct TwoTypes {
 struct Undefined {
   std::string check;   ///< name of the check: "mul_overflow"
   std::string reason;  ///< a clause for Crash::reason
-  std::string file;    ///< as named by debug information; empty if gcc does not pass it
+  std::string file;    ///< path of the source file; empty if gcc does not pass the path
   int line = 0;
 };
 
@@ -50,7 +50,7 @@ struct Undefined {
 /// `other` are the handler's arguments.
 Undefined explain_undefined(std::string_view check, const void* data, std::uintptr_t value,
                             std::uintptr_t other);
-/// Copies file and line of the fault to `place`, if they are known and belong to the sketch.
+/// Copies the file and line of the fault to `place`, if the file is known and belongs to the sketch.
 void take_place(const Undefined& fault, SourceLine& place);
 
 }  // namespace robosim::exec

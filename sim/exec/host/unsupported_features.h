@@ -1,4 +1,5 @@
-// Records chip features that firmware has used but its image lacks, each one once, sorted by time.
+// Records the chip features that firmware has used and that its image for the host does not have. Each
+// feature is recorded once, at the time of its first use.
 #pragma once
 
 #include <algorithm>

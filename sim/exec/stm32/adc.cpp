@@ -88,7 +88,7 @@ void Adc::start_regular(Cycle at) {
     begin(Group::regular, at);
 }
 
-// Interrupts a running regular conversion, which restarts after the injected group (11.3.9).
+// Starts the injected group. This interrupts a running regular conversion, which later restarts (11.3.9).
 void Adc::start_injected(Cycle at) {
   if (state_.converts == Group::injected) return;
   state_.status |= kJstrt;
@@ -114,7 +114,7 @@ void Adc::update() {
   }
 }
 
-// Compares a result with the analog watchdog's limits (11.3.8).
+// Compares the result of a conversion with the limits of the analog watchdog (11.3.8).
 void Adc::watch(bool guarded) {
   const bool this_one = !(state_.control1 & kAwdSgl) || channel() == (state_.control1 & 31);
   if (guarded && this_one && (state_.sampled > state_.high || state_.sampled < state_.low))
@@ -149,7 +149,7 @@ void Adc::finish_regular() {
   }
 }
 
-// Stores signed results, since an offset is subtracted from each (11.12.12).
+// Stores a signed result, because an offset is subtracted from each injected conversion (11.12.12).
 void Adc::finish_injected() {
   watch(state_.control1 & kJawdEn);
   const auto place = static_cast<std::size_t>(state_.injected_at);

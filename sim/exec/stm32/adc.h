@@ -1,5 +1,5 @@
-// Models ADC1 and ADC2 (RM0008 11). Each converts the channels of a regular and an injected group in
-// sequence.
+// Models ADC1 and ADC2 (RM0008 11). Each ADC converts the channels of a regular group and of an injected
+// group in sequence.
 //
 //   code = volts / supply * 4096, 0 to 4095     a conversion = (sampling time + 12.5) ADC cycles
 //
@@ -15,7 +15,7 @@ namespace robosim::exec::stm32 {
 
 class Adc final : public Peripheral {
  public:
-  /// `index` 0 is ADC1, 1 is ADC2. Both share the interrupt `line`.
+  /// `index` is 0 for ADC1, 1 for ADC2. The two ADCs share the interrupt `line`.
   Adc(Link& link, const Clocks& clocks, SharedLine& line, int index);
 
   std::uint32_t read(Address address) override;
@@ -45,8 +45,8 @@ class Adc final : public Peripheral {
     std::uint32_t injected_sequence = 0;
 
     Group converts = Group::none;
-    int regular_at = 0, injected_at = 0;  ///< positions in the sequences
-    int left = 0;                         ///< number of regular conversions left since the last trigger
+    int regular_at = 0, injected_at = 0;  ///< positions in the two sequences
+    int left = 0;                         ///< regular conversions that the last trigger has yet to run
     bool regular_waits = false;           ///< a regular conversion waits for the end of the injected group
     bool dma_asks = false;
     std::uint32_t sampled = 0;
@@ -67,7 +67,7 @@ class Adc final : public Peripheral {
   bool sequences_are_modelled() const;
   void start_regular(Cycle at);
   void start_injected(Cycle at);
-  /// Begins the next conversion of the group, at `at`.
+  /// Begins the next conversion of the group at the cycle `at`.
   void begin(Group group, Cycle at);
   void finish();
   void finish_regular();

@@ -44,7 +44,7 @@ std::uint32_t Backup::read(Address address) { return state_.data[place(address)]
 
 bool Backup::write(Address address, std::uint32_t value) {
   if (power_.allows() && place(address) > 0) state_.data[place(address)] = value & 0xFFFF;
-  return place(address) < 11 || value == 0;  // tamper pin and calibration are not modelled
+  return place(address) < 11 || value == 0;  // the tamper pin and the calibration are not modelled
 }
 
 // --- real-time clock
@@ -77,7 +77,7 @@ void Rtc::set_clock(std::uint32_t hz) {
 
 Cycle Rtc::next_event() const {
   if (state_.hz == 0) return kNoCycle;
-  // Finds the next alarm, or the next tick or overflow if its interrupt is enabled.
+  // Finds the next alarm, and the next tick and overflow if their interrupts are enabled.
   const std::uint32_t present = state_.began_with + static_cast<std::uint32_t>(state_.told);
   std::uint64_t next = state_.told + std::uint64_t{state_.alarm - present - 1} + 1;
   if (state_.enabled & kSecondFlag) next = state_.told + 1;

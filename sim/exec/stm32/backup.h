@@ -1,12 +1,12 @@
-// Models power control and the backup domain (RM0008 5, 6, 18). A chip reset does not change the backup
-// domain.
+// Models power control and the backup domain: backup registers and RTC (RM0008 5, 6, 18). A chip reset does
+// not change the backup domain.
 //
 //   Power    PWR_CR, whose DBP bit unlocks Backup and Rtc; the supply is always above the PVD's threshold
 //   Backup   ten registers of 16 bits
 //   Rtc      counts up by 1 every PRL + 1 periods of its clock: LSE 32768 Hz, LSI 40 kHz, or HSE / 128
 //
-// All content is lost at power-off, since a Blue Pill has no battery at VBAT. Writes to the RTC take effect
-// at once, so RTOFF and RSF are always 1.
+// The backup domain is lost at power-off, since a Blue Pill has no battery at VBAT. Writes to the RTC take
+// effect at once, so RTOFF and RSF are always 1.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -20,7 +20,7 @@ class Power final : public Peripheral {
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address) override { state_.control = state_.status = 0; }
-  /// Returns whether the backup domain can be written.
+  /// Returns whether firmware can write the backup domain.
   bool allows() const { return state_.control & 1u << 8; }
 
  private:
@@ -75,7 +75,7 @@ class Rtc final : public Peripheral {
     bool configures = false;
     std::uint32_t began_with = 0;  ///< counter value at `began`
     SimTime began = 0;
-    std::uint64_t told = 0;  ///< ticks counted since `began`
+    std::uint64_t told = 0;  ///< number of ticks since `began` whose events have been handled
   };
 
   SimTime now() const { return link_.clock.time_of(link_.clock.now); }

@@ -144,7 +144,7 @@ bool Bus::dma_store(Address address, unsigned bytes, std::uint32_t value) {
 }
 
 void Bus::serve_dma() {
-  constexpr int kMostItems = 0x10000;  // ends the loop if a peripheral never withdraws its request
+  constexpr int kMostItems = 0x10000;  // limit, in case a peripheral never withdraws its request
   if (dma_.waiting() == 0 || std::exchange(state_.serves_dma, true)) return;
   for (int item = 0; item < kMostItems; ++item) {
     unsigned requests = 0;

@@ -1,7 +1,7 @@
-// Routes the processor's loads and stores outside flash and RAM to peripheral registers. Each address is one
-// register of one peripheral. Unmodelled accesses are recorded with the register's name.
+// Routes the processor's loads and stores outside flash and RAM to peripheral registers. Each address belongs
+// to one register of one peripheral. Unmodelled accesses are recorded with the register's name.
 //
-// The bus needs no processor: tests run the functions of hal/stm32 against it.
+// The bus also works without a processor. In tests, the functions of hal/stm32 access the bus directly.
 #pragma once
 
 #include <array>
@@ -46,11 +46,12 @@ class Bus : DmaBus {
   /// Loads from an address; `size` is 1, 2 or 4 bytes.
   std::uint32_t load(Address address, unsigned size);
   void store(Address address, std::uint32_t value, unsigned size);
-  /// Returns whether a store is in progress. A pin change reported during a store is caused by this store.
+  /// Returns whether a store is in progress. If so, this store is the cause of a pin change that is reported
+  /// now.
   bool is_storing() const { return state_.storing; }
   /// Sets a function that is called before each store.
   void before_stores(std::function<void(Address)> watcher) { before_store_ = std::move(watcher); }
-  /// Returns the cycle until which load() returns the same value; see Peripheral::same_until().
+  /// Returns the cycle before which load() always returns the same value; see Peripheral::same_until().
   Cycle same_until(Address address);
 
   /// Returns the time of the next event of any peripheral; kNoCycle if no event is due.
@@ -61,12 +62,13 @@ class Bus : DmaBus {
   bool programs(Address address, unsigned size) const { return flash_.programs(address, size); }
   const FlashMemory& flash() const { return flash_.memory(); }
   const RamMemory& ram() const { return ram_; }
-  /// Returns the flash page that has changed since the last call, if any.
+  /// Returns the flash page that has changed since the last call; nullopt if no page has changed.
   std::optional<Address> take_changed_page() { return flash_.take_changed(); }
   /// Delivers the inputs that the robot has sent so far.
   void take_inputs();
 
-  /// Resets everything except the backup domain. Reports link().reset_cause in RCC_CSR, then clears it.
+  /// Resets everything except the backup domain. Reports link().reset_cause in RCC_CSR, and then clears
+  /// reset_cause.
   void reset();
 
   /// Saves all state that changes during a run, including RAM, except the content of flash.
@@ -75,14 +77,16 @@ class Bus : DmaBus {
 
   Link& link() { return link_; }
   const Link& link() const { return link_; }
-  /// Returns whether the independent watchdog runs. It can reset the chip without an earlier interrupt.
+  /// Returns whether the independent watchdog runs. This watchdog can reset the chip without an earlier
+  /// interrupt.
   bool may_reset() const { return iwdg_.next_event() != kNoCycle; }
   const Ports& ports() const { return ports_; }
   const std::optional<Unmodelled>& unmodelled() const { return state_.unmodelled; }
   /// Returns the address of the last access.
   Address last_address() const { return state_.last_address; }
 
-  /// Returns the name of the block at an address (RM0008 3.3, table 3): "I2C1"; empty if no block is there.
+  /// Returns the name of the peripheral at an address (RM0008 3.3, table 3): "I2C1". Returns an empty text if
+  /// no peripheral is there.
   static const char* name_at(Address address);
 
  private:
@@ -148,7 +152,7 @@ class Bus : DmaBus {
   Crc crc_;
   Tracing tracing_;
   std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
-  std::vector<Peripheral*> peripherals_;       ///< each peripheral once; the first that claims a pin owns it
+  std::vector<Peripheral*> peripherals_;       ///< each peripheral once, in the order of priority for pins
   std::function<void(Address)> before_store_;  ///< may be empty
   State state_;
 };

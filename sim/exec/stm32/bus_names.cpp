@@ -1,4 +1,4 @@
-// Names the blocks on the bus (RM0008 3.3, table 3; PM0056 4.1).
+// Implements Bus::name_at(), which names the peripherals on the bus (RM0008 3.3, table 3; PM0056 4.1).
 #include "sim/exec/stm32/bus.h"
 
 namespace robosim::exec::stm32 {

@@ -17,11 +17,11 @@ class Clock {
   explicit Clock(SimTime began) : base_time_(began) {}
 
   Cycle now = 0;           ///< cycles since power-on
-  SimTime limit = kNever;  ///< end of the tick; an instruction may begin before and end after this time
+  SimTime limit = kNever;  ///< end of the tick; the last instruction of the tick may end later
 
   std::uint32_t hz() const { return static_cast<std::uint32_t>(hz_); }
-  /// Sets the cycle duration to 1/hz from now on. Times are rounded down to a nanosecond. The rounding error
-  /// does not accumulate until the next call.
+  /// Sets the cycle duration to 1/hz from now on. Times are rounded down to a nanosecond. The rounding errors
+  /// do not accumulate from cycle to cycle, only from call to call.
   void set_hz(std::uint32_t hz) {
     if (static_cast<SimTime>(hz) == hz_) return;
     base_time_ = time_of(now);

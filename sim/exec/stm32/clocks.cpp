@@ -22,7 +22,8 @@ void Clocks::reset(Address) {
   link_.clock.set_hz(hz());
 }
 
-// Also sets the pin reset flag, since each reset pulls NRST low (RM0008 7.1.1).
+// Sets the flag of the cause. Also sets the flag of the NRST pin, since each reset pulls NRST low (RM0008
+// 7.1.1).
 void Clocks::note(Reset cause) {
   state_.reset_flags |= kPinReset;
   if (cause == Reset::software) state_.reset_flags |= kSoftwareReset;

@@ -11,10 +11,10 @@ namespace robosim::exec::stm32 {
 /// First address of the AHB. Peripherals below it are on the APBs (RM0008 3.3).
 constexpr robosim::stm32::Address kAhb = 0x40018000;
 
-/// State of a peripheral: whether it has a clock (RM0008 7.3.6 to 7.3.8), and whether RCC holds it in reset
-/// (7.3.3, 7.3.4).
+/// Reports whether a peripheral has a clock (RM0008 7.3.6 to 7.3.8), and whether RCC holds the peripheral in
+/// reset (7.3.3, 7.3.4).
 struct Gate {
-  const std::uint32_t* enabled = nullptr;  ///< null = always clocked
+  const std::uint32_t* enabled = nullptr;  ///< register with the enable bit; null = always clocked
   const std::uint32_t* reset = nullptr;
   std::uint32_t bit = 0;
 
@@ -26,14 +26,14 @@ class Power;
 
 class Clocks final : public Peripheral {
  public:
-  /// `power` controls whether RCC_BDCR can be written.
+  /// `power` determines whether firmware can write RCC_BDCR.
   Clocks(Link& link, const Power& power) : link_(link), power_(power) { link.snapshots.add(state_); }
 
   std::uint32_t read(Address address) override;
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
   Cycle same_until(Address address) const override;
-  /// Records a reset of the chip: RCC_CSR will report its cause.
+  /// Records the cause of a chip reset, which RCC_CSR then reports.
   void note(Reset cause);
 
   /// Returns the gate of the peripheral whose registers begin at `block`.
@@ -53,7 +53,8 @@ class Clocks final : public Peripheral {
   /// Returns the frequency of the RTC's clock; 0 if this clock is off (7.3.9).
   std::uint32_t rtc_hz() const;
   bool resets_backup_domain() const { return state_.backup & 1u << 16; }
-  /// Returns the processor's frequency. Ignores FLASH_ACR; a real chip fails with too few wait states.
+  /// Returns the processor's frequency. Ignores the wait states in FLASH_ACR, although a real chip fails if
+  /// there are too few wait states.
   std::uint32_t hz() const;
 
  private:

@@ -24,8 +24,8 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const LoopMarks& lo
   for (std::uint32_t i = 0; i < code_.size(); ++i) code_[i].pc = kFlash + 2 * i;
   for (const std::uint32_t pc : loop.first) mark(pc, &Mark::starts);
   for (const std::uint32_t pc : loop.each) mark(pc, &Mark::loop);
-  // Marks functions that only poll values stored by interrupt handlers. Their calls count as accesses to
-  // registers.
+  // Marks functions that only read variables which interrupt handlers write. Calls of these functions count
+  // as accesses to registers, since the firmware polls.
   for (const char* name : {"millis", "HAL_GetTick", "_ZN14HardwareSerial9availableEv",
                            "_ZN14HardwareSerial4peekEv", "_ZN14HardwareSerial4readEv"})
     if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Mark::call);
@@ -144,7 +144,7 @@ std::uint32_t Cpu::leads_back_to(std::uint32_t pc) {
 void Cpu::records(bool recording) { writable_ = recording ? 0 : kRamBytes - 3; }
 
 void Cpu::forget(Address page) {
-  // Decoded instructions within this distance of the page may contain constants from it.
+  // Instructions within this distance of the page may load constants from the page, which the Steps contain.
   constexpr std::uint32_t kReach = 0x1004;
   const std::uint32_t begin = page - kFlash, end = begin + kPageBytes;
   for (std::uint32_t at = begin > kReach ? begin - kReach : 0; at < std::min(end + kReach, kFlashBytes);
@@ -200,7 +200,7 @@ void Cpu::fail(Fault::Kind kind, std::uint32_t pc, std::uint32_t address) {
   stop_ = 0;
 }
 
-// Records the jump to `pc` and fails, since no instruction can run there.
+// Records the jump to `pc`, and reports a fault, because there is no code at `pc`.
 void Cpu::jumped_nowhere(std::uint32_t pc) {
   note_jump();
   fail(Fault::Kind::bad_jump, pc);
@@ -262,7 +262,7 @@ std::vector<std::uint32_t> Cpu::last_jumps() const {
 }
 
 void Cpu::forget_jumps(std::uint32_t count) {
-  // Clears the slots of the forgotten jumps. They had replaced older jumps, which cannot be restored.
+  // Clears the elements of the deleted jumps. These jumps had overwritten older jumps, which are lost.
   const std::uint32_t more =
       std::min<std::uint32_t>(state_.jump_count - count, static_cast<std::uint32_t>(state_.jumps.size()));
   for (std::uint32_t i = 0; i < more; ++i) state_.jumps[(count + i) % state_.jumps.size()] = 0;

@@ -1,9 +1,10 @@
 // Models the Cortex-M3: instructions, time, exceptions, sleep and faults.
 //
-// Most instructions are decoded once (thumb.h, step.h) and executed by one loop (cpu_run.cpp). libunicorn
-// runs the few others, and instructions that fault, one at a time. Cycles are counted before each instruction
-// (cycles.h). The loop stops only between instructions. Interrupts and tick ends are therefore at most one
-// instruction (or IT block) late. Exceptions are entered and left as in PM0056 2.3.7.
+// Most instructions are decoded once (thumb.h, step.h) and executed by the interpreter's loop (cpu_run.cpp).
+// The library libunicorn runs rare instructions, and instructions that fault, one at a time. Cycles are
+// counted before each instruction (cycles.h). The loop stops only between instructions. Interrupts and tick
+// ends are therefore at most one instruction (or IT block) late. Exceptions are entered and left as in PM0056
+// 2.3.7.
 #pragma once
 
 #include <array>
@@ -47,7 +48,7 @@ struct Fault {
     unmodelled
   };
   Kind kind = Kind::bad_jump;
-  std::uint32_t pc = 0;       ///< address of the instruction; for a jump, its target
+  std::uint32_t pc = 0;       ///< address of the instruction; for a bad jump, the target of the jump
   std::uint32_t address = 0;  ///< address read or written, opcode, or number of the unhandled exception
 };
 
@@ -63,9 +64,11 @@ class Cpu {
 
   /// Resets everything as after power-on, except RAM and statistics.
   void reset();
-  /// Takes the exception that is due, if any.
+  /// Enters the handler of the pending exception with the highest priority, if that exception can preempt
+  /// now.
   void take_exception();
-  /// Runs until `cycle`, or until an event that may need handling outside the processor.
+  /// Runs until `cycle`. Returns earlier if the processor sleeps or fails, or if another part of the chip may
+  /// have an event.
   void run_to(Cycle cycle);
   bool is_asleep() const { return state_.asleep; }
   /// Wakes up if an interrupt or event is pending; otherwise sleeps until `cycle`.
@@ -91,8 +94,8 @@ class Cpu {
     watch_stack();
   }
   Address stack_limit() const { return state_.stack_limit; }
-  /// Returns the addresses of the most recent jump instructions, latest first. In a handler, returns only
-  /// that handler's jumps.
+  /// Returns the addresses of the most recent jump instructions, the latest first. In a handler, returns only
+  /// the jumps of this handler.
   std::vector<std::uint32_t> last_jumps() const;
 
   /// Makes libunicorn execute every instruction that it can, as a reference for tests.
@@ -103,8 +106,8 @@ class Cpu {
   const Idle& idle() const { return idle_; }
 
   // --- for debuggers
-  /// Makes run_to() return before the instruction at `pc`; the next call runs it. In an IT block, run_to()
-  /// returns after the block.
+  /// Makes run_to() return before the instruction at `pc`. The next call of run_to() runs the instruction. In
+  /// an IT block, run_to() returns after the block.
   void set_breakpoint(std::uint32_t pc, bool set);
   /// Runs the next instruction even if it has a breakpoint.
   void pass_breakpoint() { passing_ = state_.next; }
@@ -127,13 +130,14 @@ class Cpu {
   // --- statistics
   Cycle last_io() const {
     return state_.last_io;
-  }  ///< last access to a register, or call of millis(), outside handlers
+  }  ///< cycle of the last access to a register, or of the last call of millis(), outside handlers
   std::uint32_t last_io_pc() const { return state_.last_io_pc; }
   Cycle handler_cycles() const;
   Cycle sleep_cycles() const { return state_.sleep_cycles; }
-  /// Returns the cycle at which the current handler, or else the most recent handler, began.
+  /// Returns the cycle at which the outermost running handler began. If no handler runs, returns the cycle at
+  /// which the last handler began.
   Cycle handler_began() const { return state_.handler_began; }
-  /// Returns whether neither PRIMASK nor FAULTMASK masks interrupts.
+  /// Returns whether PRIMASK and FAULTMASK are both clear, so that interrupts are not masked.
   bool interruptible() const { return !(state_.primask | state_.faultmask); }
   const LoopTimer<SimTime>& rounds() const { return state_.rounds; }
 
@@ -153,7 +157,7 @@ class Cpu {
   friend class Idle;
   friend class Engine;
   struct Hooks;
-  /// Actions to perform before the instruction at `pc` runs.
+  /// The actions before the instruction at `pc` runs.
   struct Mark {
     std::uint32_t pc = 0;
     bool starts = false, loop = false, call = false, sets = false, watched = false, counted = false,
@@ -166,7 +170,7 @@ class Cpu {
   struct Handler {
     Exception exception;
     std::uint32_t interrupted;
-    std::uint32_t jumps;  ///< jump count when the handler began
+    std::uint32_t jumps;  ///< number of jumps when the handler began
   };
   struct EarlySet {
     std::uint32_t pc = 0;
@@ -176,7 +180,7 @@ class Cpu {
 
   /// All state that changes during a run, except the monitor of LDREX and STREX, which libunicorn stores.
   struct State {
-    std::array<std::uint32_t, 17> r{};  ///< the last is always 0; r[15] is the value that instructions read
+    std::array<std::uint32_t, 17> r{};  ///< r[15] is the pc that instructions read; r[16] is always 0
     Flags flags;
     bool saturated = false;
     std::uint32_t it = 0;  ///< ITSTATE (ARMv7-M ARM, A7.3.2)
@@ -186,8 +190,8 @@ class Cpu {
     std::uint32_t pc = 0;    ///< address of the running instruction
     std::uint32_t next = 0;  ///< address of the next instruction
     bool returning = false, asleep = false;
-    bool waits_for_event = false;  ///< sleeps because of WFE, not WFI
-    int predicated = 0;            ///< instructions left in the IT block
+    bool waits_for_event = false;  ///< the processor sleeps because of WFE, not WFI
+    int predicated = 0;            ///< number of instructions left in the IT block
     std::vector<Handler> handlers;
     std::uint32_t interrupted_pc = 0;
     std::optional<Fault> fault;
@@ -210,7 +214,7 @@ class Cpu {
   bool begins(std::uint32_t pc);
   /// Returns the Step at `pc`; null if the address cannot contain code.
   const Step* step_at(std::uint32_t pc);
-  /// Decodes the Step at the address of `at`; null if the address cannot contain code.
+  /// Decodes the instruction at `at.pc` and returns its Step; null if the address cannot contain code.
   const Step* fetched(const Step& at);
   bool make(std::uint32_t pc, Step& step) const;
 
@@ -225,7 +229,8 @@ class Cpu {
   bool load_many(const Step& step, std::uint32_t registers);
   bool store_many(const Step& step);
   void multiply_long(const Step& step);
-  /// `b` is the second operand, `carry` the last bit shifted out of it.
+  /// Computes a data operation. `b` is the second operand. `carry` is the last bit that was shifted out of
+  /// `b`.
   void compute(Op op, const Step& step, std::uint32_t b, std::uint32_t carry, bool sets, Flags& flags);
   void change_masks(std::uint32_t value);
   void masks_changed();
@@ -238,7 +243,7 @@ class Cpu {
   void check_stack();
   void watch_stack();
   void note_jump() { state_.jumps[state_.jump_count++ % state_.jumps.size()] = state_.pc; }
-  /// Forgets all recorded jumps after the first `count`.
+  /// Deletes all recorded jumps after the first `count` jumps.
   void forget_jumps(std::uint32_t count);
   void jumped_nowhere(std::uint32_t pc);
   void accessed();
@@ -266,12 +271,12 @@ class Cpu {
   uc_struct* const uc_;
   std::uint8_t* const flash_;
   std::uint8_t* const ram_;
-  std::vector<Step> code_;  ///< one per halfword of flash, plus two empty ones
-  /// The instructions outside flash that were decoded last, each with the Steps after it.
+  std::vector<Step> code_;  ///< one Step for each halfword of flash, and two empty Steps at the end
+  /// The instructions outside flash that were decoded last. Two empty Steps follow each of these.
   std::array<std::array<Step, 3>, 4> elsewhere_;
   std::size_t elsewhere_count_ = 0;
   std::vector<Mark> marks_;                     ///< sorted by address
-  std::array<std::uint16_t, 8> known_marks_{};  ///< indices of the marks that were looked up last
+  std::array<std::uint16_t, 8> known_marks_{};  ///< cache: indices of marks that were looked up recently
   LineCounts* lines_ = nullptr;
   Idle idle_{*this};
   std::uint32_t writable_ = 0;  ///< bytes of RAM that the loop may write directly
@@ -283,7 +288,7 @@ class Cpu {
   bool ends_ = false, falls_asleep_ = false;
   Cycle stop_ = 0;
   std::function<void()> watcher_;
-  std::uint32_t passing_ = 1;  ///< address whose breakpoint is passed once; 1 = none
+  std::uint32_t passing_ = 1;  ///< address whose breakpoint is ignored once; 1 = no address
   bool halting_ = false, at_breakpoint_ = false;
   bool referee_ = false;
 };

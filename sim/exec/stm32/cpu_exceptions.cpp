@@ -76,7 +76,7 @@ void Cpu::leave() {
   clock_.now += nvic_.wakes() ? kTailChainCycles : kExitCycles;
   if (!state_.handlers.empty()) return;
   state_.handler_cycles += clock_.now - state_.handler_began;
-  state_.asleep = nvic_.sleeps_on_exit();  // sleeps as after WFI (PM0056 2.5.1)
+  state_.asleep = nvic_.sleeps_on_exit();  // the processor sleeps as after WFI (PM0056 2.5.1)
   state_.waits_for_event = false;
 }
 

@@ -1,5 +1,5 @@
-// Handles loads and stores outside the interpreter's loop (ARMv7-M ARM, A7.7), and rare data processing. A
-// function that returns false has changed nothing.
+// Implements the loads, stores and rare data operations that the interpreter's loop does not implement itself
+// (ARMv7-M ARM, A7.7). A function that returns false has changed nothing.
 #include <bit>
 #include <cstring>
 

@@ -1,6 +1,6 @@
 // Implements the interpreter's loop: the effects of instructions (ARMv7-M ARM, A7.7). The code of each
-// instruction ends with a jump to the code of the next instruction. An instruction that cannot run here
-// changes nothing and is passed to libunicorn.
+// instruction ends with a jump to the code of the next instruction. If an instruction cannot run here, it
+// changes nothing, and libunicorn executes it.
 #include "sim/exec/stm32/cpu_steps.h"
 
 namespace robosim::exec::stm32 {
@@ -13,8 +13,8 @@ void Cpu::run() {
       ROBOSIM_STM32_STEPS(LABEL)
 #undef LABEL
   };
-  // Uses local variables for the values that every instruction needs. A store to `r` may alias any member, so
-  // the compiler would have to reload members.
+  // Uses local variables for the values that every instruction needs. The compiler would have to reload
+  // members after each store to `r`, because such a store could change any member.
   std::uint32_t* const r = state_.r.data();
   std::uint8_t *const ram = ram_, *const flash = flash_;
   Step* const code = code_.data();
@@ -231,7 +231,7 @@ void Cpu::run() {
   STEP(tbh, 2) TABLE(2);
 
   STEP(it_one, 1) {
-    // Handles an IT block of one instruction. The next instruction runs without a check of the cycles left.
+    // Handles an IT block with one instruction. The instruction runs even if no cycles are left.
     if (held != 0 || halting_) goto block;
     const bool passes = flags.passes(i->value >> 4);
     ADVANCE;
@@ -356,7 +356,8 @@ leave:
     const std::uint32_t it = state_.it;
     const std::uint32_t rest = it & 7 ? (it & 0xE0) | (it << 1 & 0x1F) : 0;
     if (it != 0 && !flags.passes(it >> 4)) {
-      // A skipped instruction takes no time. The pipeline is refilled once after such instructions.
+      // A skipped instruction takes no time. The pipeline is refilled once after one or more skipped
+      // instructions.
       state_.it = rest;
       left_out = true;
       i = BEHIND;

@@ -1,4 +1,5 @@
-// Accesses the processor's special registers (PM0056 2.1.3), and exchanges its state with libunicorn.
+// Implements the processor's special registers (PM0056 2.1.3), the execution of an instruction by libunicorn,
+// and the marks of instructions.
 #include <algorithm>
 #include <utility>
 
@@ -79,7 +80,7 @@ void Cpu::masks_changed() {
 }
 
 bool Cpu::read_special(std::uint32_t number, std::uint32_t& value) const {
-  // The EPSR bits read as 0.
+  // The bits of EPSR always read as 0.
   constexpr std::uint32_t kIpsrPart = 1, kWithoutApsr = 4, kExceptionMask = 0x1FF;
   if (number < kMsp) {
     value = status() & ((number & kIpsrPart ? kExceptionMask : 0) | (number & kWithoutApsr ? 0 : kFlags));
@@ -154,11 +155,12 @@ void Cpu::emulate() {
     fail(Fault::Kind::division, state_.pc);
   after_ = state_.next;
   idle_.interrupted();
-  // Clears ITSTATE: the condition was true, and no emulated instruction depends on the rest of its IT block.
+  // Clears ITSTATE for libunicorn. The condition of the instruction is true, and the instruction does not
+  // depend on the rest of its IT block.
   const std::uint32_t it = std::exchange(state_.it, 0);
   std::uint32_t psr = status();
   for (unsigned i = 0; i < kRegisters; ++i) uc_reg_write(uc_, kIds[i], i < 15 ? &state_.r[i] : &psr);
-  // Discards translated RAM code, which may have been overwritten since.
+  // Discards libunicorn's translation of code in RAM, because the firmware may have overwritten this code.
   if (state_.pc >= kRam) uc_ctl_remove_cache(uc_, kRam, kRam + kRamBytes);
   first_ = true;
   block_bytes_ = 0;

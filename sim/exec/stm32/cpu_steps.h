@@ -1,12 +1,14 @@
-// Defines the parts of the interpreter's loop (cpu_run.cpp) as macros over its local variables. Functions
-// cannot replace them, since a computed goto needs its labels in the same function. No other file includes
-// this file.
+// Defines macros for the interpreter's loop (cpu_run.cpp). The macros use local variables of the loop.
+// Functions cannot replace the macros, since a computed goto needs its labels in the same function. Only
+// cpu_run.cpp includes this file.
 //
 //   i, last        the running Step, and the previous Step
-//   left, end      cycles left until `end`, where run_to() should stop; end - left is the present cycle
+//   left, end      `left` is the number of cycles until `end`, where run_to() should stop. The present cycle
+//                  is end - left
 //   r, flags       the registers
-//   held           0; or, in an IT block and just after it, the number of cycles subtracted from `left` and
-//                  `end`. `left` is then negative, so that the loop reaches `leave` before each instruction
+//   held           usually 0. In an IT block and just after it, `held` is the number of cycles subtracted
+//                  from `left` and `end`. `left` is then negative, so that the loop reaches `leave` before
+//                  each instruction
 #pragma once
 
 #include <cstring>
@@ -45,8 +47,8 @@
   }
 
 #define NOW (end - static_cast<Cycle>(left))
-// Stores the state that functions called by an instruction may read. RESUME_TIME loads the state that they
-// may have changed.
+// Stores the state that functions called by an instruction may read. RESUME_TIME loads the state that these
+// functions may have changed.
 #define PUT          \
   clock_.now = NOW;  \
   state_.pc = i->pc; \
@@ -63,7 +65,7 @@
 #define SETS_CARRY \
   if (i->shift != Thumb::kCarryStays) flags.carry = i->shift
 
-// Defines two variants of an instruction: one without flags, and one that sets flags.
+// Defines two variants of an instruction. Only the second variant sets flags.
 #define LOGIC(name, expression)   \
   STEP(name, 1) D = (expression); \
   NEXT;                           \
@@ -82,7 +84,7 @@
     NEXT;                                \
   }
 
-// Defines variants of an instruction with a shifted second operand. They set no flags.
+// Defines three variants of an instruction with a shifted second operand. These variants set no flags.
 #define OF_SHIFTED(name, expression)  \
   STEP(name##_lsl, 1)                 \
   OF_VALUE(expression, M << i->value) \
@@ -97,7 +99,8 @@
     NEXT;                             \
   }
 
-// Passes a copy of the flags, because `flags` could not stay in registers if its address were taken.
+// Passes a copy of the flags. If the address of `flags` itself were passed, the compiler could not keep
+// `flags` in registers.
 #define COMPUTE(op, b, carry, sets)                                       \
   {                                                                       \
     state_.flags = flags;                                                 \
@@ -138,7 +141,7 @@
 #define WRITES(name, bytes, address, source) STEP(name, 2) WRITE(bytes, address, source) NEXT
 #define SIGNED(bits) sign_extended(value, bits)
 #define INDEXED (N + (M << i->shift) + i->value)
-// Defines variants that change the base register. `result` may use `value` and `moved`.
+// Defines loads and stores that also change the base register. `result` may use `value` and `moved`.
 #define READ_BACK(bytes, result)                     \
   {                                                  \
     const std::uint32_t moved = N + i->value;        \

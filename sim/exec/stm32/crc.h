@@ -1,4 +1,5 @@
-// Models the CRC unit (RM0008 4): polynomial 0x04C11DB7, one word at a time, without delay.
+// Models the CRC unit (RM0008 4), which computes a CRC with the polynomial 0x04C11DB7, one word at a time.
+// The result is available without delay.
 #pragma once
 
 #include "sim/exec/stm32/peripheral.h"

@@ -7,7 +7,8 @@ std::uint8_t count_bits(unsigned bits) { return static_cast<std::uint8_t>(__buil
 
 std::uint8_t cycles(unsigned n) { return static_cast<std::uint8_t>(n); }
 
-// Returns the length of an IT block. The lowest set bit of the mask marks its end (ARMv7-M ARM, A7.7.37).
+// Returns the number of instructions in an IT block. The lowest set bit of the mask shows this number
+// (ARMv7-M ARM, A7.7.37).
 std::uint8_t length_of_it(unsigned mask) { return static_cast<std::uint8_t>(4 - __builtin_ctz(mask)); }
 
 Instruction decode_short(unsigned op) {
@@ -59,7 +60,7 @@ Instruction decode_multiply_or_divide(unsigned first, unsigned second) {
     i.divides = true;
     i.divisor = static_cast<std::uint8_t>(second & 0xF);
   } else {
-    i.cycles = kind >= 4 ? 6 : 4;  // 6 if accumulating
+    i.cycles = kind >= 4 ? 6 : 4;  // 6 for UMLAL and SMLAL
   }
   return i;
 }

@@ -1,4 +1,5 @@
-// Defines the duration of each instruction, and the effects that the emulator must check.
+// Defines the duration of each instruction, and the effects on the stack, interrupts and sleep that the
+// emulator must check.
 //
 // Source: Cortex-M3 Technical Reference Manual r1p1 (ARM DDI 0337E), 18.2 "Processor instruction timings":
 //
@@ -8,9 +9,10 @@
 //   MUL 1, MLA and MLS 2, UMULL and SMULL 4, UMLAL and SMLAL 6     SDIV, UDIV 7
 //   MSR, MRS, CPS 2             DMB, DSB, ISB 4                     WFI, WFE 1
 //
-// The manual gives ranges for P (1 to 3), for long multiplications, and for divisions (2 to 12, depending on
-// the operands). Here P is 2 and the other durations are as listed. Consecutive loads overlap on the chip;
-// here they do not. Flash wait states are not counted: the prefetch buffer hides most of them.
+// P is the time to refill the pipeline. The manual gives ranges for P (1 to 3), for long multiplications, and
+// for divisions (2 to 12, depending on the operands). This model uses P = 2, and the other durations as
+// listed. On the chip, consecutive loads overlap; in this model they do not. Flash wait states are not
+// counted, because the prefetch buffer hides most of them.
 #pragma once
 
 #include <cstdint>
@@ -24,9 +26,9 @@ struct Instruction {
   std::uint8_t cycles = 1;
   bool grows_stack = false;  ///< may lower the stack pointer
   bool masks = false;        ///< may change PRIMASK or BASEPRI
-  bool sleeps = false;       ///< WFI, WFE
+  bool sleeps = false;       ///< is WFI or WFE
   bool divides = false;
-  std::uint8_t divisor = 0;     ///< the register with the divisor of a division
+  std::uint8_t divisor = 0;     ///< for a division, the register that contains the divisor
   std::uint8_t predicates = 0;  ///< for IT: the number of instructions in its block
 };
 

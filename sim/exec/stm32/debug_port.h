@@ -2,9 +2,9 @@
 // stepping and watchpoints.
 //
 //   registers   0-12 r0 to r12, 13 sp, 14 lr, 15 pc, 16 xpsr, 4 bytes each
-//   addresses   those of the chip, except peripherals, since reading some of them has side effects
+//   addresses   as on the chip. Peripherals cannot be read, since some reads have side effects
 //
-// Breakpoints hardly slow down the simulation. An IT instruction and its block are one step.
+// Breakpoints hardly slow down the simulation. An IT instruction and its block count as one step.
 #pragma once
 
 #include "sim/exec/gdb/debug_port.h"

@@ -36,7 +36,7 @@ SourceLine Diagnosis::where_now() const {
 }
 
 std::string Diagnosis::access_text(const char* kind, std::uint32_t address) const {
-  constexpr std::uint32_t kTwice = 2 * kStm32f103c8.flash_bytes;  // many of these chips really have this size
+  constexpr std::uint32_t kTwice = 2 * kStm32f103c8.flash_bytes;  // many chips really have this much flash
   if (address >= kFlash && address < kFlash + kTwice)
     return fmt::format("{} address 0x{:08X}, after the {} KB of flash that the chip's data sheet guarantees",
                        kind, address, kStm32f103c8.flash_bytes / 1024);
@@ -118,7 +118,7 @@ Crash Diagnosis::crash(const Fault& fault) const {
   Crash crash;
   crash.reason = reason(fault);
   if (!is_jump(fault)) crash.where = debug_.place(fault.pc);
-  // Uses the call or return that led to the invalid address.
+  // After a jump to an invalid address, reports the instruction that jumped there, or else an earlier jump.
   if (is_jump(fault))
     for (const std::uint32_t pc : cpu_.last_jumps())
       if (crash.where.file.empty()) crash.where = debug_.place(pc);

@@ -1,4 +1,4 @@
-// Derives facts about firmware from the chip's state and from debug information.
+// Derives the firmware's crash report, activity and source lines from the chip's state and debug information.
 #pragma once
 
 #include "sim/exec/elf/debug_info.h"
@@ -15,7 +15,7 @@ class Diagnosis {
   /// Returns the firmware's activity, except last_call.
   Activity activity() const;
   SourceLine where_now() const;
-  /// Returns the source line of the first call that is in user code.
+  /// Returns the source line of the first of `calls` that is in user code.
   SourceLine place_of(const std::vector<std::uint32_t>& calls) const;
 
  private:

@@ -25,7 +25,8 @@ void Dma::flag(int index, std::uint32_t flags) {
   refresh(index);
 }
 
-// The interrupt enable bits in CCR have the same positions as the flags in ISR.
+// Updates the channel's interrupt line and its bit in waiting(). The interrupt enable bits in CCR have the
+// same positions as the flags in ISR.
 void Dma::refresh(int index) {
   const Channel& channel = state_.channels[static_cast<std::size_t>(index)];
   const std::uint32_t flags = state_.status >> (4 * index) & (kComplete | kHalf | kError);
@@ -52,7 +53,7 @@ void Dma::move(int index) {
   const std::uint32_t control = channel.control;
   const unsigned of_peripheral = bytes_of(control >> 8), of_memory = bytes_of(control >> 10);
   const bool out = control & kToPeripheral;
-  // A narrower target receives the lower part; a wider target is padded with zeros (table 77).
+  // A narrower target receives the lower bytes. A wider target is padded with zeros (table 77).
   std::uint32_t value = 0;
   const bool moved = out ? bus_.dma_load(channel.next_memory, of_memory, value) &&
                                bus_.dma_store(channel.next_peripheral, of_peripheral, value)

@@ -41,7 +41,8 @@ const SourceLine& DrivenLines::line_now() const {
     return kUnknown;
   };
   if (const SourceLine& here = debug_.place(cpu.pc()); !here.file.empty()) return here;
-  // A tail call leaves no trace on the stack, only a jump. In a handler, only the handler's own jumps count.
+  // Examines jumps first, because a tail call leaves no return address on the stack. In a handler, ignores
+  // the stack, because its calls may belong to the interrupted code.
   const SourceLine& jumped = first_of(cpu.last_jumps());
   return jumped.file.empty() && !cpu.in_handler() ? first_of(machine_.open_calls()) : jumped;
 }

@@ -1,8 +1,8 @@
-// Finds the sketch line that drives a pin. Call it while the chip reports the pin's change.
+// Finds the line of the sketch that drives a pin. Call it only while the chip reports the pin's change.
 //
 //   cause                                  line
-//   an instruction writes to a register    line of the instruction; if it is in the core, line of the last
-//                                          jump from user code, or else of the innermost user call
+//   an instruction writes to a register    line of the instruction. For an instruction of the core, line of
+//                                          the last jump from user code, or else of the innermost user call
 //   a timer applies a new duty cycle       the line that last wrote TIMx_CCRy before the timer's update
 //   a timer or handler of the core         none
 #pragma once
@@ -21,7 +21,8 @@ class DrivenLines {
   DrivenLines(const DrivenLines&) = delete;
   DrivenLines& operator=(const DrivenLines&) = delete;
 
-  /// Returns the line; empty if the line is unknown. `pwm`: PWM drives the pin from now on.
+  /// Returns the line that drives the pin; empty if the line is unknown. `pwm` is true if PWM drives the pin
+  /// from now on.
   const SourceLine& line_of(const PinSpec& pin, bool pwm) const;
 
  private:
@@ -30,7 +31,7 @@ class DrivenLines {
 
   const Machine& machine_;
   const DebugInfo& debug_;
-  /// The last line that wrote each TIMx_CCRy, by the register's address; null = none yet.
+  /// The last line that wrote each TIMx_CCRy, by the register's address; null = not written yet.
   std::map<Address, const SourceLine*> compared_by_;
 };
 

@@ -26,7 +26,8 @@ struct Cpu::Hooks {
     Cpu& c = self(engine);
     const auto pc = static_cast<std::uint32_t>(address);
     if (std::exchange(c.first_, false) || (pc - c.state_.pc < c.block_bytes_ && !c.state_.fault)) return;
-    // The chip cannot run ARM code. The fault is reported at the instruction after the branch.
+    // The chip cannot run ARM code. If a branch has selected ARM code, the fault is reported at the branch's
+    // target.
     std::uint32_t cpsr = 0;
     uc_reg_read(uc, UC_ARM_REG_CPSR, &cpsr);
     constexpr std::uint32_t kThumbState = 1u << 5;
@@ -102,8 +103,8 @@ struct Cpu::Hooks {
 };
 
 Engine::Engine(const FlashMemory& flash) {
-  // Does not set UC_MODE_MCLASS. In this mode, libunicorn ignores the CPU model and executes instructions
-  // that the M3 lacks.
+  // Does not set UC_MODE_MCLASS. In this mode, libunicorn ignores the CPU model, and executes instructions
+  // that a Cortex-M3 does not have.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &uc_));
   try {
     check(uc_ctl_set_cpu_model(uc_, UC_CPU_ARM_CORTEX_M3));

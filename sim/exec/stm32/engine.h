@@ -1,6 +1,6 @@
-// Wraps libunicorn's emulator of one chip. Its generated code needs large writable and executable memory,
-// which a confined process cannot allocate (sim/exec/host/confinement.h). Therefore the emulator is created
-// before the run begins, and is used for all power cycles of the chip.
+// Wraps libunicorn's emulator for one chip. libunicorn generates code, and needs a large range of writable
+// and executable memory. A confined process cannot allocate such memory (sim/exec/host/confinement.h).
+// Therefore the emulator is created before the run begins, and is used for all power cycles of the chip.
 #pragma once
 
 #include <cstdint>
@@ -17,24 +17,24 @@ class Cpu;
 
 class Engine {
  public:
-  /// Creates the emulator of a chip. `flash` must outlive it. Throws std::runtime_error.
+  /// Creates the emulator. `flash` must outlive this object. Throws std::runtime_error if libunicorn fails.
   explicit Engine(const FlashMemory& flash);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// Resets the emulator and attaches it to `cpu` until end(). `ram` is the data of a RamMemory.
+  /// Resets the emulator, and attaches the emulator to `cpu` until end(). `ram` is the data of a RamMemory.
   void begin(Cpu& cpu, std::uint8_t* ram);
   void end();
 
   uc_struct* uc() const { return uc_; }
 
-  /// Emulator state between instructions: the monitor of LDREX and STREX. A Cpu sets all other state before
-  /// each instruction.
+  /// The state that libunicorn keeps from instruction to instruction: the monitor of LDREX and STREX. The Cpu
+  /// sets all other state before each instruction.
   using Context = std::shared_ptr<const uc_context>;
   Context save() const;
   void restore(const Context& saved);
-  /// Notes that an instruction is about to run.
+  /// Must be called before libunicorn runs an instruction, because the instruction may change the Context.
   void runs() { context_.reset(); }
 
  private:
@@ -46,8 +46,8 @@ class Engine {
 
   uc_struct* uc_ = nullptr;
   Context as_new_;
-  mutable Context context_;  ///< the present state; null = not read since an instruction ran
-  Cpu* cpu_ = nullptr;       ///< null = the chip has no power
+  mutable Context context_;  ///< the present state; null = an instruction has run since the last save()
+  Cpu* cpu_ = nullptr;       ///< null while the power is off
 };
 
 }  // namespace robosim::exec::stm32

@@ -44,7 +44,7 @@ void load_symbols(const ElfFile& elf, const BoardSpec& board, Firmware& firmware
   for (const ElfSymbol& symbol : elf.symbols()) {
     const bool code = symbol.kind == ElfSymbol::Kind::function;
     if (symbol.absolute || (!code && symbol.kind != ElfSymbol::Kind::object)) continue;
-    // The lowest bit of a function's address selects Thumb.
+    // Clears the lowest bit of a function's address, which selects Thumb code.
     const auto address = static_cast<Address>(symbol.value);
     firmware.symbols.add({std::string(symbol.name), code ? address & ~1u : address,
                           static_cast<std::uint32_t>(symbol.size), code});

@@ -1,5 +1,5 @@
-// Computes the flags of the xPSR lazily. An instruction stores the values that determine its flags, and each
-// flag is computed only when it is read (ARMv7-M ARM, A2.2.1, A7.3).
+// Computes the flags of the xPSR lazily (ARMv7-M ARM, A2.2.1, A7.3). An instruction stores the values that
+// determine its flags. Each flag is computed from these values only when the flag is read.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace robosim::exec::stm32 {
 
-/// For each condition number, a set of the values of N, Z, C and V that satisfy the condition.
+/// For each condition number, a bit set of the combinations of N, Z, C and V that satisfy the condition.
 inline constexpr std::array<std::uint16_t, 16> kPasses = [] {
   std::array<std::uint16_t, 16> all{};
   for (unsigned flags = 0; flags < 16; ++flags) {

@@ -87,7 +87,7 @@ void Flash::program(Address address, std::uint32_t value) {
   const std::uint8_t* const half = memory_.data() + (address - kFlash);
   const unsigned before = half[0] | half[1] << 8;
   link_.clock.now += link_.clock.cycles_in(kProgram);
-  if (before != 0xFFFF && value != 0) {  // only 0 can be written to a halfword that is not erased
+  if (before != 0xFFFF && value != 0) {  // a halfword that is not erased accepts only the value 0
     state_.status |= kFlashPgErr;
     return;
   }

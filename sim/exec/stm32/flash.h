@@ -1,6 +1,7 @@
-// Models the flash interface (RM0008 3.3.3; PM0075). With it, a program can change any halfword or page of
-// flash, even its own code. As on the chip, the processor stops while flash is busy, since its instructions
-// come from flash. Flash is busy 52.5 us for a halfword and 30 ms for a page (DS5319, table 28: 20 to 40 ms).
+// Models the flash interface (RM0008 3.3.3; PM0075), by which a program can write any halfword and erase any
+// page of flash, even its own code. As on the chip, the processor stops while flash is busy, since its
+// instructions come from flash. A write takes 52.5 us, and an erase takes 30 ms (DS5319, table 28: 20 to 40
+// ms).
 #pragma once
 
 #include <optional>
@@ -23,12 +24,13 @@ class Flash final : public Peripheral {
   static bool owns_memory(Address address) {
     return address - robosim::stm32::kFlash < robosim::stm32::kFlashBytes;
   }
-  /// Reads flash at `address`; bytes after its end read as 0xFF.
+  /// Reads flash at `address`. Bytes after the end of flash read as 0xFF.
   std::uint32_t read_memory(Address address, unsigned size) const;
-  /// Returns whether a store programs flash. Only halfword stores do, while FLASH_CR allows programming.
+  /// Returns whether a store programs flash. Only a halfword store programs flash, and only while FLASH_CR
+  /// allows programming.
   bool programs(Address address, unsigned size) const;
   void program(Address address, std::uint32_t value);
-  /// Returns the page that has changed since the last call, if any.
+  /// Returns the address of the page that has changed since the last call; nullopt if no page has changed.
   std::optional<Address> take_changed() { return std::exchange(changed_, std::nullopt); }
   const FlashMemory& memory() const { return memory_; }
 

@@ -1,4 +1,4 @@
-// Predicts whether firmware that no longer accesses registers will stay inactive.
+// Predicts whether firmware that no longer accesses registers will never access registers again.
 #pragma once
 
 #include "sim/exec/stm32/firmware.h"
@@ -6,10 +6,13 @@
 
 namespace robosim::exec::stm32 {
 
-/// Returns true for firmware with Robosim's core if only the core's interrupts for its clock, waits and
-/// Serial are enabled. A sketch cannot observe their effects unless it calls the core. Also returns true if
-/// interrupts are masked, an interrupt is pending, and no handler has begun for a second. The result does not
-/// prove a loop: the firmware may be computing. Returns false for other firmware.
+/// Returns whether the firmware probably hangs. Call it only if the firmware has not accessed a register for
+/// some time. Returns false for firmware without Robosim's core.
+///
+/// Returns true if only the core's interrupts for its clock, waits and Serial are enabled. A sketch that does
+/// not call the core cannot observe the effects of these interrupts. Also returns true if interrupts are
+/// masked, an interrupt is pending, and no handler has begun for a second. The result does not prove a loop,
+/// because the firmware may be computing.
 bool hangs(const Machine& machine, const Firmware& firmware);
 
 }  // namespace robosim::exec::stm32

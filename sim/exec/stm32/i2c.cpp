@@ -26,7 +26,7 @@ I2c::I2c(Link& link, const Clocks& clocks, int number)
   link.snapshots.add(state_);
 }
 
-// Reports both open-drain lines as released.
+// Reports the two open-drain lines SCL and SDA as released.
 bool I2c::drives(ChipPin pin, PinDrive& drive) const {
   const I2cPins pins = i2c_pins(number_, link_.map);
   if (!(state_.control & kPe) || (pin != pins.clock && pin != pins.data)) return false;

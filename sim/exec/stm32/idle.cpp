@@ -13,10 +13,11 @@ namespace {
 constexpr Cycle kFirstExplored = 20'000, kLastExplored = 2'000'000;
 constexpr std::size_t kMostStored = 200;
 constexpr int kMostTries = 5, kMostRounds = 1;
-// Number of arrivals at other loop heads that ends a recording. One of these heads then belongs to the
-// waiting loop.
+// A recording ends after this number of arrivals at other loop heads. One of the other heads then probably
+// belongs to the waiting loop.
 constexpr int kMostOthers = 4;
-// Costs of the search, as the number of cycles that could be simulated in the same time.
+// The costs of an arrival at a head, a recorded pass and a recorded read. The unit is the time in which one
+// cycle is simulated.
 constexpr std::int64_t kCostOfHead = 5, kCostOfRecord = 40, kCostOfLook = 10;
 constexpr Cycle kWorthwhile = 60;
 
@@ -52,7 +53,7 @@ void Idle::explore() {
   bool found = false;
   const std::vector<std::uint32_t> jumps = cpu_.last_jumps();
   for (std::size_t i = 0; i < jumps.size(); ++i) {
-    // Considers only jumps that occur at least twice.
+    // Considers only jumps that occur at least twice in the list.
     if (std::find(jumps.begin(), jumps.begin() + static_cast<std::ptrdiff_t>(i), jumps[i]) ==
         jumps.begin() + static_cast<std::ptrdiff_t>(i))
       continue;
@@ -177,8 +178,8 @@ void Idle::moved_in_time() {
 void Idle::skip(Cycle passes, Cycle cycles) {
   Clock& clock = cpu_.clock_;
   if (rounds_ > 0) {
-    // Rounding to nanoseconds makes rounds of loop() differ in duration. The pattern of these durations
-    // repeats after at most this number of rounds.
+    // The durations of the rounds of loop() differ, because times are rounded to nanoseconds. The pattern of
+    // these durations repeats after at most this number of rounds.
     constexpr Cycle kDifferent = 40;
     const Cycle first = round_at_ + cycles;
     const Cycle one_by_one = std::min(passes, kDifferent);

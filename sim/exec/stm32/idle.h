@@ -1,16 +1,18 @@
 // Skips waiting loops, which repeatedly call millis() or poll flags and buttons. Afterwards, firmware, pins
-// and time are as if every pass had run. Skipping affects only the duration of the simulation.
+// and time are as if every pass of the loop had run. Skipping affects only the duration of the simulation. It
+// has three steps:
 //
-//   explores   checks from time to time which of the last jumps lead backwards, to a loop head
-//   records    notes what one pass from a head stores, and how long the values that it reads from
-//              peripherals stay valid
-//   skips      skips the passes that end before the next event, and before a value read by the pass may
-//              change; requires that registers and RAM are as at the beginning of the pass. The last of these
-//              passes is executed, to reproduce all effects of a pass
+//   explore   Checks from time to time which of the last jumps lead backwards. The target of such a jump is a
+//             loop head.
+//   record    Records the stores of one pass that begins at a head. Also records how long the values that the
+//             pass reads from peripherals stay valid.
+//   skip      If registers and RAM are as at the beginning of the recorded pass, skips further passes. These
+//             passes end before the next event, and before a value read by the pass may change. The last of
+//             these passes is executed, to reproduce all effects of a pass.
 //
 // Skipping is exact: passes that begin with equal registers, RAM and peripherals have equal effects. Only
-// loop heads are marked (Cpu::Mark), so other code costs nothing. Heads lose their marks if skipping does not
-// pay off.
+// loop heads are marked (Cpu::Mark), so that other code runs at full speed. A head loses its mark if skipping
+// takes more time than it saves.
 #pragma once
 
 #include <array>
@@ -28,7 +30,7 @@ class Idle {
  public:
   explicit Idle(Cpu& cpu);
 
-  /// Enables or disables skipping. When it is disabled, every instruction runs.
+  /// Enables or disables skipping. While skipping is disabled, every instruction runs.
   void allow(bool allowed);
   /// Returns the number of skipped cycles.
   Cycle skipped() const { return skipped_; }
@@ -42,17 +44,17 @@ class Idle {
   bool is_recording() const { return recorded_ != nullptr; }
   /// Notes that `bytes` of RAM at `address` are about to change.
   void stores(std::uint32_t address, std::uint32_t bytes);
-  /// Notes a read from a peripheral whose value is valid before the cycle `until`. If `until` is the present
-  /// cycle, the duration of its validity is unknown.
+  /// Notes a read from a peripheral. The value that was read stays valid before the cycle `until`. If `until`
+  /// is the present cycle, it is unknown how long the value stays valid.
   void looks(Cycle until);
   /// Notes that a round of loop() begins.
   void round_began();
-  /// Notes an effect that cannot be skipped.
+  /// Ends the recording, because the pass has an effect that cannot be skipped.
   void interrupted();
-  /// Notes that instructions run again after an interruption.
+  /// Must be called before instructions run after a pause, in which the state of the chip may have changed.
   void runs_anew();
 
-  /// Notes a jump to another time, after a snapshot was restored.
+  /// Must be called after a snapshot was restored, which may have changed the time.
   void moved_in_time();
 
  private:
@@ -79,7 +81,7 @@ class Idle {
   void pay(Head& head, std::int64_t cycles);
   State state() const;
   void begin(Head& head);
-  /// Ends the recording. Returns whether the pass has restored the state in which it began.
+  /// Ends the recording. Returns whether the state is the same as at the beginning of the pass.
   bool ends();
   void skip(Cycle passes, Cycle cycles);
 
@@ -87,13 +89,13 @@ class Idle {
   bool allowed_ = true;
   std::vector<Head> heads_;  ///< element addresses are stable
   Cycle explore_at_ = 0, explore_every_ = 0;
-  int tries_ = 0;  ///< passes recorded without success since instructions began to run
+  int tries_ = 0;  ///< number of passes that were recorded without success since runs_anew()
   Cycle skipped_ = 0;
 
   Head* recorded_ = nullptr;  ///< head whose pass is being recorded
   State state_;
-  std::vector<Word> stored_;         ///< words that the pass stored, with their earlier values
-  std::vector<std::uint32_t> seen_;  ///< for each word of RAM: the number of the last pass that stored to it
+  std::vector<Word> stored_;         ///< words to which the pass has stored, with their earlier values
+  std::vector<std::uint32_t> seen_;  ///< for each word of RAM, the number of the last pass that stored there
   std::uint32_t number_ = 0;
   Cycle began_ = 0, until_ = 0, round_at_ = 0;
   int rounds_ = 0, others_ = 0, looks_ = 0;

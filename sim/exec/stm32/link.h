@@ -1,4 +1,4 @@
-// Defines the state that the chip's peripherals share: the time, the interrupt controller, and the board that
+// Defines the data that the chip's peripherals share: the time, the interrupt controller, and the board that
 // is connected to the pins.
 #pragma once
 
@@ -35,21 +35,21 @@ struct Link {
   ClockedBoard& board;
   Clock clock;
   Nvic nvic{};
-  Reset reset_cause = Reset::none;  ///< cause of the reset that is due
+  Reset reset_cause = Reset::none;  ///< cause of the pending reset; `none` = no reset is pending
   Signals listened_to = 0;          ///< signals with a listener
   InputReads reads{};               ///< of firmware, with numbers of the board's pins
   std::function<void(Signals)> signal{};
   std::uint32_t map = 0;  ///< AFIO_MAPR
-  /// Called when the set of pins that peripherals watch has changed.
+  /// Peripherals call this function when the set of pins that they watch has changed.
   std::function<void()> watch_changed{};
   /// Adds a read of a pin, InputReads::kAnalog or kSeveral.
   void note_read(Pin read) {
     if (!nvic.in_handler()) reads.add(read);
   }
   std::function<bool(ChipPin)> pin_level{};
-  /// Called when the peripheral that owns a pin begins to drive it differently.
+  /// Peripherals call this function when they begin to drive a pin differently.
   std::function<void(ChipPin)> pin_changed{};
-  /// Saves the chip's state that changes during a run, except the state of its processor.
+  /// Saves and restores the state of the chip that changes during a run, except the state of the processor.
   SnapshotRegistry snapshots{};
 };
 

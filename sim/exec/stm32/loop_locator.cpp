@@ -39,7 +39,8 @@ class Code final : public ChipCode {
     }
     return calls;
   }
-  // Returns no steps, so rounds of an inlined loop() are not counted. Robosim's core prevents inlining.
+  // Returns no steps, so that rounds of an inlined loop() are not counted. Robosim's core prevents the
+  // compiler from inlining loop().
   Steps steps_of(const Symbol&) const override { return {}; }
 
  private:

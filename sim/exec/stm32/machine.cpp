@@ -91,8 +91,8 @@ void Machine::run_until(SimTime t) {
     if (bus_.link().reset_cause != Reset::none) restart();
     cpu_.take_exception();
     const Cycle next = std::min(bus_.next_event(), clock.cycle_at(std::min(board_.next_input(), t)));
-    // Single steps find changes of watched RAM. During sleep no instructions run, so only due events can
-    // change RAM.
+    // Runs single steps to find changes of watched RAM. During sleep, single steps are necessary only if an
+    // event is due, because instructions do not run.
     const bool singly = debug_port_ && (!cpu_.is_asleep() || is_due) && debug_port_->steps_singly();
     const Cycle stop = singly ? clock.now + 1 : std::max(std::min(next, clock.cycle_at(t)), clock.now + 1);
     if (cpu_.is_asleep())

@@ -1,4 +1,4 @@
-// Models the chip with everything that firmware can access.
+// Combines the emulated processor with its bus, its board and its debug port.
 #pragma once
 
 #include "sim/exec/core/executor.h"
@@ -12,19 +12,20 @@ class DebugPort;
 
 class Machine {
  public:
-  /// `loop` marks the rounds of loop(). All times in the chip are measured by its own clock.
+  /// `loop` marks the rounds of loop(). All times in the chip are measured by the chip's own clock.
   Machine(const Firmware& firmware, const LoopMarks& loop, ClockedBoard& board, FlashMemory& memory,
           Engine& engine, SimTime t);
 
   void run_until(SimTime t);
-  /// Makes millis() begin at `start` when main() begins.
+  /// Makes millis() count from `start` when main() begins.
   void set_clock(SimTime start);
   /// Reports to `bytes` each byte that the firmware prints. `bytes` must outlive this object.
   void trace_bytes(TxProvenance& bytes);
   /// Sets a function that is called before each store to a register.
   void before_stores(std::function<void(Address)> watcher) { bus_.before_stores(std::move(watcher)); }
   Resources resources() const;
-  /// Returns the open calls, innermost first, found as words on the stack that point after a BL or BLX.
+  /// Returns the calls that have not returned, innermost first. Every word on the stack that points after a
+  /// BL or BLX instruction counts as a return address.
   std::vector<std::uint32_t> open_calls() const;
   /// Returns whether the firmware sleeps forever.
   bool is_off() const { return state_.off; }

@@ -23,7 +23,7 @@ const std::uint8_t* chip_facts(Address address, unsigned bytes) {
                                             0xFF,
                                             0xFF,
                                             0xFF,
-                                            0xFF,  // flash in KB
+                                            0xFF,  // offsets 0 to 7: size of flash in KB
                                             0x33,
                                             0xFF,
                                             0xD7,
@@ -31,7 +31,7 @@ const std::uint8_t* chip_facts(Address address, unsigned bytes) {
                                             0x52,
                                             0x4F,
                                             0x42,
-                                            0x4F,  // the unique number: 12 bytes
+                                            0x4F,  // offsets 8 to 19: unique number
                                             0x53,
                                             0x49,
                                             0x4D,
@@ -55,7 +55,7 @@ const std::uint8_t* chip_facts(Address address, unsigned bytes) {
                                             0xFF,
                                             0x00,
                                             0xFF,
-                                            0x00,  // option bytes
+                                            0x00,  // offsets 32 to 47: option bytes
                                             0xFF,
                                             0x00,
                                             0xFF,

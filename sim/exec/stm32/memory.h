@@ -14,10 +14,10 @@ namespace robosim::exec::stm32 {
 
 using robosim::stm32::Address;
 
-/// Bytes that begin at a multiple of 4096, as libunicorn requires.
+/// Memory that begins at a multiple of 4096, as libunicorn requires.
 class AlignedBytes {
  public:
-  /// `size` is a multiple of 4096. Throws std::bad_alloc.
+  /// `size` must be a multiple of 4096. Throws std::bad_alloc if the allocation fails.
   AlignedBytes(std::size_t size, std::uint8_t fill);
   std::uint8_t* data() const { return bytes_.get(); }
 
@@ -45,19 +45,20 @@ class FlashMemory : public AlignedBytes {
 
  private:
   const std::vector<std::uint8_t> program_;
-  mutable State state_;                ///< as last saved; outdated for the pages in `unsaved_`
+  mutable State state_;                ///< result of the last save(), without the pages in `unsaved_`
   mutable std::set<Address> unsaved_;  ///< offsets of pages that have changed since the last save()
 };
 
-/// Returns the manufacturer's data (RM0008 30, PM0075 2.5): flash size, unique number (equal for all chips
-/// here), and factory option bytes. Returns null for other addresses.
+/// Returns the data that the manufacturer has stored in the chip (RM0008 30, PM0075 2.5). These are the flash
+/// size, the unique number, and the factory option bytes. All simulated chips have the same unique number.
+/// Returns null for other addresses.
 const std::uint8_t* chip_facts(Address address, unsigned bytes);
 
 /// The content of RAM.
 class RamMemory : public AlignedBytes {
  public:
   RamMemory() : AlignedBytes(robosim::stm32::kRamBytes, 0) {}
-  /// Returns a pointer into RAM; null outside RAM.
+  /// Returns a pointer to `bytes` bytes of RAM at `address`; null if these are not in RAM.
   std::uint8_t* at(Address address, unsigned bytes) const {
     using namespace robosim::stm32;
     return address - kRam <= kRamBytes - bytes ? data() + (address - kRam) : nullptr;

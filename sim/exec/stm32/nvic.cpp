@@ -6,7 +6,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-constexpr unsigned kIdle = 256;  ///< lower than any priority
+constexpr unsigned kIdle = 256;  ///< current priority outside handlers, lower than all real ones
 constexpr std::uint8_t kPriorityBits = 0xF0;
 
 bool within(Address address, Address first, unsigned bytes) {
@@ -128,7 +128,7 @@ bool Nvic::read(Address address, std::uint32_t& value) const {
     case kScbHfsr:
     case kScbMmfar:
     case kScbBfar:
-      value = 0;  // no fault, since a fault ends the run
+      value = 0;  // no fault address, since a fault ends the run
       return true;
     default:
       return false;
@@ -167,7 +167,7 @@ bool Nvic::write_scb(Address address, std::uint32_t value) {
     case kScbAircr:
       if (value >> 16 != 0x05FA) return true;
       reset_requested_ = value & kSysResetReq;
-      // Grouping 0 to 3: all four bits preempt.
+      // Only the priority groupings 0 to 3 are modelled, in which all four bits preempt.
       return (value & 0x3) == 0 && (value >> 8 & 7) <= 3;
     case kScbScr:
       if (value & kSleepDeep) return false;

@@ -1,8 +1,10 @@
-// Selects the exception that the processor takes next: NVIC and SCB (PM0056 4.3, 4.4; exceptions 2.3).
+// Models the interrupt controller NVIC and the system control block SCB (PM0056 4.3, 4.4; exceptions 2.3).
+// Selects the exception that the processor takes next.
 //
-// A lower number is a higher priority. The chip has the upper four of the 8 priority bits, all for
-// preemption. An exception preempts running code if its priority is strictly higher. If several are pending,
-// the highest priority wins, then the lowest exception number.
+// A lower number is a higher priority. The chip implements the upper four of the 8 priority bits, and uses
+// all four for preemption. An exception preempts running code if its priority is strictly higher. If several
+// exceptions are pending, the exception with the highest priority is taken first. Among equal priorities, the
+// lowest exception number is first.
 #pragma once
 
 #include <array>
@@ -15,7 +17,7 @@ namespace robosim::exec::stm32 {
 
 using robosim::stm32::Address;
 
-/// An exception's number: 15 is SysTick, 16 the first interrupt.
+/// The number of an exception. SysTick has the number 15, and the first interrupt has the number 16.
 using Exception = int;
 constexpr Exception kSvcall = 11, kPendSv = 14, kSysTick = 15, kFirstIrq = 16;
 constexpr int kExceptions = kFirstIrq + robosim::stm32::kIrqCount;
@@ -25,13 +27,14 @@ class Nvic {
   Nvic();
 
   static bool owns(Address address);
-  /// Returns false for a register that is not modelled.
+  /// Reads a register into `value`. Returns false for a register that is not modelled.
   bool read(Address address, std::uint32_t& value) const;
   bool write(Address address, std::uint32_t value);
 
   void pend(Exception exception);
   void unpend(Exception exception) { pending_ &= ~bit(exception); }
-  /// Sets a peripheral's interrupt line. While the line is high, the interrupt repeats.
+  /// Sets a peripheral's interrupt line. While the line is high, the interrupt becomes pending again after
+  /// its handler.
   void set_line(robosim::stm32::Irq irq, bool high);
 
   /// Returns whether firmware has requested a reset since the last call.
@@ -45,12 +48,12 @@ class Nvic {
   bool any_pending() const { return (pending_ | lines_) & enabled_; }
   /// Returns the exception that would preempt running code if PRIMASK and BASEPRI were clear; 0 = none.
   Exception wakes() const { return candidate(0); }
-  /// Returns the exception to take now; 0 = none.
+  /// Returns the exception that the processor takes now; 0 = none.
   Exception next(bool primask, std::uint32_t basepri) const { return primask ? 0 : candidate(basepri); }
 
   void enter(Exception exception);
   void leave(Exception exception);
-  /// Returns whether a handler has begun and not ended.
+  /// Returns whether a handler has begun but has not ended.
   bool in_handler() const { return active_ != 0; }
 
   std::uint32_t vectors() const { return vtor_; }
@@ -58,7 +61,7 @@ class Nvic {
   bool sleeps_on_exit() const { return scr_ & robosim::stm32::kSleepOnExit; }
 
  private:
-  using Bits = std::uint64_t;  ///< one for each exception
+  using Bits = std::uint64_t;  ///< a set of exceptions, one bit each
 
   static constexpr Bits bit(Exception exception) { return Bits{1} << exception; }
   Exception candidate(std::uint32_t basepri) const;

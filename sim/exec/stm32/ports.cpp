@@ -8,7 +8,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-constexpr int kExtiLines = 19;  // 16 to 18: PVD, alarm of the RTC, USB
+constexpr int kExtiLines = 19;  // lines 16 to 18 belong to PVD, RTC alarm and USB
 constexpr std::uint32_t kLines = (1u << kExtiLines) - 1;
 
 Irq irq_of(int line) {
@@ -107,7 +107,7 @@ bool Ports::read_input(ChipPin pin) {
 }
 
 Cycle Ports::input_same_until(ChipPin pin) const {
-  constexpr Cycle kRounding = 4;  // tolerance for rounding between board time and cycles
+  constexpr Cycle kRounding = 4;  // largest error when board times are converted to cycles
   const Pin number = number_of(pin);
   if (number == kNoPin || configuration(pin) == kAnalog) return kNoCycle;
   if (makes_pwm(pin)) return pulse_(pin).until;
@@ -297,7 +297,7 @@ void Ports::alarmed() {
   if (state_.rising & kLine) came(kLine);
 }
 
-// Sets pending bits, events and signals for the lines (RM0008 10.2.5, figure 21).
+// Sets the pending bits, the event and the signals of the lines (RM0008 10.2.5, figure 21).
 void Ports::came(std::uint32_t lines) {
   state_.pending |= lines;
   if (lines & state_.events) link_.nvic.set_event();

@@ -2,8 +2,8 @@
 //
 // A read of GPIOx_IDR samples all inputs of the port from the robot. A read through the bit-band region
 // (PM0056 2.2.5) samples only one pin. Open-drain outputs that are high count as inputs. EXTI and timers
-// receive edges from the chip's own outputs as well as from the robot. PWM is reported as a duty cycle, never
-// as edges; reading such a pin returns its present level.
+// receive edges from the robot and from the chip's own outputs. PWM is reported as a duty cycle, never as
+// edges. A read of a pin with PWM returns the pin's present level.
 #pragma once
 
 #include <array>
@@ -15,8 +15,9 @@ namespace robosim::exec::stm32 {
 
 class Ports final : public Peripheral {
  public:
-  /// `alternate` returns how the peripheral that owns the pin drives it. `pulse` returns the pin's present
-  /// PWM. `watched` returns whether a peripheral needs the pin's edges.
+  /// `alternate` must return the way in which the peripheral that owns a pin drives the pin. `pulse` must
+  /// return the present level of a pin with PWM. `watched` must return whether a peripheral needs the edges
+  /// of a pin.
   Ports(Link& link, std::function<PinDrive(ChipPin)> alternate, std::function<Pulse(ChipPin)> pulse,
         std::function<bool(ChipPin)> watched);
 
@@ -34,7 +35,7 @@ class Ports final : public Peripheral {
   bool read_input(ChipPin pin);
   Cycle input_same_until(ChipPin pin) const;
 
-  /// Samples the robot and returns the present level.
+  /// Samples the pin from the robot, and returns its present level.
   bool level(ChipPin pin) const;
   /// Handles the RTC alarm, which is EXTI line 17.
   void alarmed();
@@ -76,16 +77,16 @@ class Ports final : public Peripheral {
   bool makes_pwm(ChipPin pin) const {
     return state_.ports[static_cast<std::size_t>(pin.port)].pwm >> pin.bit & 1;
   }
-  /// Notes a read of the pin. Returns the board's pin; kNoPin if nothing can be read there.
+  /// Notes a read of the pin. Returns the board's pin; kNoPin if the pin does not exist or is analog.
   Pin note_read(ChipPin pin);
   void refresh_port(int port);
   bool write_port(int port, Address offset, std::uint32_t value);
   bool write_exti(Address address, std::uint32_t value);
   void interrupts_changed();
   void change_map(std::uint32_t map);
-  /// Handles events on a set of EXTI lines.
+  /// Handles edges on a set of EXTI lines, one bit each.
   void came(std::uint32_t lines);
-  /// Returns the port that EXTI line `line` is connected to.
+  /// Returns the port to which EXTI line `line` is connected.
   int source(int line) const;
 
   Link& link_;

@@ -47,7 +47,7 @@ void Spi::refresh_line() {
   link_.nvic.set_line(number_ == 1 ? kIrqSpi1 : kIrqSpi2, high);
 }
 
-// Returns the requested channels of table 78.
+// Returns the DMA channels that the SPI requests, by table 78.
 unsigned Spi::dma_requests() const {
   unsigned requests = 0;
   if (state_.control2 & kRxDmaEn && state_.status & kSpiRxne) requests |= dma_channel(number_ == 1 ? 2 : 4);
@@ -99,7 +99,7 @@ std::uint32_t Spi::read(Address address) {
       return state_.control2;
     case kSpiSr: {
       const std::uint32_t value = state_.status;
-      // Clears OVR if the data register was read before.
+      // Clears OVR if firmware has read the data register before.
       if (!(state_.status & kSpiRxne)) state_.status &= ~kOvr;
       return value;
     }

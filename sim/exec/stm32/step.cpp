@@ -5,7 +5,7 @@ namespace {
 
 using Kind = Step::Kind;
 
-/// Returns `kind`, or the next kind if `flag` is set.
+/// Returns `kind`. If `flag` is set, returns the next kind in the list of kinds.
 constexpr Kind after(Kind kind, bool flag) { return static_cast<Kind>(static_cast<int>(kind) + flag); }
 
 /// Returns one of four consecutive kinds, such as mov_i, mov_r, movs_i and movs_r.
@@ -230,7 +230,8 @@ Step step_of(const Thumb& t, const Instruction& instruction) {
   const auto number = static_cast<unsigned>(t.op);
   if (t.op >= Op::mov && t.op <= Op::cmn) {
     step.shift = t.carry;
-    // TEQ and ORN are too rare for their own kinds. Their operation is stored in `shift`, next to the carry.
+    // TEQ and ORN are too rare for separate kinds. For TEQ and ORN, `shift` contains the operation and the
+    // carry.
     if (t.op == Op::orn || t.op == Op::teq) step.shift = static_cast<std::uint8_t>(t.carry | number << 2);
   } else if (step.kind == Kind::shifted || step.kind == Kind::shifteds || step.within == Kind::shifteds) {
     const unsigned plain = number - static_cast<unsigned>(Op::mov_shifted) + static_cast<unsigned>(Op::mov);
@@ -244,7 +245,7 @@ Step step_of(const Thumb& t, const Instruction& instruction) {
     step.n = instruction.predicates;
     if (step.n == 1) step.kind = step.within = Kind::it_one;
   }
-  // Marks a Step that reads the program counter, and stores its original kind in `shift`.
+  // Gives a Step that reads the program counter the kind `reads_pc`, and stores the original kind in `shift`.
   if (step.n == Thumb::kPc || step.m == Thumb::kPc) {
     if (step.kind == Kind::tbb || step.kind == Kind::tbh) return step;
     step.shift = static_cast<std::uint8_t>(step.kind);

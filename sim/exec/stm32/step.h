@@ -1,5 +1,6 @@
-// Represents an instruction for the interpreter's loop (cpu_run.cpp): the code to jump to, and the operands.
-// A Step is made from a Thumb (thumb.h) when the instruction first runs. Each 16 bits of flash have one Step.
+// Represents an instruction for the interpreter's loop (cpu_run.cpp): the code in the loop, and the operands.
+// A Step is created from a Thumb (thumb.h) when the instruction first runs. There is one Step for each
+// halfword of flash.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +10,9 @@
 
 namespace robosim::exec::stm32 {
 
-// An s after the name of a data operation, as in movs_i and bics, means that the kind sets flags. With _i or
-// _r, the second operand is `value` or r[m] alone; otherwise it is r[m] + value.
+// The names of the kinds. An s after the name of a data operation, as in movs_i and bics, means that the kind
+// sets flags. The second operand is `value` for names with _i, and r[m] for names with _r. For all other
+// names, the second operand is r[m] + value.
 // clang-format off
 #define ROBOSIM_STM32_STEPS(X)                                                                           \
   X(fetch) X(mark) X(emulate) X(reads_pc) X(nop) X(mov_i) X(mov_r) X(movs_i) X(movs_r) X(add_i) X(add_r) \
@@ -38,9 +40,9 @@ struct alignas(16) Step {
 
   Kind kind = Kind::fetch;           ///< `fetch`: not decoded yet
   Kind within = Kind::fetch;         ///< the kind within an IT block, where fewer instructions set flags
-  std::uint8_t d = 0, n = 0, m = 0;  ///< as in Thumb
+  std::uint8_t d = 0, n = 0, m = 0;  ///< registers, as in Thumb
   std::uint8_t shift = 0;            ///< as in Thumb; for some kinds, the carry or an operation
-  std::uint8_t ahead = 16;           ///< bytes from this Step to the next Step
+  std::uint8_t ahead = 16;           ///< distance in bytes from this Step to the next instruction's Step
   std::uint8_t cycles = 1;
   std::uint32_t value = 0;
   std::uint32_t pc = 0;  ///< address of the instruction
@@ -50,10 +52,10 @@ struct alignas(16) Step {
 
 static_assert(sizeof(Step) == 16);
 
-/// Converts an instruction to a Step, but does not set the Step's `pc`. A branch gets the kind `branch`, its
-/// target as `value` and its Op as `shift`.
+/// Converts an instruction to a Step, but does not set the Step's `pc`. A branch gets the kind `branch`. Its
+/// `value` is the target of the branch, and its `shift` is the Op.
 Step step_of(const Thumb& thumb, const Instruction& instruction);
-/// Returns the kind for a `branch` that jumps to a Step in flash other than the next Step.
+/// Returns the faster kind for a `branch` whose target is in flash and is not the next instruction.
 Step::Kind direct_kind(const Step& branch);
 
 }  // namespace robosim::exec::stm32

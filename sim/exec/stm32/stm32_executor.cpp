@@ -49,7 +49,7 @@ class Stm32Executor::Running final : public RunningChip {
   Activity activity() const override { return diagnosis().activity(); }
   SourceLine where_now() const override { return diagnosis().where_now(); }
   SourceLine printing(const SourceLine& before) const override {
-    // Uses the jump that led out of the sketch, since a tail call leaves no trace on the stack.
+    // Finds the jump that led out of the sketch, since a tail call leaves no return address on the stack.
     SourceLine line = diagnosis().place_of(machine_.cpu().last_jumps());
     if (line.file.empty()) line = before;
     return line.file.empty() ? diagnosis().place_of(machine_.open_calls()) : line;
@@ -71,9 +71,9 @@ class Stm32Executor::Running final : public RunningChip {
 
   const Image& image_;
   stm32::Machine machine_;
-  std::optional<stm32::DrivenLines> lines_;  ///< unset without a listener
+  std::optional<stm32::DrivenLines> lines_;  ///< nullopt if the lines that drive pins are not traced
   stm32::DebugPort* debugger_;               ///< null without a debugger
-  stm32::Machine*& seen_;                    ///< the executor's pointer to the chip
+  stm32::Machine*& seen_;                    ///< Firmware::machine, which this object sets and clears
 };
 
 class Stm32Executor::Firmware final : public ChipFirmware {

@@ -22,7 +22,7 @@ class Stm32Executor final : public ChipExecutor {
   Stm32Executor(const BoardSpec& spec, const std::filesystem::path& image);
 
   // --- for tests
-  /// Runs waiting loops instead of skipping them (stm32::Idle), from the next power-on.
+  /// From the next power-on, executes waiting loops instead of skipping them (stm32::Idle).
   void run_waiting_loops();
   /// Returns the chip; null while the power is off.
   const stm32::Machine* machine() const;

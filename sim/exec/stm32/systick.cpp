@@ -13,7 +13,7 @@ std::uint32_t SysTick::value() const {
 
 void SysTick::set_value(std::uint32_t value) {
   state_.held = value;
-  // One step after 0, the counter is reloaded from LOAD.
+  // A counter at 0 is reloaded from LOAD in the next step, and then counts down to 0.
   const Cycle steps = value == 0 ? Cycle{state_.load} + 1 : value;
   state_.zero_at = link_.clock.now + steps * (by_eight() ? 8 : 1);
 }

@@ -1,4 +1,4 @@
-// Models SysTick, the processor's own timer (PM0056 4.5), which repeatedly counts from LOAD down to 0.
+// Models SysTick, the timer of the processor (PM0056 4.5), which repeatedly counts from LOAD down to 0.
 #pragma once
 
 #include "sim/exec/stm32/peripheral.h"
@@ -16,17 +16,18 @@ class SysTick final : public Peripheral {
   bool write(Address address, std::uint32_t value) override;
   void reset(Address block) override;
 
-  /// Returns when the counter next reaches 0; kNoCycle if it is stopped or has no listener.
+  /// Returns when the counter next reaches 0. Returns kNoCycle if the counter is stopped, or if its interrupt
+  /// is disabled.
   Cycle next_event() const override;
   Cycle same_until(Address address) const override;
-  /// Handles all times at which the counter has reached 0 by now.
+  /// Sets COUNTFLAG and the interrupt for all times at which the counter has reached 0 by now.
   void update() override;
 
  private:
   struct State {
     std::uint32_t control = 0, load = 0;
-    std::uint32_t held = 0;  ///< the value while the counter is stopped
-    Cycle zero_at = 0;       ///< when the counter next reaches 0, if it runs
+    std::uint32_t held = 0;  ///< the counter's value while the counter is stopped
+    Cycle zero_at = 0;       ///< while the counter runs, the cycle at which it next reaches 0
     bool counted = false;    ///< COUNTFLAG
   };
 

@@ -23,7 +23,7 @@ Thumb with_register(Op op, std::uint8_t d, std::uint8_t n, std::uint8_t m, std::
   return t;
 }
 
-// Decodes A5.2.1: shift by an immediate value, add, subtract, move, compare.
+// Decodes the instructions of section A5.2.1: shift by an immediate value, add, subtract, move, compare.
 Thumb decode_arithmetic(unsigned op) {
   constexpr std::uint8_t kFlags = Thumb::kSetsOutside;
   const std::uint8_t d = bits(op, 0, 3), n = bits(op, 3, 3), low = bits(op, 8, 3);
@@ -56,7 +56,7 @@ Thumb decode_arithmetic(unsigned op) {
   }
 }
 
-// Decodes A5.2.2: operations on two registers.
+// Decodes the instructions of section A5.2.2: operations on two registers.
 Thumb decode_registers(unsigned op) {
   constexpr std::uint8_t kFlags = Thumb::kSetsOutside;
   const std::uint8_t d = bits(op, 0, 3), m = bits(op, 3, 3);
@@ -101,7 +101,7 @@ Thumb decode_registers(unsigned op) {
   }
 }
 
-// Decodes A5.2.3: operations on any register, and branches to registers.
+// Decodes the instructions of section A5.2.3: operations on any register, and branches to registers.
 Thumb decode_high(unsigned op) {
   const std::uint8_t d = static_cast<std::uint8_t>((op & 7) | (op >> 4 & 8)), m = bits(op, 3, 4);
   switch (op >> 8 & 3) {
@@ -117,7 +117,7 @@ Thumb decode_high(unsigned op) {
   }
 }
 
-// Decodes A5.2.4: loads and stores.
+// Decodes the instructions of section A5.2.4: loads and stores.
 Thumb decode_transfer(unsigned op) {
   const std::uint8_t d = bits(op, 0, 3), n = bits(op, 3, 3);
   const std::uint32_t offset = op >> 6 & 31;
@@ -145,7 +145,7 @@ Thumb multiple(Op op, std::uint8_t n, std::uint32_t registers, std::uint8_t how)
   return t;
 }
 
-// Decodes A5.2.5: various 16-bit instructions.
+// Decodes the instructions of section A5.2.5: various 16-bit instructions.
 Thumb decode_various(std::uint32_t pc, unsigned op) {
   const std::uint8_t d = bits(op, 0, 3), m = bits(op, 3, 3);
   if ((op & 0x0F00) == 0)

@@ -1,7 +1,7 @@
 // Represents a decoded instruction of the Cortex-M3 (ARMv7-M ARM, A5 to A7): its operation and registers.
 //
-// Most operations compute their second operand as `r[m] + value`. Register 16 is always 0, so one form serves
-// immediate values and registers.
+// The second operand of most operations is `r[m] + value`. Register 16 is always 0, so that this form also
+// represents operands that are only a register or only an immediate value.
 #pragma once
 
 #include <cstdint>
@@ -71,7 +71,7 @@ enum class Op : std::uint8_t {
   bfi,  ///< r[d], r[n]; a field of `value` bits from bit `shift`
   ssat,
   usat,  ///< r[d], r[n] << shift; saturated to `value` bits
-  // r[d] is loaded from or stored to r[n] + (r[m] << shift) + value
+  // r[d] is loaded from, or stored to, the address r[n] + (r[m] << shift) + value
   ldr,
   ldrb,
   ldrh,
@@ -80,7 +80,8 @@ enum class Op : std::uint8_t {
   str,
   strb,
   strh,
-  // r[d] at r[n], or at r[n] + value if `shift` is 1; r[n] becomes r[n] + value
+  // r[d] is loaded from, or stored to, the address r[n], or r[n] + value if `shift` is 1; r[n] becomes r[n] +
+  // value
   ldr_back,
   ldrb_back,
   ldrh_back,
@@ -90,9 +91,9 @@ enum class Op : std::uint8_t {
   strb_back,
   strh_back,
   ldrd,
-  strd,  ///< r[d], r[m] at r[n] + value; `shift`: 1 = pre-indexed, 2 = r[n] is updated
+  strd,  ///< r[d] and r[m] at address r[n] + value; bits of `shift`: 1 = pre-indexed, 2 = r[n] is updated
   ldm,
-  stm,  ///< the set of registers is `value`; `shift`: 1 = downwards, 2 = r[n] is updated
+  stm,  ///< `value` is the set of registers; bits of `shift`: 1 = downwards, 2 = r[n] is updated
   b,
   bcond,
   bl,
@@ -113,7 +114,7 @@ enum class Op : std::uint8_t {
   mrs
 };
 
-/// Kinds of shift, as instructions number them.
+/// The kinds of shift, with the numbers that instructions use.
 enum Shift : std::uint8_t { kLsl, kLsr, kAsr, kRor, kRrx };
 
 struct Thumb {
@@ -125,10 +126,10 @@ struct Thumb {
 
   Op op = Op::other;
   std::uint8_t d = 0, n = kZero, m = kZero;
-  std::uint8_t sets = 0;  ///< sets flags: bit 0 = outside an IT block, bit 1 = inside
+  std::uint8_t sets = 0;  ///< the instruction sets flags: bit 0 = outside an IT block, bit 1 = inside
   std::uint8_t shift = 0;
   std::uint8_t carry = kCarryStays;  ///< carry of an expanded immediate value
-  std::uint32_t value = 0;           ///< for a branch: its target
+  std::uint32_t value = 0;           ///< for a branch, the target of the branch
 };
 
 /// Returns the operation of a hint (ARMv7-M ARM, A5.2.5): NOP, YIELD, WFE, WFI, SEV.

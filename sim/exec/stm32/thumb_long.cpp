@@ -1,5 +1,6 @@
-// Decodes 32-bit instructions (ARMv7-M ARM, A5.3). libunicorn executes exclusive accesses, saturation of
-// right-shifted values, and unusual uses of the stack pointer or the program counter.
+// Decodes 32-bit instructions (ARMv7-M ARM, A5.3). Some instructions are not decoded, because libunicorn
+// executes them: exclusive accesses, saturation of right-shifted values, and unusual uses of the stack
+// pointer or the program counter.
 #include <bit>
 
 #include "sim/exec/stm32/thumb.h"
@@ -20,7 +21,7 @@ struct Halves {
 
 bool special(std::uint8_t number) { return number == Thumb::kSp || number == Thumb::kPc; }
 
-// Decodes A5.3.11 and A5.3.1: AND to RSB, by their number.
+// Decodes the instructions of sections A5.3.11 and A5.3.1: the data operations from AND to RSB.
 Thumb data_processing(const Halves& h, bool shifted) {
   constexpr Op kKinds[] = {Op::and_, Op::bic,   Op::orr, Op::orn, Op::eor,   Op::other, Op::other, Op::other,
                            Op::add,  Op::other, Op::adc, Op::sbc, Op::other, Op::sub,   Op::rsb,   Op::other};
@@ -55,7 +56,7 @@ Thumb data_processing(const Halves& h, bool shifted) {
   return t;
 }
 
-// Decodes A5.3.2: an immediate byte, repeated or rotated.
+// Decodes a data operation whose immediate value is a repeated or rotated byte (A5.3.2).
 Thumb modified_immediate(const Halves& h) {
   Thumb t = data_processing(h, false);
   const std::uint32_t byte = h.second & 0xFF;
@@ -70,7 +71,7 @@ Thumb modified_immediate(const Halves& h) {
   return t;
 }
 
-// Decodes A5.3.3: plain immediate values.
+// Decodes the instructions of section A5.3.3: plain immediate values.
 Thumb plain_immediate(const Halves& h) {
   Thumb t;
   t.d = h.d();
@@ -123,7 +124,7 @@ Thumb plain_immediate(const Halves& h) {
   }
 }
 
-// Decodes A5.3.4: branches and control.
+// Decodes the instructions of section A5.3.4: branches and control.
 Thumb branch_or_control(const Halves& h) {
   Thumb t;
   const std::uint32_t s = h.first >> 10 & 1, j1 = h.second >> 13 & 1, j2 = h.second >> 11 & 1;
@@ -156,7 +157,7 @@ Thumb branch_or_control(const Halves& h) {
   return t;
 }
 
-// Decodes A5.3.5 and A5.3.6: multiple and dual loads and stores.
+// Decodes the instructions of sections A5.3.5 and A5.3.6: multiple and dual loads and stores.
 Thumb multiple_or_dual(const Halves& h) {
   Thumb t;
   t.n = h.n();
@@ -195,7 +196,7 @@ Thumb multiple_or_dual(const Halves& h) {
   return t;
 }
 
-// Decodes A5.3.7 to A5.3.10: loads and stores of one value.
+// Decodes the instructions of sections A5.3.7 to A5.3.10: loads and stores of one value.
 Thumb single(const Halves& h) {
   constexpr Op kStores[] = {Op::strb, Op::strh, Op::str, Op::other};
   constexpr Op kLoads[] = {Op::ldrb, Op::ldrh, Op::ldr, Op::other};
@@ -234,7 +235,7 @@ Thumb single(const Halves& h) {
   return t;
 }
 
-// Decodes A5.3.12: operations on registers.
+// Decodes the instructions of section A5.3.12: operations on registers.
 Thumb registers(const Halves& h) {
   Thumb t;
   t.d = h.d();
@@ -261,7 +262,7 @@ Thumb registers(const Halves& h) {
   return t;
 }
 
-// Decodes A5.3.14 and A5.3.15: multiplications.
+// Decodes the instructions of sections A5.3.14 and A5.3.15: multiplications.
 Thumb multiply(const Halves& h) {
   Thumb t;
   t.n = h.n();

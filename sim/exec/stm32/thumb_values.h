@@ -1,4 +1,5 @@
-// Computes values for instructions (ARMv7-M ARM, A2.2, A7.7).
+// Computes results of instructions: shifts, reversed bits, sign extension and division (ARMv7-M ARM, A2.2,
+// A7.7).
 #pragma once
 
 #include <bit>
@@ -8,7 +9,8 @@
 
 namespace robosim::exec::stm32 {
 
-/// Returns `value` shifted by `amount`, at least 1; `carry` becomes the last bit that was shifted out.
+/// Returns `value` shifted by `amount`, which must be at least 1. Sets `carry` to the last bit that was
+/// shifted out.
 inline std::uint32_t shifted(unsigned kind, std::uint32_t value, unsigned amount, std::uint32_t& carry) {
   switch (kind) {
     case kLsl:

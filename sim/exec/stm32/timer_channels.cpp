@@ -12,7 +12,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-// For each timer and internal trigger: the timer whose TRGO is the trigger (table 86). 0 = a timer that the
+// The timer whose TRGO is an internal trigger, for each timer and trigger (table 86). 0 = a timer that the
 // chip does not have.
 constexpr int kInternalTriggers[4][4] = {{0, 2, 3, 4}, {1, 0, 3, 4}, {1, 2, 0, 4}, {1, 2, 3, 0}};
 // DMA channel of each timer channel (table 78); 0 = none.
@@ -77,7 +77,9 @@ std::uint32_t Timer::period_us() const {
   return static_cast<std::uint32_t>(cycles * 1'000'000 / link_.clock.hz());
 }
 
-// The complementary output is inverted if the main output is enabled. Otherwise both are equal (table 83).
+// Returns whether an output is inverted. If the main output is enabled, the complementary output is its
+// inverse. Otherwise the complementary output is not inverted (table 83). The polarity bits invert each
+// output, too.
 bool Timer::inverts(int channel, bool complement) const {
   const std::uint32_t own = state_.outputs >> (4 * channel) & 15;
   const bool opposite = complement && own & 1;
@@ -116,8 +118,8 @@ bool Timer::drives(ChipPin pin, PinDrive& drive) const {
   return false;
 }
 
-// Returns OCxREF of PWM mode 1, and the cycle at which it next changes (14.3.10). Whole periods may have
-// passed since the last update.
+// Returns OCxREF of PWM mode 1, and the cycle of its next change (14.3.10). Several periods may have passed
+// since the last update().
 Pulse Timer::pulse_of(int channel) const {
   const std::int64_t value = state_.compare[static_cast<std::size_t>(channel)], top = state_.top,
                      whole = period();
@@ -163,7 +165,8 @@ bool Timer::watches(ChipPin pin) const {
     if (slave_mode >= kResets &&
         ((input == 0 && (from == kAnyEdgeOf1 || from == kInput1)) || (input == 1 && from == kInput2)))
       return true;
-    // CCxS: 1 = the channel's own input, 2 = its neighbour's
+    // CCxS selects the input of a channel: 1 = the input of this channel, 2 = the input of the neighbouring
+    // channel
     if ((mode(input) & 3) == 1 && is_on(input)) return true;
     if ((mode(input ^ 1) & 3) == 2 && is_on(input ^ 1)) return true;
   }
@@ -189,8 +192,8 @@ void Timer::edge_of_input(int input, bool level, Cycle at) {
   if (slave_mode >= kEncoder1 && slave_mode <= kEncoder3) {
     if (input > 1) return;
     const bool counts = slave_mode == kEncoder3 || (slave_mode == kEncoder1) == (input == 1);
-    // The other signal's level determines the direction (table 85). Mode 1 counts edges of TI2, mode 2 counts
-    // edges of TI1.
+    // The level of the other encoder signal determines the direction (table 85). Encoder mode 1 counts edges
+    // of TI2, and mode 2 counts edges of TI1.
     const bool other = link_.pin_level(pin_of(input ^ 1)) != inverted(input ^ 1);
     const bool own = level != inverted(input);
     if (counts && enabled()) step((own == other) == (input == 1), at);

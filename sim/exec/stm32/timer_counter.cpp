@@ -9,7 +9,8 @@ namespace robosim::exec::stm32 {
 
 using namespace robosim::stm32;
 
-// Returns whether the internal clock drives the counter, not an encoder's edges or a trigger.
+// Returns whether the internal clock drives the counter. Otherwise an encoder or a trigger drives the
+// counter, or the counter is stopped.
 bool Timer::is_clocked() const {
   const std::uint32_t slave_mode = state_.slave & 7;
   return enabled() && (slave_mode == 0 || (slave_mode >= kResets && slave_mode <= kStarts));
@@ -34,7 +35,8 @@ void Timer::start_from(std::uint32_t count, Cycle at) {
   std::int64_t here = counts_down() && !centered() ? top - value : value;
   if (centered() && state_.steps_down && value > 0 && value < top) here = 2 * top - value;
   state_.step = (Cycle{state_.prescaler} + 1) * clocks_.timer_divider(base_);
-  // The origin may lie before power-on and wrap around: only differences from it are used.
+  // The origin may lie before power-on, so that the subtraction wraps around. This is correct, because only
+  // differences from the origin are used.
   state_.origin = at - static_cast<Cycle>(here) * state_.step;
   state_.done = here;
 }
@@ -81,7 +83,7 @@ Cycle Timer::next_event() const {
   return next == std::int64_t{1} << 40 ? kNoCycle : state_.origin + static_cast<Cycle>(next) * state_.step;
 }
 
-// Skips whole periods without a listener for their events, and sets the flags of these events.
+// Skips whole periods if their events have no effect except flags, and sets these flags.
 void Timer::fall_behind(std::int64_t place) {
   const std::int64_t periods = place / period() - 1;
   if (periods <= 0 || needs_update_event()) return;
@@ -164,7 +166,7 @@ void Timer::update_event(bool flag) {
   if ((state_.control2 >> kMmsShift & 7) == 2 || rises_at_update()) link_.signal(signal_of(number(), 0));
 }
 
-// Counts an edge of an encoder or a trigger.
+// Advances the counter by one step for an edge of an encoder or a trigger.
 void Timer::step(bool up, Cycle at) {
   const bool before = std::exchange(state_.steps_down, !up);
   const bool over = up ? state_.held >= state_.top : state_.held == 0;

@@ -19,7 +19,8 @@ Timer::Timer(Link& link, const Clocks& clocks, int index)
       usual_pins_[pin.output] = {pin.port, pin.bit};
 }
 
-// TIM1 has four interrupts; the other timers have one each (RM0008 table 63).
+// Updates the interrupt lines. TIM1 has four interrupts; the other timers have one interrupt each (RM0008
+// table 63).
 void Timer::refresh_lines() {
   constexpr std::uint32_t kChannelEvents = 0x1E, kTriggers = kComEvent | kTriggerEvent;
   const std::uint32_t asks = state_.status & state_.interrupts;

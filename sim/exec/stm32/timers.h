@@ -4,9 +4,10 @@
 //   centre-aligned              (PSC + 1) * 2 * ARR                    CCR / ARR
 //
 // timers.cpp implements the registers, timer_counter.cpp the counter, timer_channels.cpp the channels and
-// signals. PWM is reported as a duty cycle; a program that reads such a pin gets its level. Other outputs are
-// reported as edges. An input edge captures the count at its time, without filter or synchroniser. Dead time
-// does not change a duty cycle. A preloaded CCR, ARR or PSC takes effect at the next update.
+// signals. PWM is reported as a duty cycle. A program that reads a pin with PWM gets the pin's present level.
+// Other outputs are reported as edges. An input edge captures the count at the time of the edge, without
+// filter or synchroniser. Dead time does not change a duty cycle. A preloaded CCR, ARR or PSC takes effect at
+// the next update event.
 //
 // These are not modelled and are refused: external trigger inputs (ETR), gating by another timer, DMA bursts,
 // and the break input.
@@ -46,17 +47,18 @@ class Timer final : public Peripheral {
     std::uint32_t waiting_outputs = 0;
     std::uint32_t waiting_prescaler = 0, waiting_top = 0xFFFF, repetition = 0;
     std::array<std::uint32_t, 4> waiting_compare{};
-    // Values in effect. The `waiting_` values above take effect later.
+    // The values that are in effect. The `waiting_` values above take effect at the next update or
+    // commutation event.
     std::uint32_t prescaler = 0, top = 0xFFFF, repetitions_left = 0;
     std::array<std::uint32_t, 4> compare{};
-    std::array<bool, 4> active{};             ///< OCxREF of the modes that are not PWM
+    std::array<bool, 4> active{};             ///< OCxREF, except in PWM modes
     std::array<std::uint32_t, 4> captures{};  ///< edges counted by the capture prescaler
     unsigned dma_pending = 0;
 
     std::uint32_t held = 0;  ///< the count while the counter has no clock
     Cycle origin = 0;        ///< start of the period while the counter has a clock
     Cycle step = 1;          ///< cycles for each count
-    std::int64_t done = -1;  ///< the position in the period up to which all events are handled
+    std::int64_t done = -1;  ///< position in the period up to which all events have been handled
     bool steps_down = false;
   };
 
@@ -84,7 +86,7 @@ class Timer final : public Peripheral {
   std::uint32_t count_at(std::int64_t place) const;
   std::uint32_t count(Cycle at) const;
   void start_from(std::uint32_t count, Cycle at);
-  /// Returns the positions in a period at which the channel compares equal; -1 = none.
+  /// Returns the positions in a period at which the count equals the channel's CCR; -1 = no such position.
   std::array<std::int64_t, 2> places_of(int channel) const;
   bool needs_update_event() const;
   bool needs_compare_event(int channel) const;
@@ -111,7 +113,7 @@ class Timer final : public Peripheral {
   bool inverts(int channel, bool complement) const;
   Pulse pulse_of(int channel) const;
   void trigger(Cycle at);
-  /// Returns whether TRGO is the OCxREF of a channel that becomes active at an update.
+  /// Returns whether TRGO is the OCxREF of a channel whose OCxREF becomes active at an update event.
   bool rises_at_update() const;
   void edge_of_input(int input, bool level, Cycle at);
 

@@ -24,7 +24,7 @@ std::uint32_t Tracing::cycles() const {
 }
 
 std::uint32_t Tracing::read(Address address) {
-  if (address < kItmPortsEnd) return 1;  // ready
+  if (address < kItmPortsEnd) return 1;  // the port can accept output
   if (address == kDbgmcuIdcode) return kMediumDensity;
   if (address == kDwtCyccnt) return cycles();
   const auto found = state_.kept.find(address);

@@ -1,6 +1,7 @@
-// Models the debug components that programs themselves use (RM0008 31; ARM DDI 0337E 11, 17, since PM0056
-// lacks them): the cycle counter DWT_CYCCNT, and ITM, which accepts and drops all output. Other registers of
-// DWT, ITM, TPIU and DBGMCU store the written values.
+// Models the debug components that programs may use themselves: the cycle counter DWT_CYCCNT, and the trace
+// output ITM. ITM accepts and drops all output. The other registers of DWT, ITM, TPIU and DBGMCU only store
+// the written values. Sources: RM0008 31; ARM DDI 0337E 11 and 17, since PM0056 does not describe DWT and
+// ITM.
 #pragma once
 
 #include <map>

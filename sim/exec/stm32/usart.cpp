@@ -10,7 +10,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-constexpr std::uint32_t kErrors = 1u << 0;  // USART_CR3: EIE; errors do not occur
+constexpr std::uint32_t kErrors = 1u << 0;  // USART_CR3: EIE, ignored because errors do not occur
 
 ChipPin pin_named(std::string_view name) {
   for (int i = 0; i < kStm32f103c8.pin_count; ++i)
@@ -94,7 +94,7 @@ void Usart::update() {
   }
 }
 
-// Returns the requested channels of RM0008, table 78.
+// Returns the DMA channels that the USART requests, by RM0008, table 78.
 unsigned Usart::dma_requests() const {
   constexpr int kSends[] = {4, 7, 2}, kReceives[] = {5, 6, 3};
   const int index = spec_.number - 1;
@@ -112,7 +112,7 @@ void Usart::receive(std::uint8_t byte) {
     state_.received = byte;
     state_.status |= kRxne;
   }
-  // The line is idle after a whole frame and one bit without another frame.
+  // The line counts as idle if no other frame arrives for the duration of a frame and one bit.
   state_.idle_at = link_.clock.now + byte_cycles() / 10 * 11;
   refresh_line();
 }

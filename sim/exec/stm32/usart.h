@@ -1,10 +1,10 @@
-// Models USART1 to USART3 (RM0008 27). A byte takes (1 + 8 or 9 + stop bits) * BRR cycles of its bus.
+// Models USART1 to USART3 (RM0008 27). A byte takes (1 + 8 or 9 + stop bits) * BRR cycles of the USART's bus.
 //
-//   sending     a shift register and one waiting byte
-//   receiving   one byte waits; a further byte is lost (ORE)
+//   sending     one byte is in the shift register, and one further byte waits
+//   receiving   one byte waits until firmware reads it; a further byte is lost (ORE)
 //
-// Framing and parity errors do not occur. Only the board's serial port is connected. The other USARTs drop
-// each byte after its duration, and receive nothing.
+// Framing and parity errors do not occur. Only the USART of the board's serial port is connected. The other
+// USARTs drop each byte after its duration, and receive no bytes.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"

@@ -4,8 +4,9 @@
 //   WWDG   counts down by 1 every 4096 * 2^WDGTB cycles of APB1; resets the chip at 0x3F, or on a write while
 //          the counter is above the window
 //
-// New values of IWDG_PR and IWDG_RLR take effect at once, so IWDG_SR reads 0. LSI runs at exactly 40 kHz
-// (DS5319, table 25: 30 to 60 kHz). After a write to WWDG_CR, the next count has its full duration.
+// A write to IWDG_PR or IWDG_RLR is complete at once, so IWDG_SR reads 0. A new IWDG_RLR is used from the
+// next reload on. LSI runs at exactly 40 kHz (DS5319, table 25: 30 to 60 kHz). After a write to WWDG_CR, the
+// next count takes its full duration.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"
@@ -29,7 +30,7 @@ class IndependentWatchdog final : public Peripheral {
     SimTime ends = 0;  ///< time at which the watchdog resets the chip
   };
 
-  /// Returns the duration of one count.
+  /// Returns the duration of one count of the watchdog.
   SimTime step() const;
 
   Link& link_;
@@ -58,7 +59,7 @@ class WindowWatchdog final : public Peripheral {
 
   Cycle step() const;
   std::uint32_t count() const;
-  /// Returns when the counter will reach `value`; kNoCycle if it is already below.
+  /// Returns when the counter will reach `value`; kNoCycle if the counter is already below `value`.
   Cycle reaches(std::uint32_t value) const;
 
   Link& link_;

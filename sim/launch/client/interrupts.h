@@ -11,9 +11,9 @@
 
 namespace robosim::client {
 
-/// Makes SIGINT, SIGTERM and SIGHUP end the runner's current run, which then answers with the verdict
-/// `interrupted`. A second signal kills the runner. A pool ends its batch at the first signal. The handlers
-/// are active from construction to destruction. Only one object may exist at a time.
+/// Makes SIGINT, SIGTERM and SIGHUP end the runner's current run with the verdict `interrupted`. A second
+/// signal kills the runner. A pool ends its batch at the first signal. The handlers are active from
+/// construction to destruction. Only one object may exist at a time.
 class Interrupts {
  public:
   explicit Interrupts(Runner& runner);
@@ -22,9 +22,9 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// Returns the number of signals so far.
+  /// Returns the number of signals that have arrived since construction.
   static int count();
-  /// Returns the first signal; 0 = none.
+  /// Returns the number of the first signal, such as SIGINT, or 0 if no signal has arrived.
   static int signal();
 
  private:
@@ -34,7 +34,7 @@ class Interrupts {
   std::array<struct sigaction, kSignals.size()> before_;
 };
 
-/// Makes the runs of a batch, at most `jobs` at a time. Returns false if the user interrupted them. Throws
+/// Executes the runs of a batch, at most `jobs` at a time. Returns false if the user interrupted them. Throws
 /// the exceptions of Pool::run().
 bool make_runs(const Batch& batch, std::size_t jobs);
 

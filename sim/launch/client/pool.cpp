@@ -12,7 +12,7 @@
 namespace robosim::client {
 namespace {
 
-/// Maximum number of runs that may begin after an unfinished run. Their results wait in memory.
+/// Maximum number of runs that may begin after an unfinished run. Their results wait in memory for that run.
 constexpr std::size_t kMostAhead = 10'000;
 /// Limit of wall time for poll(): a signal that arrives just before poll() does not wake it.
 constexpr int kSlice_ms = 100;
@@ -31,7 +31,7 @@ Answer failure_of(std::exception_ptr thrown) {
 
 }  // namespace
 
-/// Executes one run at a time.
+/// A runner process that executes one run at a time.
 struct Pool::Worker {
   std::unique_ptr<Runner> runner;
   std::string target;  ///< target of the runner

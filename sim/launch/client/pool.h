@@ -45,11 +45,13 @@ using Answer = std::variant<result::RunResult, Failure>;
 struct Batch {
   std::size_t count = 0;
   std::function<Task(std::size_t)> task;
-  /// Called for each run in ascending order. An exception ends the batch and is passed on.
+  /// Receives the answer of each run, in ascending order of the run numbers. If this function throws, the
+  /// batch ends and Pool::run() throws the exception.
   std::function<void(std::size_t, Answer)> answered;
-  /// Returns whether a run is still wanted; may be empty. It is called before a run begins, when earlier runs
-  /// may not have ended yet. It is called again after the answers of all earlier runs, before the run's own
-  /// answer is passed on. An unwanted run is therefore dropped, even if it was executed.
+  /// Returns whether the result of a run is still needed; may be empty. Pool calls this function before a run
+  /// begins. Earlier runs may then still be in progress. Pool calls it again before it passes the run's
+  /// answer to `answered`. The answers of all earlier runs have then been passed. An unneeded run is dropped,
+  /// even if it was executed.
   std::function<bool(std::size_t)> wanted;
 };
 
@@ -63,11 +65,12 @@ class Pool {
   Pool(const Pool&) = delete;
   Pool& operator=(const Pool&) = delete;
 
-  /// Executes the runs. Returns false if the pool was interrupted. In this case, finished runs have been
-  /// passed on, in ascending order, and all other runs are missing.
+  /// Executes the runs. Returns false if the pool was interrupted. In this case, only the answers of finished
+  /// runs have been passed to `answered`, in ascending order.
   bool run(const Batch& batch);
 
-  /// Ends the batch, and any later batch. Kills unfinished runs. May be called from a signal handler.
+  /// Ends the current batch and every later batch. Kills unfinished runs. May be called from a signal
+  /// handler.
   void interrupt() noexcept { interrupted_ = 1; }
 
  private:

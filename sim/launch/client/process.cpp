@@ -30,7 +30,7 @@ Child start(const std::filesystem::path& program, int input, int output) {
   start.output = output;
   start.default_signals = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP, SIGWINCH};
   start.own_group = true;
-  start.fixed_addresses = true;  // a sketch on the host can see addresses: its runs shall be equal
+  start.fixed_addresses = true;  // a sketch on the host can read addresses; they must not differ between runs
   return Child(start);
 }
 

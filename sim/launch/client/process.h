@@ -1,4 +1,4 @@
-// Runs a child process that communicates by lines.
+// Runs a child process and exchanges lines of text with it.
 #pragma once
 
 #include <signal.h>
@@ -13,9 +13,10 @@
 
 namespace robosim::client {
 
-/// Starts a program with pipes for its standard input and output. The program has its own process group, so
-/// that Ctrl-C in a terminal reaches only this process. The program shares this process's standard error, and
-/// inherits nothing else. The destructor ends the program and its forks, and leaves no zombie.
+/// Starts a program with its standard input and output connected to this process. The program has its own
+/// process group, so that Ctrl-C in a terminal reaches only this process. The program shares this process's
+/// standard error, and inherits no other open file. The destructor ends the program and its forks, and leaves
+/// no zombie.
 class Process {
  public:
   /// Starts the program. Throws std::system_error if that fails.
@@ -24,10 +25,11 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Writes text. Returns false if the program no longer reads.
+  /// Writes text to the program's standard input. Returns false if the program no longer reads.
   bool write(std::string_view text);
-  /// Returns the next line without its line feed; it is valid until the next call. Returns nothing at the end
-  /// of the output (an incomplete last line is dropped) or after `timeout_ms` of wall time; -1 = no limit.
+  /// Returns the next line without its line feed; the view is valid until the next call. Returns nothing at
+  /// the end of the output, and drops an incomplete last line. Also returns nothing after `timeout_ms` of
+  /// wall time; -1 = no limit. After interrupt(), the limit is kStopPatience_ms.
   std::optional<std::string_view> read_line(int timeout_ms = -1);
 
   /// Returns the next `count` bytes, which are valid until the next call. Returns nothing if the output ends
@@ -43,18 +45,19 @@ class Process {
   /// reader.
   void keep_close() const;
 
-  /// The maximum silence of an interrupted program, wall time.
+  /// Maximum wall time that a read waits for output after interrupt().
   static constexpr int kStopPatience_ms = 2000;
 
   /// Sends SIGINT to the program's whole process group. Async-signal-safe.
   void interrupt();
   bool interrupted() const { return interrupted_ != 0; }
-  /// Clears an interrupt that preceded the present answer.
+  /// Resets interrupted(). The caller calls this function after each answer, so that an old interrupt does
+  /// not affect the next request.
   void forget_interrupt() { interrupted_ = 0; }
   /// Kills the whole process group. Async-signal-safe.
   void kill() const;
-  /// Closes the program's input. Waits at most a second for the program to end, then kills it. Returns how it
-  /// ended: "ended with status 3", "was ended by signal 11 (Segmentation fault)".
+  /// Closes the program's input. Waits at most a second for the program to end, then kills it. Returns how
+  /// the program ended: "ended with status 3", "was ended by signal 11 (Segmentation fault)".
   std::string finish();
 
  private:
@@ -66,7 +69,7 @@ class Process {
     std::int64_t until_ms;  ///< wall time; negative = no limit
     std::int64_t interrupt_seen_ms = -1;
   };
-  /// Adds to the buffer. Returns false at the end of the output, or after the time limit.
+  /// Reads more output into `buffer_`. Returns false at the end of the output, or after the time limit.
   bool read_more(Patience& patience);
 
   Descriptor requests_;  // socket to the program's standard input

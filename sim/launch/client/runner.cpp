@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Limit of wall time. It is generous, since the runner itself may run under an emulator (qemu-user).
+// Limit of wall time for the runner's first message. The limit is generous, since the runner itself may run
+// under an emulator (qemu-user).
 constexpr int kHelloPatience_ms = 30'000;
 
 std::string program_of(const std::string& target) {
@@ -39,7 +40,8 @@ std::string program_of(const std::string& target) {
   return program.string();
 }
 
-/// Marks a run whose events a sketch has overwritten: its result cannot be trusted.
+/// Changes the verdict to `crashed`, because the sketch has overwritten the events of its own run. The result
+/// of such a run cannot be trusted.
 void blame_for_batch(result::RunResult& result) {
   if (result.verdict == "crashed") return;
   if (!result.others.empty())
@@ -54,8 +56,8 @@ void blame_for_batch(result::RunResult& result) {
   result.why = "The sketch crashed: " + cause + ".";
 }
 
-// Throws InputError unless the name is UTF-8, as in JSON. Otherwise the runner would receive the name of
-// another file.
+// Throws InputError if the name of a file is not UTF-8. JSON cannot carry such a name, and the runner would
+// receive the name of another file.
 void check_name(const std::string& file) {
   if (!is_utf8(file)) throw InputError({file}, "cannot be used: the name of a file must be UTF-8");
 }
@@ -106,7 +108,7 @@ std::optional<wire::Line> Runner::answer(bool wait, const wire::OnEvent& on_even
       if (!text) fail_silent();
       wire::Line line = wire::parse_line(*text);
       const auto* error = std::get_if<wire::ErrorAnswer>(&line.content);
-      if (error && line.id < 0) throw wire::RunnerError(error->message);  // it could not read the number
+      if (error && line.id < 0) throw wire::RunnerError(error->message);  // the request was unreadable
       if (line.id != last_id_) {
         throw wire::RunnerError("the runner " + name_ + " answered request " + std::to_string(line.id) +
                                 " instead of " + std::to_string(last_id_));
@@ -142,7 +144,7 @@ void Runner::read_batch(std::string_view bytes, const wire::OnEvent& on_event) {
   try {
     if (!batch_is_damaged_) batches_.read(bytes, on_event);
   } catch (const wire::RunnerError&) {
-    // Native firmware can overwrite the batches, since both are in the same memory.
+    // Firmware on the host can overwrite the batches, since it shares memory with the runner.
     if (hello_.sandbox.empty()) throw;
     batch_is_damaged_ = true;
   }

@@ -1,8 +1,8 @@
-// Starts a runner and communicates with it.
+// Starts a runner, the process that simulates the runs of a target, and communicates with it.
 //
 //   robosim::client::Runner runner("host");
 //   const auto robot = runner.describe_robot("uno5");
-//   robosim::client::RunRequest request;
+//   robosim::wire::RunRequest request;
 //   request.image = …; request.map = …; request.robot = "uno5";
 //   const auto result = runner.run(request);        // result.verdict == "reached"
 //
@@ -49,19 +49,22 @@ class Runner {
   /// unusable. An exception from `on_event` ends the runner and is passed on.
   result::RunResult run(const wire::RunRequest& request, const wire::OnEvent& on_event = {});
 
-  /// Provide the two parts of run(), to wait for several runners at once. begin() sends the request. take()
-  /// returns the result if it has arrived, without waiting, and throws the exceptions of run(). In between,
-  /// descriptor() is readable, for poll(2), whenever take() has work.
+  /// Splits run() into two parts, so that a caller can wait for several runners at once. begin() sends the
+  /// request. take() returns the result, or nothing if the result has not arrived; it does not wait. take()
+  /// throws the exceptions of run(). Between begin() and the result, poll(2) reports descriptor() as readable
+  /// whenever take() has work to do.
   void begin(const wire::RunRequest& request);
   std::optional<result::RunResult> take(const wire::OnEvent& on_event = {});
   int descriptor() const noexcept;
 
-  /// Limits, from now on, how far the runner is ahead of `on_event`, to a few kilobytes of events. Viewers
-  /// need this, so that an interrupt takes effect at the visible state. The limit costs speed.
+  /// Limits, from now on, how far the runner can be ahead of `on_event`, to a few kilobytes of events.
+  /// Viewers need this limit, so that an interrupt takes effect near the visible state. The limit slows the
+  /// run down.
   void keep_close() noexcept;
 
-  /// Ends the current run with the verdict `interrupted`. run() still returns, unless the runner is silent
-  /// for two seconds of wall time and is killed. May be called from a signal handler or from `on_event`.
+  /// Ends the current run with the verdict `interrupted`; run() still returns the result. Exception: a runner
+  /// that is silent for two seconds of wall time is killed, and run() throws wire::Unstoppable. May be called
+  /// from a signal handler or from `on_event`.
   void interrupt() noexcept;
   /// Kills the runner; run() throws RunnerError. May be called from a signal handler.
   void kill() noexcept;

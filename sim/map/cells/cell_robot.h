@@ -106,9 +106,10 @@ class CellRobot {
   void set_noise(const CellNoise& noise);
 
   Spot spot() const { return {at_, facing_}; }
-  /// Returns the number of moves, up to the limit, that need no checks; 0 with a watcher or noise.
+  /// Returns the number of moves, up to the limit, that the caller may make at once with made(). Returns 0
+  /// with a watcher or noise.
   std::uint64_t free_moves() const { return free_until_ > moves_ ? free_until_ - moves_ : 0; }
-  /// Records `moves` free moves, which took the robot to `there`.
+  /// Records `moves` moves at once, which took the robot to `there`.
   void made(std::uint64_t moves, const Spot& there) {
     moves_ += moves;
     at_ = there.at;

@@ -84,7 +84,7 @@ Landmark CellWalker::end_of_line() {
     const bool stepped_off = floor.is_open(floor.index_of(end));
     return landmark(stepped_off ? LandmarkKind::end : LandmarkKind::lost, end, pose.facing);
   }
-  // The line ends here unless an obstacle, which may be a wall, blocks it.
+  // The line ends here if no obstacle blocks it. An obstacle may also be a wall on the line.
   const bool may_be_blocked =
       floor.is_near_obstacle(robot_.at()) || floor.is_wall(floor.next(robot_.at(), pose.facing));
   const bool ends = !may_be_blocked || map::is_dead_end(floor.map(), pose.cell);

@@ -6,8 +6,8 @@
 // whatever the robot's first direction.
 //
 // The walker records each line, because an explorer goes back over every line of a tree. If the robot goes
-// back over the latest recorded line, the walker puts it at the other end at once. The line's moves are still
-// counted. If a watcher must see each move, the robot makes all moves.
+// back over the latest recorded line, the walker puts the robot directly at the other end. The line's moves
+// are still counted. If a watcher must see each move, the robot makes all moves.
 //
 // If an obstacle is directly next to a junction, the robot senses the obstacle before it moves. Finding such
 // an obstacle therefore takes no move.
@@ -34,7 +34,8 @@ class CellWalker {
   nav::Landmark follow();
   void leave(nav::Turn turn);
   void relocate(const nav::Place&) {}
-  /// Notes that the robot was put onto the end of a line, facing along the line.
+  /// Discards the records of lines. Call this after the robot was put onto the end of a line, facing along
+  /// the line.
   void reset();
 
   /// Return data of the last landmark: its cell, and the number of moves since the previous landmark.

@@ -37,7 +37,8 @@ class GrowingNetwork {
     return here.x == at.x && here.y == at.y;
   }
   bool isTree() const { return is_tree_; }
-  /// Returns the same heading as nav::headingOf(), read from the node instead of computed from its arms.
+  /// Returns the same heading as nav::headingOf(). Reads the heading from the node, instead of computing it
+  /// from the node's arms.
   nav::Heading heading(Id node, std::uint8_t slot) const {
     return static_cast<nav::Heading>(nodes_[node].headings >> 2 * slot & 3);
   }
@@ -101,7 +102,7 @@ class GrowingNetwork {
   bool is_tree_ = true;
 };
 
-/// Called by nav's templates instead of nav::headingOf().
+/// Replaces nav::headingOf() in nav's templates, which find this overload by argument-dependent lookup.
 template <std::derived_from<GrowingNetwork> Network>
 nav::Heading headingOf(const Network& network, typename Network::Id node, std::uint8_t slot) {
   return network.heading(node, slot);

@@ -21,8 +21,8 @@ class JunctionIndex {
   using Id = std::uint32_t;
   static constexpr Id kNone = 0xFFFFFFFF;
 
-  /// Returns the junction at `place`; kNone if none is there. Coordinates must not be negative, also in
-  /// add().
+  /// Returns the junction at `place`, or kNone if the cell has no junction. Here and in add(), coordinates
+  /// must not be negative.
   Id find(const nav::Place& place) const {
     const Tile* tile = tile_at(place);
     if (!tile || (tile->row(place) >> column(place) & 1) == 0) return kNone;

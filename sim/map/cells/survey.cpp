@@ -81,8 +81,8 @@ Arm Survey::arm(Id node, std::uint8_t slot) const {
   return arm;
 }
 
-// Returns whether the line ends in front of a wall at this station. There the robot steps into the wall, as
-// in Robosim v1.
+// Returns whether the line ends in front of a wall at this station. At such a station the robot steps into
+// the wall, as in Robosim v1.
 bool Survey::stands_in_wall(int station) const {
   const Id node = station_nodes_[static_cast<std::size_t>(station)];
   const CellAt cell = network_.stations[static_cast<std::size_t>(station - 1)];

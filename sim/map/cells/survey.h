@@ -26,7 +26,7 @@ namespace robosim::cells {
 /// The result of a scan or a drive.
 enum class Ending {
   complete,      ///< a scan found everything reachable, or a drive reached its destination
-  lost,          ///< because of noise, the robot met an impossible place
+  lost,          ///< because of noise, the robot met a place that contradicts the graph
   out_of_moves,  ///< the limit was reached
   no_way,        ///< an obstacle blocks every path
   refused        ///< the planner cannot handle this graph; see `why`

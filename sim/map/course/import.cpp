@@ -10,7 +10,7 @@
 namespace robosim::course {
 namespace {
 
-// Reads everything except mazes.
+// Reads all course formats except mazes.
 Imported read_lines(std::string_view text, const std::string& file, const std::vector<NumberedLine>& lines) {
   const std::string_view first = lines.front().text;
   if (first.front() == '{' || first.front() == '[') {
@@ -54,7 +54,7 @@ Imported import_course(std::string_view text, const std::string& file, const std
     return imported;
   } catch (const InputError& error) {
     if (!error.place().file.empty()) throw;
-    throw InputError({file}, error.message());  // an error of the whole course
+    throw InputError({file}, error.message());  // an error of the whole course, without a line number
   }
 }
 

@@ -20,8 +20,8 @@ struct Imported {
 ///   points, x and y in metres, one per line
 ///   mazes of micromouse, as characters or as numbers: a line through their passages
 /// `name` becomes the name of the map. `walls_m` is the distance in m between the middles of neighbouring
-/// cells. With `walls_m`, a maze becomes a map with walls, whose lines are not painted. Throws InputError
-/// with file and line.
+/// cells. If `walls_m` is above 0, a maze becomes a map with walls, whose lines are not painted. Throws
+/// InputError with file and line.
 Imported import_course(std::string_view text, const std::string& file, const std::string& name,
                        double walls_m = 0.0);
 

@@ -1,3 +1,4 @@
+// Imports a picture as the floor of a map (import.h).
 #include <cmath>
 
 #include "sim/map/course/import.h"

@@ -22,8 +22,8 @@ void reverse(Polyline& line);
 /// Converts at least two different points to a path, in metres. Lengths and radii are rounded to micrometres.
 map::Path path_of(const Polyline& line);
 
-/// Returns the middles of the path's sections over square tiles, in m along the path. Skips sections shorter
-/// than 10 mm.
+/// Divides the path into the sections on each square tile. Returns the middle of each section, in m along the
+/// path. Skips sections shorter than 10 mm.
 std::vector<double> tile_middles(const map::Path& path, double tile);
 
 }  // namespace robosim::course

@@ -1,3 +1,5 @@
+// Reads RoboCupJunior Rescue Line courses of rcj-rescue-cms.
+//
 // Source of the format: robocup-junior/rcj-rescue-cms, commit 14ba0ba2, models/lineMap.js and
 // helper/pathFinder.js. Source of the rules: RoboCupJunior Rescue Line.
 #include <fmt/format.h>
@@ -30,7 +32,7 @@ struct Key {
 };
 
 struct Drawn {
-  Polyline line;  // in percent, not rotated
+  Polyline line;  // in percent of the tile's side, before the tile's rotation
   bool used = false;
 };
 

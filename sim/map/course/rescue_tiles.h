@@ -27,7 +27,8 @@ struct TileKind {
   std::string_view arms = {};
   /// For an intersection: the exit of the route for each entry. "LT TL" = left to top, top to left.
   std::string_view turns = {};
-  /// Green squares in the corners of an intersection: a and b above, c and d below, each left and right.
+  /// Green squares in the corners of an intersection: a = upper left, b = upper right, c = lower left, d =
+  /// lower right.
   std::string_view greens = {};
   bool simplified = false;  ///< only the way through the tile is drawn, not all its lines
 };

@@ -1,3 +1,5 @@
+// Reads Robotrace courses of robotrace_course_cad.
+//
 // Source of the format: kyamashita5/robotrace_course_cad, commit 8daa8226, its doc/ and its solver. Source of
 // the rules: NTF, Robotrace 1-1 to 2-8.
 #include <fmt/format.h>

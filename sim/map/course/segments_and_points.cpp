@@ -1,3 +1,4 @@
+// Reads courses that are lists of segments with curvatures, or lists of points (formats.h).
 #include <fmt/format.h>
 
 #include <cmath>

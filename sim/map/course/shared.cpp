@@ -1,3 +1,4 @@
+// Implements the helpers that the readers of course formats share (formats.h).
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// A PDF with drawings in millimetres: x to the right, y up, from a page's lower left corner.
+// Writes a PDF with drawings in millimetres: x to the right, y up, from a page's lower left corner.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,8 @@ namespace robosim::print {
 
 class Pdf {
  public:
-  /// `compressed`: compresses the contents of pages. Throws ToolMissing in a build without the library.
+  /// If `compressed` is true, the contents of pages are compressed. Throws ToolMissing in a build without
+  /// libhpdf.
   Pdf(const std::string& title, bool compressed);
   ~Pdf();
 
@@ -29,7 +30,7 @@ class Pdf {
   /// Draws an arc (see Line) of at most 22.5 degrees from the pen's position.
   void arc_to(const Line& arc);
   void add_box(const Box& box);
-  /// Loads a picture, in greys. It is drawn at the size of the box.
+  /// Loads a picture, in greys. draw_picture() draws the picture at the size of the box.
   void load_picture(const map::FloorImage& image);
   void draw_picture(const Box& box);
   void stroke();

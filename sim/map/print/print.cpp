@@ -11,7 +11,7 @@
 namespace robosim::print {
 namespace {
 
-constexpr double kLongest = 200.0;  // mm; longest piece of a line: a page skips distant pieces
+constexpr double kLongest = 200.0;  // mm; lines are split into pieces, so that a page can skip distant pieces
 constexpr double kHairline = 0.15;
 constexpr double kBar = 100.0;
 

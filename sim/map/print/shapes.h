@@ -1,5 +1,5 @@
-// The paint on a floor, as outlines that can be queried by place. Lengths in mm, x east and y north from the
-// floor's lower left corner.
+// Represents the paint on a floor as lines, bars and cells that can be queried by position. Lengths are in
+// mm, x east and y north from the floor's lower left corner.
 #pragma once
 
 #include <cmath>

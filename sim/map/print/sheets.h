@@ -2,7 +2,7 @@
 //
 // Each sheet shows its own piece of the floor (net_width x net_height) with a flap around it. The flap shows
 // another 10 mm of the floor on each side. The next sheet is laid on the flap. Sheets are counted from the
-// floor's upper left corner. Lengths in mm, x east and y north from the floor's lower left corner.
+// floor's upper left corner. Lengths are in mm, x east and y north from the floor's lower left corner.
 #pragma once
 
 #include <string>
@@ -42,8 +42,8 @@ struct Sheets {
   }
 };
 
-/// Divides the floor with the paper in portrait or landscape, whichever needs fewer sheets. `dark_floor`: the
-/// floor itself is painted, too. Throws InputError if more than kMostSheets are needed.
+/// Divides the floor with the paper in portrait or landscape, whichever needs fewer sheets. If `dark_floor`
+/// is true, the floor itself is painted, too. Throws InputError if more than kMostSheets are needed.
 Sheets divide(const map::Map& map, const Shapes& shapes, Paper paper, double margin, bool dark_floor);
 
 }  // namespace robosim::print

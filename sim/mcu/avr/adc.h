@@ -1,6 +1,6 @@
 // Models the analog-to-digital converter (data sheet DS40002061B, chapter 24). hal/board/avr_adc.h documents
-// its registers. One ADC clock takes P cycles (ADPS). The prescaler starts when ADEN is set, and its rising
-// edges occur at
+// the converter's registers. One period of the ADC clock takes P processor cycles; ADPS selects P. The
+// prescaler starts when ADEN is set. Its rising edges occur at these cycles e:
 //
 //   e = origin + P/2 + k P            origin: the cycle at which ADEN was set; k = 0, 1, 2 …
 //   start    the first e after ADSC is written; ADMUX is latched at this edge
@@ -8,10 +8,11 @@
 //   end      start + 13 P; 25 P in the first conversion. ADIF is set, and ADSC reads 0. In free running
 //            mode, the next conversion starts
 //
-// An auto trigger sets origin to 3 cycles after the trigger's flag is set. The sample is then taken at
-// origin + 2 P, and the conversion ends at origin + 13.5 P (table 24-1). Entering a sleep mode that keeps the
-// ADC clock running also starts a conversion, unless auto triggering is enabled (10.3, 24.6). A stopped clock
-// (PRR, deeper sleep) pauses a conversion; ADEN = 0 ends the conversion.
+// An auto trigger restarts the prescaler: origin becomes the third cycle after the trigger's flag is set. The
+// sample is then taken at origin + 2 P, and the conversion ends at origin + 13.5 P (table 24-1). The chip
+// also starts a conversion when it enters a sleep mode in which the ADC clock runs (10.3, 24.6). With auto
+// triggering enabled, sleep starts no conversion. A stopped clock (PRR, deeper sleep) pauses a conversion;
+// clearing ADEN ends the conversion.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// Connects interrupt flags to the peripheral that they trigger: a timer's compare match can start an ADC
-// conversion. A flag is identified by its interrupt vector. At any time, at most one peripheral waits for a
-// flag, and it waits for one flag only.
+// Connects interrupt flags to the ADC's auto trigger. For example, a timer's compare match can start a
+// conversion. Each flag is identified by its interrupt vector. At any time, the ADC waits for at most one
+// flag.
 //
 //   core.triggers.offer<&Timer::awaited>(vector, this);   // once: this peripheral owns the flag
 //   core.triggers.raised(vector, at);                     // when the flag is set; cheap if not awaited
@@ -20,8 +20,8 @@ class AdcTriggers {
  public:
   static constexpr int kNone = 0;  ///< the reset vector, which means that no flag is awaited
 
-  /// Registers bool Owner::Method(int vector, bool awaited) for a flag. The method is called when a
-  /// peripheral starts or stops waiting, and returns whether the flag is set.
+  /// Registers bool Owner::Method(int vector, bool awaited) for a flag. The method is called when the ADC
+  /// starts or stops waiting for the flag. The method returns whether the flag is set.
   template <auto Method, typename Owner>
   void offer(int vector, Owner* owner) {
     offers_[static_cast<std::size_t>(vector)] = {[](void* self, int number, bool awaited) {

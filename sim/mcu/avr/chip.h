@@ -1,11 +1,12 @@
 // Simulates one AVR chip: processor, peripherals and pins. The caller provides the flash and the environment,
-// and runs the chip to a cycle.
+// and runs the chip until a given cycle.
 //
 //   Chip ── Core: Cpu, Events, Interrupts
 //     ├──── Pins ── ExternalInterrupts, Timer ×n, Usart ×n, Adc, …   one file each
 //     └──── Power: sleep modes, PRR, CLKPR, reset flags in MCUSR
 //
-// Equal flash and equal environments give equal runs, regardless of how often run_to() returns in between.
+// Runs are deterministic. Equal flash and equal environments give equal runs, regardless of how many calls of
+// run_to() divide the run.
 #pragma once
 
 #include <memory>
@@ -61,7 +62,8 @@ class Chip {
   const Cpu& cpu() const { return core_.cpu; }
   Core& core() { return core_; }
   const Core& core() const { return core_; }
-  /// Returns the object that skips waiting loops. Skipping has no effect on firmware or the environment.
+  /// Returns the object that skips waiting loops (idle.h). Skipping has no effect on firmware or the
+  /// environment.
   Idle& idle() { return idle_; }
   const Idle& idle() const { return idle_; }
   Pins& pins() { return pins_; }

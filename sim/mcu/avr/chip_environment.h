@@ -1,8 +1,8 @@
 // Declares the interface through which a chip accesses its environment. A robot's board, a test or a web page
 // implements it.
 //
-// Pins are indices in ChipSpec::pins, and times are processor cycles. From one call to the next, the time may
-// decrease by at most the cycles of one instruction.
+// Pins are indices in ChipSpec::pins, and times are processor cycles. Compared with the previous call, the
+// time may be earlier by at most the cycles of one instruction.
 #pragma once
 
 #include "hal/board/board.h"
@@ -16,11 +16,11 @@ class ChipEnvironment {
   /// Returns the level of a pin that the chip does not drive. `pull_up` is the level if nothing else drives
   /// the pin.
   virtual bool level(int pin, bool pull_up, Cycle at) = 0;
-  /// Returns the level for a read by a peripheral, or by an instruction that reads the whole port. The
-  /// program may not use the result.
+  /// Returns the level for a read by a peripheral, or by an instruction that reads the whole port. Firmware
+  /// possibly ignores this pin's level.
   virtual bool level_along(int pin, bool pull_up, Cycle at) = 0;
-  /// Returns the first cycle after `at` at which the result of level() may change. Until this cycle, the
-  /// caller can skip calls. Returns `at` if that cycle is unknown.
+  /// Returns the first cycle after `at` at which the result of level() may change. Before that cycle, the
+  /// caller need not call level() again. Returns `at` if that cycle is unknown.
   virtual Cycle level_until(int pin, Cycle at) = 0;
   /// Returns the volts at a pin, for a sample of the ADC or comparator. `high` is set if the chip's output or
   /// pull-up drives the pin high.
@@ -34,11 +34,11 @@ class ChipEnvironment {
   virtual double supply_share() { return 1.0; }
   /// Reports that the chip has changed how it drives a pin.
   virtual void driven(int pin, const PinDrive& drive, Cycle at) = 0;
-  /// Starts or stops reports of level changes through Chip::edge(). Returns the level from which changes are
-  /// reported; the result is ignored if reports stop.
+  /// Starts or stops the reports of a pin's level changes through Chip::edge(). Returns the pin's level at
+  /// `at`; the caller ignores the result when reports stop.
   virtual bool wants_edges(int pin, bool wanted, Cycle at) = 0;
 
-  // --- serial lines: numbers are indices in ChipSpec::uarts; USB has the next number
+  // --- serial lines: `line` is an index in ChipSpec::uarts; USB has the number after the last UART
   /// Reports that the chip starts to send a frame.
   virtual void sent(int line, std::uint16_t data, Cycle at) = 0;
   /// Reports the frame duration, in cycles, that the receiver expects from `at` on; 0 = the receiver is off.
@@ -54,11 +54,11 @@ class ChipEnvironment {
 
   // --- non-volatile memory
   virtual std::uint8_t* eeprom() = 0;
-  /// Writes or erases a byte of the EEPROM at once. Called when the chip starts the write.
+  /// Writes or erases a byte of the EEPROM immediately. Called when the chip starts the write.
   virtual void write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) = 0;
 
   // --- time
-  /// Called at the moment requested by Chip::call_at().
+  /// Called at the cycle that Chip::call_at() has requested.
   virtual void called(Cycle at) = 0;
   /// Reports that the processor's clock is the oscillator's clock divided by `divisor` from `at` on (CLKPR).
   /// A reset sets the divisor to 1.

@@ -7,9 +7,9 @@
 //   ACI    set by the edges of ACO that ACIS selects: 0 any, 2 falling, 3 rising
 //   ACIC   timer 1 captures edges of ACO instead of edges of ICP1
 //
-// After the first write to ACSR, edges of AIN0 and AIN1 take effect at their cycle. Other voltage changes are
-// sampled when ACSR is read or written. They are also sampled every 64 cycles while an interrupt (ACIE),
-// timer 1 (ACIC) or the ADC's auto trigger waits for an edge.
+// After the first write to ACSR, an edge of AIN0 or AIN1 takes effect in the cycle of the edge. Other voltage
+// changes are sampled when ACSR is read or written. They are also sampled every 64 cycles while an interrupt
+// (ACIE), timer 1 (ACIC) or the ADC's auto trigger waits for an edge.
 //
 // Not modelled: the synchroniser delay of ACO (1 to 2 cycles), and the comparator's offset and hysteresis. On
 // a board, a pin with PWM has the supply voltage if its duty cycle is at least 50 %, otherwise 0 V.
@@ -26,7 +26,7 @@ class Timer;
 
 class Comparator final : public Peripheral {
  public:
-  /// `captures` is the timer that captures the comparator's edges; may be null.
+  /// `captures` is the timer that captures the comparator's edges, or null.
   Comparator(Core& core, Pins& pins, Timer* captures);
 
   void reset(Cycle at) override;

@@ -1,5 +1,5 @@
 // Holds the parts that all peripherals of a chip share: processor, event queue, interrupts and environment. A
-// peripheral stores a reference to the core. The peripheral's constructor hooks its registers:
+// peripheral stores a reference to the core. The peripheral's constructor registers hooks and events:
 //
 //   Eeprom::Eeprom(Core& core) : core_(core) {
 //     core.cpu.on_write<&Eeprom::write_control>(reg::kEecr, this);
@@ -34,8 +34,8 @@ class Peripheral {
     (void)runs;
     (void)at;
   }
-  /// Handles the start of a sleep mode, with or without the ADC's clock. Only peripherals on the ADC's clock
-  /// get this call. clock_runs() may follow.
+  /// Called when the chip enters a sleep mode. `adc_clock_runs` is set if the ADC's clock runs in this mode.
+  /// Only peripherals on the ADC's clock get this call. If the mode stops their clock, clock_runs() follows.
   virtual void falls_asleep(bool adc_clock_runs, Cycle at) {
     (void)adc_clock_runs;
     (void)at;
@@ -76,8 +76,8 @@ struct Core {
   struct Held {
     Cycle since = 0, due = kNoCycle;
   };
-  /// Suspends an event when its peripheral's clock stops. go_on() delays the event by the duration of the
-  /// stop.
+  /// Suspends an event when its peripheral's clock stops. go_on() schedules the event again, delayed by the
+  /// duration of the stop.
   void hold(Events::Id id, Held& held, Cycle at) {
     held = {at, events.due(id)};
     events.cancel(id);
@@ -123,7 +123,7 @@ struct Core {
         {[](void* self, std::int64_t before) { (static_cast<Owner*>(self)->*Method)(before); }, owner});
   }
   /// Returns the new cycle of an event due at `at`, after the clock has changed from `hz_before`. The
-  /// remaining time stays the same.
+  /// remaining time in seconds stays the same.
   Cycle rescaled(Cycle at, std::int64_t hz_before) const {
     if (at == kNoCycle || at <= now()) return at;
     const auto before = static_cast<Cycle>(hz_before);

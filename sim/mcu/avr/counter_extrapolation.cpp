@@ -13,8 +13,8 @@ constexpr std::uint8_t kSigned = Cpu::kV | Cpu::kS;
 constexpr std::uint8_t kArithmetic = kC | kZ | kN | kSigned | Cpu::kH;
 
 constexpr std::uint8_t kPointers = 26;  // X, Y, Z
-// Limits of a sum or difference: its value, its step, and the index of its last byte. If a result exceeds a
-// limit, its operands are held instead of followed. No typical sketch exceeds a limit.
+// Limits of a tracked sum or difference: its value, its step, and the index of its last byte. If a result
+// exceeds a limit, its operands are held instead of tracked. No typical sketch exceeds a limit.
 constexpr std::int64_t kMost = std::int64_t{1} << 48, kSteepest = std::int64_t{1} << 24;
 constexpr int kBytes = 5;
 

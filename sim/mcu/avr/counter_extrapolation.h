@@ -1,14 +1,15 @@
-// Follows the values that a loop computes from a timer's counter during one pass. Finds the number of further
-// counts for which all jumps of the pass have the same targets.
+// Analyses one pass of a loop that reads a timer's counter. Tracks the values that the pass computes from the
+// counter. Determines how far the counter can advance before a jump of the pass gets another target.
 //
-//   the counter reads v0 now, and v0 + n later
+//   n       number of counts by which a later pass is ahead: this pass reads v0, the later pass v0 + n
 //   Line    an integer that is linear in n: `now` + n * `step`
 //   Byte    byte k of a Line in two's complement, as a processor register stores it
 //   Chain   the flags of a sum or difference of two Lines, computed byte by byte: ADD ADC ADC, CP CPC …
 //
-// Sums and differences of Bytes are followed while the bytes belong to the same number. Any other use of a
-// Byte holds it: the window, which is the range of n, shrinks until the byte is constant within it. The
-// window is never too large. In the worst case it contains only n = 0.
+// Sums and differences of Bytes are tracked as long as their bytes belong to the same number. Any other use
+// of a Byte "holds" it: the result is valid only while this byte does not change. Holding a byte shrinks the
+// window, which is the range of n from 0 to window(). The window is never too large. In the worst case, it
+// contains only n = 0.
 #pragma once
 
 #include <array>
@@ -27,9 +28,9 @@ class CounterExtrapolation {
  public:
   explicit CounterExtrapolation(const Cpu& cpu) : cpu_(cpu) {}
 
-  /// Begins a pass, in which nothing depends on the counter yet.
+  /// Begins a pass. So far, nothing depends on the counter.
   void begin();
-  /// Follows an instruction that is about to run with these effects.
+  /// Tracks an instruction that is about to run with these effects.
   void follow(const Instruction& instruction, const InstructionEffects& effects);
   /// Notes that the loop has read the counter into this register, which now contains v0.
   void counter_read(unsigned reg);
@@ -37,7 +38,7 @@ class CounterExtrapolation {
   /// Returns whether these registers, one bit each, match their Lines. A mismatch is a bug in this class.
   bool agrees(std::uint32_t registers) const;
 
-  /// Limit the window to counts for which the byte at `address`, or `flags`, keep their values.
+  /// Shrink the window until the byte at `address`, or each of `flags`, is constant within the window.
   void hold(Address address);
   void hold_flags(unsigned flags);
 

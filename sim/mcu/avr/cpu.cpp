@@ -87,7 +87,8 @@ Cpu::Cpu(const ChipSpec& chip, std::span<const std::uint8_t> flash, Address last
       plain_(chip.ram_address, kPlainRead | kPlainWrite) {
   for (const Address elsewhere : {reg::kSreg, reg::kSpL, reg::kSpH}) plain_[elsewhere] = 0;
   flash_.resize(std::bit_ceil(std::max<std::size_t>(flash_.size(), 2)), kErased);
-  // Skips the erased end of the flash, usually most of the flash: all erased words decode alike.
+  // Does not decode the erased end of the flash, which is usually the largest part: all erased words decode
+  // to the same instruction.
   const std::size_t words = flash_.size() / 2;
   words_ = static_cast<std::uint32_t>(words);
   std::size_t used = words;

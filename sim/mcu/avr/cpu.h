@@ -6,7 +6,8 @@
 //             c + n: two consecutive INs read one cycle apart, two consecutive LDSs two cycles apart
 //   horizon   run() stops at this cycle: the next event of a peripheral, or the end that the caller requests
 //
-// The processor has no references to peripherals. It calls hooks of registers, and enters vectors.
+// The processor does not access peripherals directly. It calls the hooks that peripherals register for their
+// I/O registers, and enters interrupt vectors.
 #pragma once
 
 #include <array>
@@ -39,7 +40,7 @@ class Cpu {
     mark,      ///< the instruction at the program counter has a mark; the next run() executes it
     break_,    ///< BREAK ran
     illegal,   ///< the program counter is at a reserved opcode
-    outside,   ///< the program counter is outside the flash: a jump to outside_pc(), or the flash's end
+    outside,   ///< the program counter is outside the flash: after a jump to outside_pc(), or at flash end
     bad_read,  ///< the last instruction read bad_address(), which has no memory
     bad_write,
     spm,      ///< SPM ran
@@ -77,8 +78,9 @@ class Cpu {
   /// Enters the handler of an interrupt: pushes the return address and clears I. Takes 4 cycles; 5 with a
   /// 22-bit program counter.
   void enter(int vector);
-  /// Runs the whole handler at once, if it is the Arduino core's handler of timer 0 (time_count.h). Called
-  /// after enter(). No event that affects the handler may occur before `until`.
+  /// Runs the complete handler in one step if it is the Arduino core's handler of timer 0 (time_count.h).
+  /// Otherwise does nothing. Call this after enter(). The caller guarantees that no event affects the handler
+  /// before `until`.
   void count_time(Cycle until);
   /// Returns the word address of an interrupt vector.
   std::uint32_t entry_of(int vector) const;
@@ -86,20 +88,20 @@ class Cpu {
   /// as SEI or RETI, one more instruction runs first.
   bool interruptible() const { return state.sreg & kI && state.cycle != state.held_at; }
   bool interrupts_enabled() const { return state.sreg & kI; }
-  /// Waiting interrupts, one bit each. An instruction that sets I makes run() return if an interrupt is
-  /// waiting, or if this pointer is null.
+  /// Points to the pending interrupts, one bit per vector. An instruction that sets I makes run() return if
+  /// an interrupt is pending, or if this pointer is null.
   const std::uint64_t* waiting = nullptr;
   /// Resets the processor: the program counter and I/O registers become 0, memory is retained.
   void reset();
 
   // --- registers and memory
-  /// The implementation of an I/O register. A register without hooks stores the written value. Hooks are
-  /// called at the cycle of the access, after all earlier events (on_time).
+  /// The callbacks that implement an I/O register. A register without callbacks stores the written value.
+  /// Callbacks run at the cycle of the access, after all earlier events (on_time).
   struct Hook {
     std::uint8_t (*read)(void* self, Address address) = nullptr;
     void (*write)(void* self, Address address, std::uint8_t value) = nullptr;
-    /// Implements SBI and CBI. `value` is the content of `data` with the bit changed; `bit` is a mask.
-    /// Without this hook, SBI and CBI read and write the register.
+    /// Implements SBI and CBI. `value` is the byte in `data` with the bit already changed; `bit` is the bit's
+    /// mask. Without this hook, SBI and CBI read and write the register.
     void (*write_bit)(void* self, Address address, std::uint8_t value, std::uint8_t bit) = nullptr;
     /// Predicts reads. A register with `read` and without this hook has no forecast.
     ReadForecast (*forecast)(void* self, Address address, std::uint8_t bits) = nullptr;
@@ -109,8 +111,8 @@ class Cpu {
     void* write_self = nullptr;
     void* write_bit_self = nullptr;
   };
-  /// Registers ReadForecast Owner::Method(Address, uint8_t bits), which predicts reads; only `bits` are
-  /// relevant. Called after all earlier events.
+  /// Registers ReadForecast Owner::Method(Address, uint8_t bits), which predicts reads of a register. Only
+  /// the bits in `bits` must be correct. The method is called after all earlier events.
   template <auto Method, typename Owner>
   void on_forecast(Address address, Owner* owner) {
     Hook& hook = hooks_[address];
@@ -119,7 +121,8 @@ class Cpu {
     };
     hook.forecast_self = owner;
   }
-  /// Declares that reads of the register have no side effects, and give one value between events and writes.
+  /// Declares that reads of the register have no side effects. They return the same value until the next
+  /// event or write.
   void is_steady(Address address) { hooks_[address].is_steady = true; }
   ReadForecast forecast(Address address, std::uint8_t bits) const;
   /// Returns the relevant bits of the I/O register that the instruction at `pc` reads. The other bits are
@@ -148,8 +151,8 @@ class Cpu {
     hook.write_self = owner;
     plain_[address] &= static_cast<std::uint8_t>(~kPlainWrite);
   }
-  /// Adds a second owner to a register; `owner` is called after the first owner. The first owner stores the
-  /// register's value. The second owner changes only its own bits.
+  /// Adds a second write hook to a register. The second hook is called after the first. The first hook stores
+  /// the register's value. The second hook changes only the bits of its owner.
   template <auto Method, typename Owner>
   void also_on_write(Address address, Owner* owner) {
     const Hook before = hooks_[address];
@@ -194,7 +197,8 @@ class Cpu {
     };
     hook.write_bit_self = owner;
   }
-  /// Called before a hook if an event may be due by the current cycle. The event must run before the hook.
+  /// Called before a hook if an event may be due by the current cycle. The callee runs the due events, so
+  /// that they precede the hook.
   Call on_time;
 
   /// Read and write an address as firmware does, with all side effects.
@@ -225,17 +229,19 @@ class Cpu {
   /// Data memory: registers, I/O and RAM. SREG and SP are stored in `state`.
   std::vector<std::uint8_t> data;
 
-  /// Returns whether `pc` is the end of a loop that counts down, which run() executes in one step.
+  /// Returns whether the instruction at `pc` ends a loop that only counts down. run() executes the loop in
+  /// one step.
   bool is_count(std::uint32_t pc) const;
 
   // --- marks: run() stops before a marked instruction
   void set_mark(std::uint32_t pc, bool set);
   bool has_mark(std::uint32_t pc) const { return marks_[pc] & kMark; }
-  /// Marks the head of a loop. run() stops there, too.
+  /// Marks the head of a loop, which is the loop's first instruction (idle.h). run() also stops before a
+  /// head.
   void set_head(std::uint32_t pc, bool set);
   bool is_head(std::uint32_t pc) const { return marks_[pc] & kHead; }
-  /// Registers bool Owner::Method(), which is called at a mark that is not a head, with `state` complete. The
-  /// method returns whether run() continues.
+  /// Registers bool Owner::Method(), which is called at a mark that is not a head. At this time, `state` is
+  /// up to date. The method returns whether run() continues.
   template <auto Method, typename Owner>
   void on_mark(Owner* owner) {
     may_pass_ = [](void* self) { return (static_cast<Owner*>(self)->*Method)(); };
@@ -249,10 +255,10 @@ class Cpu {
   Call on_sp_written;
   /// Returns the word addresses of the most recent calls, returns and interrupts, the latest first.
   std::vector<std::uint32_t> last_jumps() const;
-  /// Returns the number of open interrupt handlers.
+  /// Returns the number of interrupt handlers that were entered and have not returned yet.
   int open_handlers() const { return state.open_handlers; }
   /// on_entered is called when the processor enters a handler, before the return address is pushed. on_left
-  /// is called after RETI has returned, before interrupts are enabled.
+  /// is called after RETI has popped the return address, before interrupts are enabled.
   Call on_entered, on_left;
   /// Notes a switch to another task, which has its own stack and is inside `count` handlers.
   void set_open_handlers(int count);
@@ -336,14 +342,14 @@ class Cpu {
   const ChipSpec& chip_;
   std::vector<std::uint8_t> flash_;
   std::uint32_t words_ = 0;                   ///< size of the flash, in words; a power of two
-  std::vector<Instruction> original_, code_;  ///< `code_` is modified for run()
+  std::vector<Instruction> original_, code_;  ///< `code_` has marks and specialised operations for run()
   std::vector<Op> unmarked_;                  ///< by word: the operation in `code_` if the word had no mark
   std::vector<std::uint8_t> marks_;           ///< by word: kMark, kHead
   std::optional<TimeCount> time_count_;
   std::uint32_t time_count_pc_ = 0;
   Address ram_begin_, last_ram_;
   std::vector<Hook> hooks_;          ///< by address
-  std::vector<std::uint8_t> plain_;  ///< by address: kPlainRead, kPlainWrite if reads, writes have no hook
+  std::vector<std::uint8_t> plain_;  ///< by address: kPlainRead = no read hook, kPlainWrite = no write hook
   struct Shared {
     void (*first)(void* self, Address address, std::uint8_t value) = nullptr;
     void* first_self = nullptr;

@@ -1,6 +1,7 @@
 // Defines macros for the interpreter's loop (cpu_run.cpp): pairs of instructions that run as one
-// (ROBOSIM_AVR_PAIRS). If the horizon is at or before the start of the second instruction, the two run
-// separately. The loop therefore never stops inside a pair, where some flags are not computed.
+// (ROBOSIM_AVR_PAIRS). The loop must stop at the horizon, which is a cycle. If the second instruction would
+// start at or after the horizon, the two instructions run separately. The loop therefore never stops inside a
+// pair, where some flags are not computed.
 #pragma once
 
 #include "sim/mcu/avr/cpu_steps.h"
@@ -80,8 +81,8 @@
     STORE(address, r[i->a], 1);        \
   }
 
-// Runs the TimeCount handler in one step, if nothing can interrupt it and its pushes do not overwrite its
-// variables.
+// Runs the TimeCount handler (time_count.h) in one step. Requires that nothing can interrupt the handler, and
+// that the handler's pushes do not overwrite its variables. Otherwise runs the instructions separately.
 #define CODE_OF_TIME_COUNT                                                                                \
   OPERATION(count_time, 0) {                                                                              \
     constexpr int kPushes = TimeCount::kPushes;                                                           \

@@ -136,7 +136,7 @@ inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* 
     state.pc = target_of(to);                                                          \
     RESUME;                                                                            \
   }
-// Runs RETI if no other interrupt waits and on_left has no listener.
+// Runs RETI in the common case: no other interrupt is pending, and on_left has no listener.
 #define RETURN_FROM_HANDLER                                                                             \
   if (pc_bytes == 2 && IS_RAM(sp + 1) && IS_RAM(sp + 2) && waiting && !*waiting && !on_left.function) { \
     state.cycle = end - static_cast<Cycle>(left);                                                       \

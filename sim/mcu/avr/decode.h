@@ -1,6 +1,7 @@
-// Decodes AVR instructions once, when flash is written, so that the interpreter needs one jump per
-// instruction. Source: AVR Instruction Set Manual, DS40002198B. Cycle counts are those of the AVRe+ core
-// (ATmega); the AVRe core of an ATtiny has equal counts, and lacks MUL.
+// Decodes all instructions of an AVR's flash in advance, so that the interpreter needs one jump per
+// instruction. Source: AVR Instruction Set Manual, DS40002198B. The cycle counts in cpu_run.cpp are those of
+// the AVRe+ core (ATmega). The AVRe core of an ATtiny has equal counts, but lacks some instructions, such as
+// MUL.
 #pragma once
 
 #include <cstdint>

@@ -8,9 +8,9 @@
 //          1 erase only, 1.8 ms           new value: 0xFF
 //          2 write only, 1.8 ms           new value: old value AND EEDR
 //
-// During a write, EEAR and EEPM cannot change, and the EEPROM cannot be read. EERIE requests EE_READY
-// whenever no write is in progress. A write continues through sleep and resets. The duration of a write does
-// not depend on CLKPR.
+// During a write, EEAR and EEPM cannot change, and the EEPROM cannot be read. While EERIE is set and no write
+// is in progress, the EEPROM requests the interrupt EE_READY. A write continues through sleep and resets. The
+// duration of a write does not depend on CLKPR.
 #pragma once
 
 #include <cstdint>

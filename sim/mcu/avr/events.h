@@ -31,8 +31,8 @@ class Events {
     State() { due.fill(kNoCycle); }
   };
 
-  /// Registers an event that calls `Method` of `owner` with its due cycle. At that time, the processor may
-  /// already be a few cycles further, in the middle of an instruction.
+  /// Registers an event, which calls `Method` of `owner` with the event's due cycle. When the event occurs,
+  /// the processor may already be a few cycles further, in the middle of an instruction.
   template <auto Method, typename Owner>
   Id add(Owner* owner) {
     if (count_ == kMost) throw std::logic_error("too many events: expected at most " + std::to_string(kMost));
@@ -60,10 +60,10 @@ class Events {
   Cycle due(Id id) const { return state.due[id]; }
   /// Returns the cycle at which the next event is due.
   Cycle next() const { return state.next; }
-  /// Marks an event as deferrable. The event must have no effect on the chip, and its result must not change
-  /// while no instruction runs.
+  /// Allows one event to occur late, after a sleep or a skipped loop. The event must have no effect on the
+  /// chip. While no instruction runs, the event's result must not change.
   void let_wait(Id id) { waits_ = id; }
-  /// Returns the due cycle of the next event that is not deferrable.
+  /// Returns the due cycle of the next event, except the event that may occur late (let_wait()).
   Cycle next_urgent() const {
     if (waits_ == kNone || state.due[waits_] != state.next) return state.next;
     Cycle next = kNoCycle;

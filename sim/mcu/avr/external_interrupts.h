@@ -7,7 +7,7 @@
 //   10             falling edge    while INTFn is set
 //   11             rising edge     while INTFn is set
 //
-// PCMSKg has one bit per pin of group g. Both edges of such a pin set PCIFg.
+// PCMSKg has one bit per pin of group g. While the bit is set, each edge of the pin sets PCIFg.
 //
 // A request takes effect if its bit in EIMSK or PCICR is set. Entering the vector or writing 1 to the flag
 // clears the flag. An edge passes the input's synchroniser: INTFn is set 2 cycles after the edge, PCIFg 3
@@ -16,7 +16,8 @@
 // Edges of INTn wake the chip from every sleep mode. According to section 13.1, their detection requires the
 // I/O clock. Real chips detect them without this clock, however, and sketches rely on this behaviour.
 //
-// A pin gets a listener only when its ISCn becomes nonzero, or its bit in EIMSK or PCMSKg is set.
+// A pin has a listener only while its ISCn is not 0, or its bit in EIMSK or PCMSKg is set. Unused pins
+// therefore cost nothing.
 #pragma once
 
 #include <array>

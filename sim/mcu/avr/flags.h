@@ -52,7 +52,7 @@ struct Flags {
     return arithmetic(d, s, wide);
   }
   std::uint8_t difference(unsigned d, unsigned s) { return difference_with(d, s, 0); }
-  /// Subtracts a higher byte of a number, with carry. Z covers all bytes so far.
+  /// Subtracts a higher byte of a number, with carry. Z then covers this byte and all lower bytes.
   std::uint8_t difference_with_carry(unsigned d, unsigned s) {
     const unsigned before = zero;
     const std::uint8_t result = difference_with(d, s, carry);

@@ -9,9 +9,9 @@
 //   CS4    divides the clock by 2^(CS4 - 1)
 //   TC4H   the two high bits of each register: written before the low byte, set by reads of TCNT4
 //
-// PWM is reported as a duty cycle, which a new OCR4x changes at once. For flags, counts and the level that
-// PINx reads, a new OCR4x takes effect at TOP or BOTTOM. If one output has PWM, the counter is in PWM mode
-// for all outputs.
+// The environment receives PWM as a duty cycle, which a new OCR4x changes at once. For flags, for counting,
+// and for the level that PINx reads, a new OCR4x takes effect at TOP or BOTTOM. If one output has PWM, the
+// counter is in PWM mode for all outputs.
 //
 // Not modelled: the PLL as clock source, dead times and the inverted outputs, PWM6, the fault unit, enhanced
 // mode, and TLOCK4.
@@ -73,7 +73,8 @@ class HighSpeedTimer final : public Peripheral {
   Cycle before_now() const { return core_.now() > 0 ? core_.now() - 1 : 0; }
   void set_mode();
   void count_to(Cycle to);
-  /// Updates requests, pins, and the next event after a change.
+  /// Updates the interrupt requests, the pins and the next event. Called after each change of the timer's
+  /// state.
   void settle();
   void schedule();
   void due(Cycle at);

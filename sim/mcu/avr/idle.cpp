@@ -8,7 +8,7 @@ namespace {
 constexpr int kExplored = 600;  // instructions per exploration
 constexpr std::int64_t kFirstExplored = 20'000, kLastExplored = 2'000'000;
 constexpr std::size_t kMostLandings = 24;
-// Costs, in cycles of instructions that could have run instead.
+// Costs of recording and skipping, in cycles of firmware that the host could have executed in the same time.
 constexpr std::int64_t kCostOfHead = 40, kCostOfStep = 40;
 constexpr Cycle kWorthwhile = 200;
 

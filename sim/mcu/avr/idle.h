@@ -1,13 +1,16 @@
-// Skips passes of waiting loops: delay(), repeated calls of millis() and micros(), polled flags. Afterwards,
-// firmware, pins and time are as if every pass had run. Only the host saves work.
+// Skips passes of waiting loops (busy waiting): delay(), repeated calls of millis() and micros(), polled
+// flags. Afterwards, firmware, pins and time are as if every pass had run. Skipping only saves computing time
+// on the host.
 //
-//   explores   occasionally, for some hundred instructions: targets of backward jumps become loop heads
-//   records    one pass that starts at a head (loop_trace.h)
-//   skips      at a head, if the pass's inputs are unchanged: all but the last of the passes that end before
-//              the next event and within the counter's window. The last pass runs, to compute its results
+//   explores   occasionally watches some hundred instructions: targets of repeated backward jumps become
+//              loop heads
+//   records    runs one pass, from a head back to this head, and stores its inputs (loop_trace.h)
+//   skips      at a head with unchanged inputs, advances time by all passes that end before the next event
+//              and within the counter's window (counter_extrapolation.h), except the last pass. The last
+//              pass runs, to compute its results
 //
-// Cpu marks only heads, so that loops without a head cost nothing. A head that does not pay off loses its
-// mark.
+// The processor stops only at the marks of heads, so that loops without a head cost nothing. If a head costs
+// more than it saves, it loses its mark (backoff_budget.h).
 #pragma once
 
 #include <cstdint>
@@ -29,8 +32,8 @@ class Idle {
   /// Returns the number of skipped cycles, in which no instruction ran.
   Cycle skipped() const { return skipped_; }
 
-  /// Returns whether the next instructions must run one by one, with before() and after() around each. Call
-  /// watches() before instructions run.
+  /// Returns whether the next instruction must run alone, between calls of before() and after(). Call
+  /// watches() before running instructions.
   bool watches() {
     return recorded_ || exploring_ > 0 || (executed() >= explore_at_ && allowed_ && begins_to_explore());
   }
@@ -38,7 +41,7 @@ class Idle {
   void after();
   /// Handles the processor's arrival at a head. No event affects the chip before `horizon`.
   void at_head(Cycle horizon);
-  /// Notes a mark at which the chip continued.
+  /// Notes that the processor has passed the mark at `pc` without stopping.
   void visited(std::uint32_t pc) {
     if (recorded_) path_.visited(pc);
   }
@@ -47,7 +50,7 @@ class Idle {
     slept_ += cycles;
     if (exploring_ > 0) landings_.clear();
   }
-  /// Notes an event during a pass: an interrupt, a reset or an input.
+  /// Discards the pass that is being recorded, because of an interrupt, a reset or an input.
   void interrupted() { recorded_ = nullptr; }
   /// Notes that the chip was set to another cycle, possibly an earlier one.
   void moved_in_time();
@@ -75,8 +78,8 @@ class Idle {
   Cycle passes_before(Cycle horizon, const LoopTrace::Pass& pass) const;
   void skip(const LoopTrace::Pass& pass, Cycle passes);
   void pay(Head& head, std::int64_t cycles);
-  /// Returns the number of cycles in which instructions ran. Exploration uses a share of them. The number can
-  /// decrease, in moved_in_time().
+  /// Returns the number of cycles in which instructions ran. The intervals between explorations are measured
+  /// in these cycles. moved_in_time() can decrease the number.
   std::int64_t executed() const { return static_cast<std::int64_t>(core_.now() - skipped_ - slept_); }
 
   Core& core_;
@@ -87,7 +90,7 @@ class Idle {
   int steps_ = 0;             ///< instructions of that pass so far
   int exploring_ = 0;         ///< remaining instructions to explore
   std::vector<Landing> landings_;
-  // In cycles of executed().
+  // The value of executed() at which the next exploration starts, and the interval between explorations.
   std::int64_t explore_at_ = 0, explore_every_ = 0;
   std::uint32_t pc_before_ = 0;
   Cycle cycle_before_ = 0;

@@ -11,8 +11,8 @@ bool is_of_processor(Address address) {
   return address == reg::kSreg || address == reg::kSpL || address == reg::kSpH;
 }
 
-// A reference state for cycle detection. The current state replaces it after 1, 2, 4 … instructions (Brent,
-// 1980: An improved Monte Carlo factorization algorithm, section 2).
+// A reference state for cycle detection. The current state replaces the reference after 1, 2, 4 …
+// instructions (Brent, 1980: An improved Monte Carlo factorization algorithm, section 2).
 struct Reference {
   std::vector<std::uint8_t> data;
   std::uint32_t pc = 0;

@@ -13,7 +13,7 @@
 namespace robosim::avr {
 
 struct InfiniteLoop {
-  std::vector<bool> reads;     ///< by address in data memory, except registers
+  std::vector<bool> reads;     ///< by data address: the loop reads the byte; false for registers
   bool interruptible = false;  ///< the I flag is set somewhere in the loop
 };
 
@@ -21,10 +21,11 @@ struct InfiniteLoop {
 /// processor, or accesses I/O registers other than SREG and SP. `cpu` does not change.
 std::optional<InfiniteLoop> find_infinite_loop(const Cpu& cpu, int most_instructions);
 
-/// Addresses in data memory that an interrupt handler may change, except the handler's stack.
+/// For each address in data memory: whether an interrupt handler may change the byte. Excludes the handler's
+/// stack.
 using Stores = std::vector<bool>;
 /// Finds the addresses that a handler may change. Returns nothing if the code does not determine them: the
-/// handler calls functions, stores through pointers or accesses I/O.
+/// handler calls functions, accesses memory through pointers, or accesses I/O.
 std::optional<Stores> stores_of_handler(const Cpu& cpu, int vector);
 
 }  // namespace robosim::avr

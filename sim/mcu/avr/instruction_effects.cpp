@@ -5,8 +5,8 @@
 namespace robosim::avr {
 namespace {
 
-/// The registers of an operation. In each number the lower 32 bits are those that it reads, the upper 32 bits
-/// those that it writes.
+/// The registers of an operation. In each number, the lower 32 bits are the registers that the operation
+/// reads. The upper 32 bits are the registers that the operation writes.
 struct RegisterMasks {
   std::uint64_t always = 0;
   std::uint64_t a = 0, b = 0;  ///< to be shifted by Instruction::a and Instruction::b
@@ -37,7 +37,7 @@ constexpr std::uint8_t flags_of(std::uint8_t mask, const Instruction& i) {
   return mask == kFlagOfB ? i.b : mask;
 }
 
-/// Sets the access to data memory, if there is one.
+/// Sets the access to data memory, if the instruction has one.
 void set_memory(InstructionEffects& e, const Instruction& i, const InstructionRow& row, const Cpu& cpu) {
   const unsigned return_bytes = cpu.chip().return_address_bytes;
   const bool is_return = row.location == Location::return_address;

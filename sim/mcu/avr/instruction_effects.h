@@ -1,5 +1,5 @@
-// Predicts an instruction's accesses before the instruction runs, for observers that follow firmware without
-// executing it. instruction_table.h has the accesses of each operation.
+// Predicts an instruction's accesses before the instruction runs, for observers of a running program.
+// instruction_table.h lists the accesses of each operation.
 #pragma once
 
 #include <bit>

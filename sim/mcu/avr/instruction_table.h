@@ -1,6 +1,6 @@
 // Lists the instruction set: for each operation, the next instruction, and the accesses to registers, flags,
-// data memory and flash. Source: AVR Instruction Set Manual, DS40002198B. The effects on values are in
-// cpu_steps.h.
+// data memory and flash. Source: AVR Instruction Set Manual, DS40002198B. cpu_run.cpp and cpu_steps.h
+// implement the effects on values.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ enum class Control : std::uint8_t {
   stops     ///< sleeps, or is not an instruction
 };
 
-/// Registers that an instruction accesses, as a sum.
+/// The registers that an operation accesses; several values can be combined.
 enum RegisterOperand : std::uint8_t {
   kNoRegister = 0,
   kRd = 1,      ///< Instruction::a
@@ -37,7 +37,7 @@ enum RegisterOperand : std::uint8_t {
   kPointer = 64  ///< the pair InstructionRow::pointer
 };
 
-/// The place of an access.
+/// The location that an instruction accesses.
 enum class Location : std::uint8_t {
   none,
   pointer,    ///< data memory at the pointer, after it was decremented or before it is incremented
@@ -49,7 +49,7 @@ enum class Location : std::uint8_t {
   flash  ///< flash at Z
 };
 
-/// A mask of flags that stands for Instruction::b.
+/// A placeholder in a mask of flags: the actual mask is Instruction::b.
 inline constexpr std::uint8_t kFlagOfB = 0xFF;
 
 struct InstructionRow {
@@ -57,7 +57,7 @@ struct InstructionRow {
   std::uint8_t reads = kNoRegister, writes = kNoRegister;
   std::uint8_t flags_read = 0, flags_written = 0;
   Location location = Location::none;
-  bool stores = false;       ///< otherwise loads
+  bool stores = false;       ///< if false, the operation loads
   std::uint8_t pointer = 0;  ///< lower register of X, Y or Z
   std::int8_t step = 0;      ///< change of the pointer
   bool elsewhere = false;    ///< affects more than registers, flags and data memory
@@ -78,7 +78,8 @@ constexpr InstructionRow computes(int reads, int writes, int flags_written, int 
           .flags_read = static_cast<std::uint8_t>(flags_read),
           .flags_written = static_cast<std::uint8_t>(flags_written)};
 }
-/// An access through `pointer`, if it is not 0, which moves by `step`.
+/// Returns the row of an operation that accesses memory. If `pointer` is not 0, this register pair contains
+/// the address, and the operation changes the pair by `step`.
 constexpr InstructionRow accesses(int reads, int writes, Location location, bool stores, std::uint8_t pointer,
                                   int step) {
   InstructionRow row = computes(reads | (pointer ? kPointer : 0), writes | (step ? kPointer : 0), 0);
@@ -222,7 +223,7 @@ inline constexpr NamedRow kRows[] = {
     {Op::illegal, elsewhere(continues(stops))},
 };
 
-/// The rows by Op. Pseudo-operations, which decode() never returns, are `elsewhere`.
+/// The table's rows, indexed by Op. Pseudo-operations, which decode() never returns, have `elsewhere` set.
 inline constexpr auto kByOp = [] {
   std::array<InstructionRow, 256> rows{};
   for (InstructionRow& row : rows) row.elsewhere = true;

@@ -32,8 +32,8 @@ class LoopTrace {
       Address address = 0;
       std::uint8_t value = 0;
       std::uint8_t bits = 0xFF;  ///< relevant bits
-      bool counts = false;       ///< the register is a timer's counter: reads may exceed `value` by `window`
-      Cycle after = 0;           ///< cycles since the head
+      bool counts = false;       ///< the register is a timer's counter: a read may exceed `value` by `window`
+      Cycle after = 0;           ///< cycles from the head to the read
     };
     std::vector<Byte> reads;  ///< inputs: registers and memory
     std::uint8_t flags_read = 0, flags = 0;
@@ -70,7 +70,7 @@ class LoopTrace {
   Core& core_;
   CounterExtrapolation extrapolation_;
   Pass pass_;
-  std::vector<std::uint32_t> seen_;  ///< by address: number of the last pass that accessed it
+  std::vector<std::uint32_t> seen_;  ///< by address: number of the last pass that accessed the address
   std::uint32_t number_ = 0;
   std::uint8_t flags_written_ = 0;
   Cycle began_ = 0;
@@ -79,7 +79,7 @@ class LoopTrace {
   Instruction instruction_;
   InstructionEffects effects_;
   std::optional<std::uint8_t> looked_;  ///< expected value of the I/O register that the instruction reads
-  bool counter_ = false;                ///< that register is the counter
+  bool counter_ = false;                ///< the I/O register is the counter
 };
 
 }  // namespace robosim::avr

@@ -5,10 +5,10 @@
 //   ChipEnvironment::level ─► synchroniser ─► PINx           also reads back the chip's outputs
 //   ChipEnvironment's edges, own outputs ────► listeners: interrupts, capture, timers' clock inputs
 //
-// PINx reads a value written to PORTx from the second instruction after the write on (14.2.4). A write to
-// PINx toggles PORTx. PUD switches all pull-ups off. A pin whose digital input is off (DIDR0, DIDR1) reads 0.
-// The environment receives PWM and tones as a duty cycle, never as edges. For PINx and listeners, the timer
-// computes the levels and edges (Wave).
+// A value written to PORTx appears in PINx from the second instruction after the write on (14.2.4). A write
+// to PINx toggles PORTx. PUD switches all pull-ups off. A pin whose digital input is off (DIDR0, DIDR1) reads
+// 0. The environment receives PWM and tones as a duty cycle, never as edges. For PINx and listeners, the
+// timer computes the levels and edges (Wave).
 #pragma once
 
 #include <array>
@@ -29,7 +29,8 @@ class Pins final : public Peripheral {
 
   // --- for peripherals that drive pins
   /// Makes `drive` replace the port's latch from now on. With `even_input` (a UART's transmitter), `drive`
-  /// applies even while DDRx makes the pin an input. Otherwise (timers), it applies only to an output.
+  /// applies even while DDRx makes the pin an input. Otherwise (timers), `drive` applies only while the pin
+  /// is an output.
   void take(int pin, const PinDrive& drive, bool even_input = false);
   void give_back(int pin);
 
@@ -70,7 +71,7 @@ class Pins final : public Peripheral {
     return static_cast<int>(listeners_.size() - 1);
   }
   void listen(int listener, bool on);
-  /// Returns the level of a pin that was last reported to its listeners.
+  /// Returns the level that was last reported to a pin's listeners.
   bool heard_level(int pin) const { return state_.heard_level[static_cast<std::size_t>(pin)]; }
 
   /// Returns the current level of a pin, whatever drives the pin.

@@ -10,9 +10,9 @@
 // each chip). Afterwards the processor waits for 4 more cycles, and then takes 4 cycles to enter the
 // interrupt (10.2).
 //
-// While a bit in PRR stops a peripheral, its registers read 0 and keep their content (10.11.3). CLKPR divides
-// all clocks except those of the watchdog and the EEPROM. Not modelled: timer 2's own crystal; all timers use
-// the I/O clock.
+// While a bit in PRR stops a peripheral, the peripheral's registers read 0 and keep their content (10.11.3).
+// CLKPR divides all clocks except those of the watchdog and the EEPROM. Not modelled: timer 2's own crystal;
+// all timers use the I/O clock.
 #pragma once
 
 #include <cstdint>

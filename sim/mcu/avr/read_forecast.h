@@ -10,7 +10,7 @@ namespace robosim::avr {
 struct ReadForecast {
   Cycle until = 0;         ///< valid for reads before this cycle; 0 = no forecast
   std::uint8_t value = 0;  ///< result of a read now
-  Cycle step = kNoCycle;   ///< cycle of the first read of value + 1
+  Cycle step = kNoCycle;   ///< first cycle at which a read returns value + 1
   Cycle period = 0;        ///< period of further increments; 0 = no increments
 
   bool counts() const { return period != 0; }

@@ -62,7 +62,8 @@ std::uint8_t Spi::read(Address address) {
   return core_.at(address);
 }
 
-// Gives no forecast for SPSR while a flag is set or seen: reading a set flag prepares its clearing.
+// Returns no forecast for SPSR while a flag is set, or was set at the last read of SPSR. A read then has a
+// side effect: the next access to SPDR clears the flags.
 ReadForecast Spi::forecast(Address address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   if (address == status_ && ((core_.at(status_) | state_.seen) & (kSpif | kWcol))) return {};

@@ -24,7 +24,7 @@ struct TimeCount {
   static constexpr std::int64_t kCycles = 89;  ///< cycles up to RETI; one more if the fraction carries
 
   std::uint16_t millis = 0, overflows = 0, fraction = 0;  ///< addresses of the variables
-  int last = 0;                                           ///< address of their last byte
+  int last = 0;                                           ///< highest address of these variables
   std::uint8_t step = 0, limit = 0, carried_step = 0, few = 0, many = 0, one = 0;
 
   /// Pushes the registers and advances the variables in `data`. Returns the number of cycles up to RETI.

@@ -7,8 +7,8 @@
 //
 // - Time. A write to a register takes effect after the cycle of the write. With a prescaler of 1, a value
 //   written to TCNTn in cycle c reads unchanged in c + 1, and as one more in c + 2. A flag reads as set from
-//   the cycle after its tick on. Its interrupt can be entered in the cycle of the tick. A flag that is set in
-//   the cycle in which 1 is written to it stays set.
+//   the cycle after its tick on. Its interrupt can be entered in the cycle of the tick. If a tick sets a flag
+//   in the cycle in which firmware writes 1 to the flag, the flag stays set.
 // - Counting happens on demand. Only observable changes are scheduled as events: the setting of a flag whose
 //   interrupt is enabled, a changed level of a pin, or an OCRnx that changes a duty cycle.
 // - Pins. PWM is reported as a duty cycle, and a pin in toggle mode (COM = 1) as a tone of its frequency. If
@@ -47,7 +47,8 @@ class Timer final : public Peripheral {
 
   /// Counts all ticks up to and including cycle `at`, and sets their flags.
   void count_to(Cycle at);
-  /// Updates requests, pins, and the next event after a change.
+  /// Updates the interrupt requests, the pins and the next event. Called after each change of the timer's
+  /// state.
   void settle();
 
   const Counter& counter() const { return state_.counter; }
@@ -56,7 +57,7 @@ class Timer final : public Peripheral {
   void capture_comparator(bool is, bool level, Cycle at);
   void comparator_changed(bool level, Cycle at);
 
-  // --- for timers that share TIFR and TIMSK: bits at their positions in these registers
+  // --- for timers that share TIFR and TIMSK: flags are bits at their positions in these registers
   std::uint8_t flags_in_register();
   void clear_in_register(std::uint8_t flags) { clear_flags(of_register(flags)); }
   void enable_in_register(std::uint8_t flags);

@@ -16,7 +16,7 @@
 //   BOTTOM      dual slope       turn, TOV is set; phase and frequency correct: OCRnx are latched
 //   MAX         all              restart at 0; TOV is set in normal and clear-on-match mode
 //
-// A counter above a lowered TOP runs on to MAX. A TOP of 0 holds a dual-slope counter at 0.
+// If a new TOP is below the counter, the counter runs on to MAX. A TOP of 0 keeps a dual-slope counter at 0.
 //
 // After a write to TCNTn, the comparators ignore the value at the next tick: there is no match, no TOP from
 // OCRnA or ICRn, and no turn at BOTTOM while counting down (15.5.3, 16.7.3).
@@ -34,7 +34,8 @@ namespace robosim::avr {
 
 class Counter {
  public:
-  /// The events of a tick, encoded like the bits of TIFRn.
+  /// The events of a tick. All except kTakenOver are encoded like the bits of TIFRn. kTakenOver reports that
+  /// values written to OCRnx took effect.
   enum Hit : std::uint8_t {
     kOverflow = 0x01,
     kMatchA = 0x02,
@@ -83,7 +84,7 @@ class Counter {
   std::uint8_t next_hits() const;
   /// Returns the number of ticks, from 1, to the next event in `wanted`; kNoCycle = never.
   Cycle ticks_to(std::uint8_t wanted) const;
-  /// Returns a number of ticks at each of which the counter certainly counts up by one.
+  /// Returns a number of ticks during which the counter certainly counts up by one per tick.
   Cycle ticks_upwards() const { return down_ ? 0 : straight(); }
 
  private:

@@ -48,8 +48,8 @@ class NoiseCanceler {
     behind_ = before_ = level;
     since_ = 0;
   }
-  /// Handles a level change at the input. Returns takes_back if the change ends a level that was too short;
-  /// the edge before that level is then withdrawn.
+  /// Handles a level change at the input. Returns takes_back if the change ends a level that was too short.
+  /// The caller must then withdraw the edge that began this level.
   Verdict change(bool level, Cycle at) {
     if (at - since_ >= kCancelerCycles) behind_ = before_;
     before_ = level;

@@ -1,5 +1,5 @@
-// Models TIFR and TIMSK of an ATtiny85, which its timers share (data sheet 2586Q, 11.9.7, 11.9.8, 12.3.7,
-// 12.3.8).
+// Models the registers TIFR and TIMSK, which the timers of an ATtiny85 share (data sheet 2586Q, 11.9.7,
+// 11.9.8, 12.3.7, 12.3.8).
 #pragma once
 
 #include <cstdint>

@@ -3,7 +3,7 @@
 //   TCCR1    CTC1, PWM1A, COM1A; CS13 to CS10: the clock is divided by 2^(CS - 1)
 //   GTCCR    PWM1B, COM1B, FOC1B, FOC1A; for PSR1 and timer 0's bits, see timer_prescaler.h
 //   OCR1C    TOP with PWM, and with CTC1; 0xFF after a reset
-//   PLLCSR   PLLE: starts the PLL, which locks (PLOCK) 100 us later; PCKE: the PLL's 64 MHz clock the timer
+//   PLLCSR   PLLE: starts the PLL, which locks (PLOCK) 100 us later; PCKE: the PLL (64 MHz) clocks the timer
 //
 // TCCR1 and GTCCR are stored in the layout of an ATmega's TCCRnA and TCCRnB. PWM for one channel is treated
 // as PWM for both. The ratio of 64 MHz to the processor's clock is rounded to a power of two: 4, 8 ... A

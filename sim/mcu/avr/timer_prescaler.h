@@ -6,8 +6,8 @@
 //
 // Prescalers run freely from the reset on, independently of the timers. A timer with divisor N has a tick
 // whenever its prescaler's count is a multiple of N. The timer's first tick therefore comes 1 to N cycles
-// after its start. While TSM is set, a prescaler that is reset stays at 0. A timer with divisor 1 bypasses
-// the prescaler. Prescalers stop in sleep modes without an I/O clock.
+// after its start. While TSM is set, a prescaler whose reset bit is also set stays at 0. A timer with divisor
+// 1 bypasses the prescaler. Prescalers stop in sleep modes without an I/O clock.
 #pragma once
 
 #include <array>

@@ -8,8 +8,8 @@
 //
 // A third received frame waits in the shift register. A fourth frame replaces the third, and sets DOR until
 // UDR is read. RXC and UDRE request interrupts as long as they are set. Writing 1 to TXC, or entering its
-// vector, clears TXC. RXEN = 0 empties the receive buffer. TXEN = 0 takes effect after the last frame; only
-// then does the port drive TxD again. Frames start without delay.
+// vector, clears TXC. RXEN = 0 empties the receive buffer. TXEN = 0 takes effect after the last frame; the
+// port then drives TxD again. Frames start without delay.
 //
 // Not modelled: frames with errors (FE and UPE are 0), the multi-processor mode (MPCM), the clock pin and the
 // USART as SPI (UMSEL 3).

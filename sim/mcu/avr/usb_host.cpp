@@ -88,7 +88,7 @@ void UsbHost::act(Cycle at) {
     case Phase::asking:
       ask();
       if (state_.stage == Stage::setup)
-        next_ns = kMillisecond_ns;  // a new address takes effect after 2 ms at the latest
+        next_ns = kMillisecond_ns;  // pauses after each request, so that a new address can take effect
       break;
     case Phase::open:
       return move_bytes(at);

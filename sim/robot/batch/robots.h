@@ -1,5 +1,6 @@
-// Simulates many robots without firmware, each alone on one floor. Their motors get commands, their bodies
-// move, and their line sensors are read. Batches serve parameter studies, searches, and learning by trial.
+// Simulates many robots without firmware on one floor. Each robot moves as if it were alone. The caller
+// commands the motors and reads the line sensors. Typical uses are parameter studies, searches, and
+// reinforcement learning.
 //
 //   map::Map map = map::read_map("oval.map");
 //   world::World world(map);
@@ -13,10 +14,10 @@
 //   }
 //
 // A robot of a batch behaves like a robot::Robot with the same description, seed and number. With equal
-// commands it has equal poses, and reads equal volts with equal noise, bit for bit (tests/unit/batch). A
+// commands, both have the same poses and sensor voltages, including noise, bit for bit (tests/unit/batch). A
 // batch takes less time, because its robots have no pins, no edges, and no unused parts. The arithmetic is
-// done for a block of robots at once (bodies.h). The pose is computed once for all sensors that read at one
-// time.
+// done for a block of robots at once (bodies.h). Each robot's pose is computed once for all sensors that are
+// read at the same time.
 //
 // Robots of a batch neither detect nor touch each other.
 #pragma once
@@ -55,31 +56,31 @@ struct SensorPoses {
 class Robots {
  public:
   /// Uses the world's floor, walls and obstacles, which may be changed between ticks. `world` must outlive
-  /// this object. Throws std::invalid_argument unless its floor is a plane of one kind, without lamps.
+  /// this object. Throws std::invalid_argument if the map has hills, surfaces, gaps between boards, or lamps.
   explicit Robots(const world::World& world);
 
   /// Adds a robot and returns its number in the batch, from 0. `individual` is the number that a robot::Robot
   /// would have. The robot has the motors of its description, and reflectance sensors with `read = "analog"`
   /// whose emitters are on. Other parts are skipped.
   ///
-  /// Throws InputError for parts that would change how the robot drives or reads. They are a [battery],
-  /// steered wheels, a fan, other reflectance sensors, and an emitter on a pin. Also throws if the robot has
-  /// more or fewer sensors than the first robot.
+  /// Throws InputError for parts that a batch does not support, because they change how the robot drives or
+  /// reads: a [battery], steered wheels, a fan, other reflectance sensors, and an emitter on a pin. Also
+  /// throws InputError if the robot has more or fewer sensors than the first robot.
   std::size_t add(const robot::Description&, std::uint64_t seed, Profile, const Pose& start,
                   std::uint32_t individual = 0);
   std::size_t size() const { return bodies_.size(); }
   std::size_t sensors() const { return sensors_; }
 
-  /// Sets a motor's command, from the tick that begins now until the next call. robot::bridge_command()
-  /// computes commands from a motor driver's pins. If a motor drives both wheels through a differential, call
-  /// this function for both sides.
+  /// Sets a motor's command, from the tick that begins now until the next call. The function
+  /// robot::bridge_command() computes commands from a motor driver's pins.
   void tell(std::size_t robot, world::Side, const world::WheelCommand&);
-  /// Reads the sensor with index `sensor`, in the order of the robot file, for each robot, in V. `t` is a
-  /// time within the tick that begins now. Each call uses one sample of noise.
+  /// Reads one sensor of each robot, and writes the voltages (V) to `volts`. `sensor` is the index of the
+  /// sensor in the order of the robot file, from 0. `t` is a time within the tick that begins now. Each call
+  /// consumes one noise sample per robot.
   void read(std::size_t sensor, SimTime t, std::span<double> volts);
   /// Simulates one tick of all robots.
   void step();
-  /// Returns the beginning of the tick.
+  /// Returns the beginning of the tick that step() simulates next.
   SimTime now() const { return now_; }
 
   const Bodies& bodies() const { return bodies_; }

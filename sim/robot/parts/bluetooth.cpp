@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kLongestLine = 200;
 constexpr std::size_t kMostLines = 100;            // lines waiting to be reported; each tick reports one
-constexpr SimTime kLineEnds = 200 * kMillisecond;  // from the last byte, if no line feed follows
+constexpr SimTime kLineEnds = 200 * kMillisecond;  // a line ends without line feed after this pause
 
 constexpr FaultKind kBluetoothFaults[] = {
     {Failure::ok, "works again"},

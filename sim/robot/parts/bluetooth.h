@@ -43,9 +43,9 @@ class BluetoothPart final : public Part, public Receiver, public TextOutput, pub
   void take(std::uint8_t byte, SimTime t);
 
   struct State {
-    std::string heard;               // the incoming line so far
+    std::string heard;               // the characters of the incomplete line
     SimTime heard_at = 0;            // time of the last byte
-    std::vector<std::string> lines;  // to be reported
+    std::vector<std::string> lines;  // complete lines that are not reported yet
     bool dead = false;
   };
 

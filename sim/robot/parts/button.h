@@ -1,8 +1,8 @@
 // type = "button": a push button between a pin and ground (active = "low") or the supply (active = "high").
 //
-// A pressed button drives the pin. When it is released, its own resistor (resistor = true) or the pin's
-// pull-up drives the pin. Without either, the pin floats: it reads low in the profile `ideal`, and a new
-// random level every millisecond in `typical`.
+// A pressed button drives the pin. While the button is released, its own resistor (resistor = true) or the
+// pin's pull-up drives the pin. If neither exists, the pin floats. A floating pin reads low in the profile
+// `ideal`, and a new random level every millisecond in `typical`.
 //
 // In `typical`, the contact bounces: after each press and release, it opens and closes up to 4 more times
 // within `bounce`. The number and times of the bounces are random. The default of 1.6 ms is the mean of 18
@@ -63,7 +63,7 @@ class ButtonPart : public Part, public PinSource, public Pressable, public Break
   struct State {
     std::uint64_t moves = 0;
     bool down = false;
-    bool was_closed = false;     // before the first of `flips`
+    bool was_closed = false;     // contact state before the first of `flips`
     std::vector<SimTime> flips;  // times at which the contact changes after the last hold()
     std::size_t announced = 0;   // number of flips that have been scheduled
     Stuck stuck = Stuck::no;

@@ -6,7 +6,7 @@ namespace robosim::robot {
 namespace {
 
 constexpr SimTime kDiesAway = 50 * kMillisecond;
-constexpr double kPwmPitch = 490.0;  // Hz, of PWM on most pins of an Uno
+constexpr double kPwmPitch = 490.0;  // Hz, PWM frequency of most pins of an Uno
 
 }  // namespace
 

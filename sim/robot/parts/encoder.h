@@ -18,7 +18,7 @@ std::shared_ptr<const PartSpec> read_encoder(PartReader&);
 class EncoderSpec final : public PartSpec {
  public:
   Side wheel = world::left;
-  double periods = 0.0;  ///< of one channel, per turn of the wheel
+  double periods = 0.0;  ///< number of periods of one channel per turn of the wheel
   Pin a = kNoPin;
   Pin b = kNoPin;  ///< kNoPin = a single channel
   bool reversed = false;
@@ -59,12 +59,13 @@ class EncoderPart final : public Part, public Breakable {
   void announce(std::int64_t from, std::int64_t to);
 
   struct State {
-    // q at the start of the tick `looked_at`, and its slope. Updated when q is read.
+    // The value of q at the time `looked_at`, the start of a tick, and its change per ns. Updated when q is
+    // read.
     double at = 1.5;
     double per_ns = 0.0;
     SimTime looked_at = -1;
-    std::int64_t last = 1;  // quarter() up to which edges have been scheduled
-    bool followed = false;  // edges had a listener in the last tick
+    std::int64_t last = 1;  // value of quarter() up to which edges have been scheduled
+    bool followed = false;  // the board requested edges in the last tick
     bool dead = false;
   };
 

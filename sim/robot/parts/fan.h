@@ -37,7 +37,7 @@ class FanPart final : public Part {
   void begin_tick(SimTime) override;
   void power(bool on, SimTime) override { state_.powered = on; }
   void read(std::vector<Reading>&) const override;
-  /// Sets the body that the fan presses down. Called once.
+  /// Sets the body that the fan presses down. The robot calls this function once.
   void press_on(world::Body& body) { body_ = &body; }
 
  private:

@@ -77,7 +77,7 @@ std::string Hd44780::text(int columns, int rows) const {
   if (!on_) return "";
   std::string all;
   for (int row = 0; row < rows; ++row) {
-    // On a display with four rows, rows 2 and 3 continue rows 0 and 1.
+    // On a display with four rows, rows 2 and 3 show the continuation of the memory's two lines.
     const int line = row % 2 * kLine, first = row / 2 * columns;
     std::string text;
     for (int column = 0; column < columns; ++column) {

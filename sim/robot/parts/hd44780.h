@@ -1,5 +1,6 @@
-// The HD44780U, the controller of character displays (Hitachi data sheet ADE-207-272). A display part
-// contains it, and calls write() on each falling edge of E. E is wired to a pin, or to a port expander.
+// Models the HD44780U, the controller of character displays (Hitachi data sheet ADE-207-272). A display part
+// contains this controller, and calls write() on each falling edge of E. E is wired to a pin, or to a port
+// expander.
 //
 //   instruction or data   4 or 8 bits, by "function set"; with 4 bits, the high half first
 //   busy                  1.52 ms after clear and home, 37 us after any other (270 kHz); writes meanwhile are
@@ -44,7 +45,7 @@ class Hd44780 {
   std::array<std::uint8_t, 2 * kLine> memory_ = blank();
   int address_ = 0;    // index in memory_
   int shift_ = 0;      // shift of the display, in columns
-  bool wide_ = true;   // 8 bits, as at power-on
+  bool wide_ = true;   // the interface has 8 bits, as at power-on
   bool half_ = false;  // the high half of a 4-bit transfer has arrived
   std::uint8_t high_ = 0;
   bool two_lines_ = false;

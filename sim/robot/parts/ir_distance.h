@@ -9,8 +9,8 @@
 // that a very near object looks far. Beyond 800 mm the voltage is inversely proportional to the distance.
 //
 // A measurement takes 38.3 ms. The output keeps the result during the next measurement, and is 0 V before the
-// first result. The distance d is measured along a ray from the robot's place at the end of the measurement.
-// `noise` is an estimate.
+// first result. The distance d is measured along a ray from the sensor's pose at the end of the measurement.
+// The default of `noise` is an estimate.
 #pragma once
 
 #include "sim/base/noise.h"

@@ -5,7 +5,7 @@
 // The receiver outputs the NEC protocol: high at rest, low while there is light.
 //
 //   low 9 ms, high 4.5 ms, 32 bits, low 562.5 us; a bit: low 562.5 us, high 562.5 us (0) or 1687.5 us (1)
-//   held: every 108 ms, low 9 ms, high 2.25 ms, low 562.5 us
+//   while the key is held: every 108 ms, low 9 ms, high 2.25 ms, low 562.5 us
 //
 // The 32 bits are address, inverted address, command and inverted command, each byte with its lowest bit
 // first. Source: SB-Projects and Vishay application note 80071, "Data Formats for IR Remote Control".
@@ -25,7 +25,7 @@ std::shared_ptr<const PartSpec> read_ir_receiver(PartReader&);
 class IrReceiverSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
-  std::uint8_t address = 0;  ///< of the remote
+  std::uint8_t address = 0;  ///< address of the remote control
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };

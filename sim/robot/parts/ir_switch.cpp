@@ -3,7 +3,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr double kLetsGo = 1.1;  // relative to the range: the distance at which an object is lost again
+constexpr double kLetsGo = 1.1;  // multiple of the range at which an object is lost again
 
 constexpr FaultKind kIrSwitchFaults[] = {
     {Failure::ok, "works again"},

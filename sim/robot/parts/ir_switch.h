@@ -1,5 +1,5 @@
 // type = "ir-switch": an infrared obstacle module (FC-51 and similar) or Sharp's GP2Y0D. Its pin reports
-// whether an object is nearer than `range`. The sensor looks along a ray, once per millisecond. A detected
+// whether an object is nearer than `range`. The sensor measures along a ray, once per millisecond. A detected
 // object stays detected up to a range that is 10 % larger (the comparator's hysteresis; an estimate). The
 // object's reflectance has no influence.
 #pragma once

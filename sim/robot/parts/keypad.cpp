@@ -7,7 +7,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr std::size_t kMostLeads = 8;  // rows, or columns
+constexpr std::size_t kMostLeads = 8;  // maximum number of rows, and of columns
 
 std::vector<std::string> usual_keys(std::size_t rows, std::size_t columns) {
   const std::vector<std::string> keys{"123A", "456B", "789C", "*0#D"};

@@ -46,7 +46,7 @@ class LcdPart final : public Part, public PinWatcher, public TextOutput {
   struct State {
     Hd44780 controller;
     bool enabled = false;
-    SimTime since = 0;  // rise of E
+    SimTime since = 0;  // time at which E rose
     SettledText text;
   };
 

@@ -1,4 +1,5 @@
-// type = "motor": a wheel's motor, wired to one half of the driver in one of the usual ways.
+// type = "motor": a wheel's motor on one half of the motor driver. The wiring is EN/IN1/IN2, IN1/IN2 or
+// PHASE/ENABLE. For the driver "transistor", the wiring is EN alone.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -47,7 +48,7 @@ class MotorPart final : public WheelMotor, public PinWatcher {
   PartContext& context_;
   const DriverChip& chip_;
   const Pin standby_;
-  const bool has_inductance_;  ///< otherwise the period has no effect
+  const bool has_inductance_;  ///< otherwise the PWM period has no effect
   State state_;
 };
 

@@ -56,7 +56,7 @@ class BridgeShares {
   double share_[4] = {0.0, 0.0, 0.0, 0.0};
 };
 
-/// Returns bridge_command() for the case that in1 or in2 has PWM.
+/// Computes bridge_command() for the case that in1 or in2 has PWM.
 world::WheelCommand divided_command(const DriverChip& chip, BridgeInputs inputs);
 
 inline world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs) {

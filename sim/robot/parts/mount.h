@@ -1,5 +1,5 @@
-// The place and direction of a sensor that looks along the floor. The sensor is fixed to the body, or to a
-// servo's horn.
+// Defines the place and direction of a distance sensor. The sensor is fixed to the body, or to a servo's
+// horn.
 #pragma once
 
 #include <string>

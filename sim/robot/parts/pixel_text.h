@@ -19,8 +19,8 @@ struct Pixels {
   }
 };
 
-/// Returns the lines of text from top to bottom, joined by '|'; "" if nothing can be read. Fewer than two
-/// letters or digits in a row count as a drawing.
+/// Returns the lines of text from top to bottom, joined by '|'; "" if nothing can be read. A line with fewer
+/// than two letters or digits counts as a drawing.
 std::string text_in(Pixels pixels);
 
 }  // namespace robosim::robot

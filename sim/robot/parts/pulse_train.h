@@ -19,7 +19,7 @@ class PulseTrain {
   /// Returns the time of the last change, or 0.
   SimTime end() const { return empty() ? 0 : flips_.back(); }
   bool level(SimTime t) const { return before_ != (((passed(t) - first_) & 1) != 0); }
-  /// Returns the time, exclusive, until which the level stays as at `t`.
+  /// Returns the time of the first change after `t`; kNever if the level does not change any more.
   SimTime same_until(SimTime t) const {
     const std::size_t next = passed(t);
     return next < flips_.size() ? flips_[next] : kNever;

@@ -35,7 +35,8 @@ class RadioPart final : public Part, public Receiver, public Breakable {
  public:
   RadioPart(const RadioSpec&, PartContext&);
 
-  /// Accepts "3" as a byte, most significant bit first; "0b101" as these bits, at most 64.
+  /// Accepts "3" as a byte, most significant bit first; "0b101" as these bits, at most 64. Throws InputError
+  /// for other messages.
   void check(const Message&) const override;
   void send(const Message&, SimTime) override;
 
@@ -71,7 +72,7 @@ class RadioPart final : public Part, public Receiver, public Breakable {
 
   struct State {
     std::uint64_t bits_sent = 0;
-    std::vector<Change> changes;  // by time, of the transmitted messages
+    std::vector<Change> changes;  // level changes of the transmitted messages, by time
     std::size_t announced = 0;    // number of changes that have been scheduled
     SimTime free_at = 0;          // end of the last transmission
     bool dead = false;

@@ -72,7 +72,7 @@ void read_levels(PartReader& reader, ReflectanceSpec& spec) {
     white = reader.figures("white_time", Dimension::time, {200e-6, 0.0}, 5e-6, 0.1, count);
     black = reader.figures("black_time", Dimension::time, {2500e-6, 0.0}, 5e-6, 0.1, count);
   } else if (spec.read == Read::analog) {
-    const Parameter light{0.08, 0.0};  // of the supply
+    const Parameter light{0.08, 0.0};  // share of the supply
     const Parameter dark{0.9, 0.0};
     white = reader.volts_of_each("white_volts", spec.black_high ? light : dark, count);
     black = reader.volts_of_each("black_volts", spec.black_high ? dark : light, count);
@@ -320,8 +320,8 @@ Sensor::Optics Sensor::optics_on_hills(const Pose& pose) const {
 
 std::span<const FaultKind> Sensor::fault_kinds() const { return kReflectanceFaults; }
 
-// Swaps the wires of this sensor and `other`. First undoes earlier swaps of either sensor; null does only
-// that.
+// Swaps the wires of this sensor and `other`. First undoes earlier swaps of these sensors. If `other` is
+// null, only undoes an earlier swap.
 void Sensor::swap_with(Sensor* other) {
   for (Sensor* sensor : {this, other}) {
     if (!sensor || !sensor->state_.other) continue;

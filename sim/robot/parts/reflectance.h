@@ -1,7 +1,7 @@
 // type = "reflectance" and "reflectance-array": infra-red sensors that look at the floor.
 //
-// For an element at `at` with footprint f, c is the share of the footprint on the line
-// (world::Floor::coverage). The element's phototransistor reports the blackness
+// For an element at `at` with footprint f, c is the darkness of the floor in the footprint: 0 for white, 1
+// for black (world::Floor::darkness). The element's phototransistor reports the blackness
 //   b = 1 - e s v (1 - c) - ambient - x L + noise n g
 //
 //   e         brightness of the emitter (1, or as its pin is driven)
@@ -16,10 +16,10 @@
 //   s = the curve of a TCRT5000 (Vishay 83760 rev. 1.7, fig. 9), 1 at 2.5 mm    n = 0.4 + 0.6 (1 - c)
 // In earlier profiles, and in `ideal`:
 //   s = min(1, (3 mm / height)^2)                                               n = 1
-// On hills, the height is the sensor's height above the ground below it. It determines s and x, and also f
-// unless the robot file sets a footprint.
+// On hills, the height is the sensor's height above the ground below it. This height determines s and x. If
+// the robot file sets no footprint, the height also determines f.
 //
-// A phototransistor is slow. With `rise`, its time from 10 to 90 %, the lag is
+// A phototransistor is slow. `rise` is the time from 10 to 90 % of a step of light. The lag is
 //   tau = rise / ln 9
 // The reading follows the floor with a delay of tau. This is exact for light that changes linearly. After the
 // emitter is switched, the reading approaches its new value exponentially.
@@ -29,7 +29,7 @@
 //   digital  a comparator of b with `threshold`, with `hysteresis` (full width) around it. Its state
 //            persists between reads. black = "high" or "low" is its output over black
 //   rc       a capacitor: see reflectance_rc.h
-// Nothing is computed unless firmware reads the sensor.
+// A reading is computed only when firmware reads the sensor or listens for the sensor's edges.
 #pragma once
 
 #include <limits>
@@ -90,8 +90,8 @@ struct ElementFigures {
 /// Returns tau, the lag of a part's phototransistors, s.
 double lag_of(const ReflectanceSpec&, const ParameterSampler&);
 
-/// The emitter LEDs of a part. They have full brightness unless their pin is driven: the gate of their
-/// transistor is pulled up on the board.
+/// The emitter LEDs of a part. While no output drives their pin, the LEDs have full brightness: the gate of
+/// their transistor is pulled up on the sensor board.
 class Emitter final : public PinWatcher {
  public:
   /// `lag_s` is tau of the phototransistors, s.
@@ -228,7 +228,7 @@ class Sensor : public Breakable {
     double darkness = 0.0;
     FloorCacheKey line_sought;  ///< key of `coverage`
     double coverage = 0.0;
-    world::NearStripe near;  ///< for the footprint, on a plane floor
+    world::NearStripe near;  ///< cache for the footprint, on a plane floor
   };
 
   const std::string& name_;
@@ -237,7 +237,7 @@ class Sensor : public Breakable {
   const Vec2 home_;  // mounting place
   const double height_, footprint_, exposure_;
   const SimTime lag_;
-  const bool hilly_, widens_;  // the floor has hills; the footprint depends on the height
+  const bool hilly_, widens_;  // the floor has hills (hilly_); the footprint depends on the height
   const Figures healthy_;
   const NoiseStream stream_;
   State state_;

@@ -7,7 +7,7 @@ namespace robosim::robot {
 namespace {
 
 constexpr double kFillRate = 1.0 / 10e3;  // 1/ns: full in 10 us
-constexpr double kThreshold = 0.5;        // of the supply: an input's threshold
+constexpr double kThreshold = 0.5;        // share of the supply; an input's threshold
 
 }  // namespace
 

@@ -3,7 +3,7 @@
 //   target = range (pulse - shortest) / (longest - shortest), 0 to range; the horn turns there at `speed`
 //
 // Longer pulses turn the horn to the left, seen from above (reversed = true: to the right). At power-on the
-// horn is in its middle position. Without pulses it stays in place.
+// horn is in its middle position. Without pulses the horn stays in place.
 //
 // Sources: Arduino's Servo library outputs pulses of 0.544 to 2.4 ms for write(0) to write(180). The SG90
 // takes 0.12 s for 60 degrees at 4.8 V, and has a dead band of 10 us (Tower Pro data sheet).
@@ -44,7 +44,7 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   double arm() const { return length(spec_.at); }
 
   /// Connects the servo to the body's steered wheels. They turn by `ratio` times the servo's angle, but at
-  /// most by `most` (rad). Called once.
+  /// most by `most` (rad). The robot calls this function once.
   void turn_wheels(world::Body& body, double ratio, double most);
 
   void register_with(PartRegistry&) override;
@@ -68,7 +68,7 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
     double from = 0.0;  // rad, angle at `since`
     SimTime since = 0;
     double target = 0.0;  // rad
-    SimTime pulse = 0;    // the last effective pulse
+    SimTime pulse = 0;    // ns; length of the last pulse that changed the target
     bool stuck = false;
   };
 
@@ -76,7 +76,7 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   PartContext& context_;
   const double shortest_, longest_, range_;  // ns, ns, rad
   const double speed_;                       // rad/ns
-  world::Body* body_ = nullptr;              // body whose wheels the servo turns
+  world::Body* body_ = nullptr;              // body whose wheels the servo steers; null = none
   double ratio_ = 0.0, most_ = 0.0;
   State state_;
 };

@@ -17,7 +17,8 @@ namespace robosim::robot {
 class ServoSignal {
  public:
   /// Handles a change of the drive at `t`. Returns the length of the pulse that ends with the change. If PWM
-  /// makes the pulses, returns the length of the pulses from now on.
+  /// makes the pulses, returns the length of the pulses from now on. Returns nullopt if there is no pulse, or
+  /// its length is out of range.
   std::optional<SimTime> change(const PinDrive& drive, SimTime t) {
     const bool output = drive.mode == PinMode::output && !drive.tone_hz;
     const bool high = output && !drive.pwm && drive.level;

@@ -1,4 +1,4 @@
-// The visible text of a part, such as a display, and the time at which it is reported.
+// Decides when the visible text of a part, such as a display, is reported.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace robosim::robot {
 
-/// Reports a text once it has stayed for 50 ms. A copyable value.
+/// Reports a text once it has stayed for 50 ms. The class is a copyable value.
 class SettledText {
  public:
   /// Returns whether poll_text() is due at `t` for a text that last changed at `changed`.

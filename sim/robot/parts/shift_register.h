@@ -11,7 +11,7 @@
 //
 // At power-on the contents are undefined (`typical`: random; `ideal`: zeros) until the sketch has shifted and
 // latched. The register shares the board's supply. While the supply is off, the outputs are not driven. Not
-// modelled: propagation (about 20 ns) and the reset input.
+// modelled: propagation delay (about 20 ns) and the reset input.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -20,7 +20,7 @@
 
 namespace robosim::robot {
 
-constexpr std::size_t kMostChained = 8;  ///< registers of one chain
+constexpr std::size_t kMostChained = 8;  ///< maximum number of registers in one chain
 
 std::shared_ptr<const PartSpec> read_shift_register(PartReader&);
 

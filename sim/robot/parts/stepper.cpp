@@ -48,8 +48,8 @@ void StepperPart::register_with(PartRegistry& registry) {
   registry.breakable.push_back(this);
 }
 
-// Returns the direction of the field. Looks it up by the differences of opposite coils, IN1 - IN3 and IN2 -
-// IN4, each of which has 3 values.
+// Returns the direction of the field from a table. The indices are the differences of opposite coils, IN1 -
+// IN3 and IN2 - IN4, each of which has 3 values.
 int StepperPart::field() const {
   const auto on = [this](std::size_t coil) {
     return high_share(context_.netlist.drive(spec_.coils[coil])) >= 0.5 ? 1 : 0;

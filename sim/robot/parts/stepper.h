@@ -1,5 +1,5 @@
-// type = "stepper": a geared stepper motor with four coils, a 28BYJ-48 on a ULN2003 board. It turns a
-// pointer, a turret or a gate, and does not drive a wheel.
+// type = "stepper": a geared stepper motor with four coils, a 28BYJ-48 on a ULN2003 board. The motor turns
+// a pointer, a turret or a gate, and does not drive a wheel.
 //
 //   coils     a high pin switches its coil on; the coils together set the field's direction, in eighths of
 //             a period: IN1 0, IN1+IN2 1, IN2 2, IN2+IN3 3, IN3 4, IN3+IN4 5, IN4 6, IN4+IN1 7. Opposite
@@ -9,7 +9,7 @@
 //   angle     360 degrees / `steps` per eighth, a half step; 0 at power-on
 //
 // Sources: 28BYJ-48 data sheet (Kiatronics): 5.625 degrees / 64, idle out-traction frequency above 1000 Hz.
-// Its gear is 63.684 : 1 (25792 / 405), so a turn has 4075.77 half steps, not 4096. Not modelled: load,
+// The gear ratio is 63.684 : 1 (25792 / 405), so a turn has 4075.77 half steps, not 4096. Not modelled: load,
 // inertia, resonance, PWM of coils.
 #pragma once
 
@@ -55,16 +55,16 @@ class StepperPart final : public Part, public PinWatcher, public Breakable {
   double rotor(SimTime t) const;
 
   struct State {
-    double from = 0.0;  // half steps, at `since`
+    double from = 0.0;  // half steps, the rotor's position at `since`
     SimTime since = 0;
-    int field = kNoField;  // half steps, 0 to 7
+    int field = kNoField;  // half steps, the field's direction, 0 to 7
     bool stuck = false;
   };
 
   const StepperSpec& spec_;
   PartContext& context_;
   const double steps_;  // per turn
-  const double rate_;   // half steps per ns, at most
+  const double rate_;   // maximum rate, half steps per ns
   State state_;
 };
 

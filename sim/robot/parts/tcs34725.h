@@ -6,11 +6,11 @@
 //   integration    2.4 ms (256 - ATIME); at most 1024 counts per 2.4 ms, or 65535
 //   counts         full scale x gain (1, 4, 16, 60) x share
 //   share          on white 0.008 x (red 0.36, green 0.36, blue 0.28), on black a tenth; on other colours
-//                  in between, by their reflectance (grid/colour.h); clear is the sum of the three
+//                  in between, by their reflectance (sim/map/colour.h); clear is the sum of the three
 //
 // The shares are estimated for a breakout board a few millimetres above paper. The sensor integrates while
 // PON and AEN are set (ENABLE = 3); the end of each integration sets AVALID. Not modelled: interrupts,
-// waiting, noise.
+// the wait time, noise.
 #pragma once
 
 #include "sim/robot/parts/two_wire.h"
@@ -23,7 +23,7 @@ class Tcs34725Spec final : public PartSpec {
  public:
   std::uint8_t address = 0;
   Vec2 at;                 ///< m, forward and left of the axle's centre
-  double footprint = 0.0;  ///< m, diameter of its field of view
+  double footprint = 0.0;  ///< m, diameter of the sensor's field of view
 
   std::unique_ptr<Part> make(PartContext&) const override;
   std::vector<Gauge> gauges() const override { return {{name, "counts"}}; }

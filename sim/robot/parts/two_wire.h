@@ -2,8 +2,8 @@
 // file need not name. `address` is a part's seven-bit address.
 //
 // The bus is simulated byte by byte, without pull-ups, clock stretching, or devices that hold a line low. A
-// sketch that implements the bus on pins by itself finds no device. Firmware for the target stm32 has no
-// two-wire interface yet.
+// sketch that implements the bus in software (bit-banging) finds no device. Neither does firmware on the
+// target stm32, whose I2C peripherals are modelled without devices on the bus (sim/exec/stm32/i2c.h).
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace robosim::robot {
 std::uint8_t read_two_wire(PartReader&, int usual_address);
 
 /// A device with registers. The first byte written is a register's number; further bytes go to that register
-/// and to the following registers. Reading continues from the same number.
+/// and to the following registers. Reads begin at the register that is next in this order.
 class RegisterDevice : public TwoWireDevice {
  public:
   /// State that each device adds to the part's state.
@@ -42,7 +42,8 @@ class RegisterDevice : public TwoWireDevice {
   virtual std::uint8_t numbered(std::uint8_t byte) const { return byte; }
   /// Returns the register that follows register `number`.
   virtual std::uint8_t behind(std::uint8_t number) const { return static_cast<std::uint8_t>(number + 1); }
-  /// Freezes the measurement, so that its bytes are consistent. Called before a transfer.
+  /// Freezes the measurement, so that its bytes are consistent. The bus calls this function before each
+  /// transfer.
   virtual void hold(SimTime) {}
 
  private:

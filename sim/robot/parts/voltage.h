@@ -1,7 +1,8 @@
 // type = "voltage": a constant voltage on a pin: a battery divider, a potentiometer, a jumper.
 //
 // The voltage is `volts`, or `share` times the battery's voltage ([motors] supply), plus normal noise with
-// the standard deviation `noise`. It is limited to the range from 0 to the board's supply.
+// the standard deviation `noise`. The sum is limited to the range from 0 to the board's
+// supply.
 #pragma once
 
 #include "sim/base/noise.h"
@@ -17,7 +18,7 @@ class VoltageSpec final : public PartSpec {
  public:
   Pin pin = kNoPin;
   Parameter volts;  ///< V; not used if share is not 0
-  Parameter share;  ///< of the battery's voltage
+  Parameter share;  ///< fraction of the battery's voltage
   Parameter noise;  ///< V, standard deviation
   Parameter source_ohms;
 

@@ -9,8 +9,8 @@
 
 namespace robosim::robot {
 
-/// Returns the result of take() for a command that applies for a whole tick. This mean over time may differ
-/// from the command by rounding.
+/// Averages a command over a tick in which the command does not change, like take(). Because of rounding, the
+/// result may differ from the command.
 world::WheelCommand over_a_tick(const world::WheelCommand& command);
 
 /// Averages the commands passed to set() over a tick.
@@ -56,7 +56,7 @@ class WheelMotor : public Part, public Breakable {
     bool steady = false;   // no change since the last take()
     bool changed = false;  // set() was called since the tick began
     bool broken = false;
-    double strength = 1.0;  // factor of the drive: < 1 weak, 0 dead, < 0 reversed
+    double strength = 1.0;  // factor of the drive: < 1 weak, < 0 reversed
     bool dead = false;
     bool blocked = false;
   };

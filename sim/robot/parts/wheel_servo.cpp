@@ -6,7 +6,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr SimTime kHolds = 50 * kMillisecond;  // after the last pulse: two and a half usual periods
+constexpr SimTime kHolds = 50 * kMillisecond;  // from the last pulse to coasting: 2.5 usual periods
 
 }  // namespace
 

@@ -6,8 +6,8 @@
 //
 // The motor has the parameters of [motors] (sim/world/body.h); `reversed` mounts the servo the other way
 // round. Pulses longer than `stop` turn the servo counter-clockwise, seen from its shaft. They therefore
-// drive the left wheel forward. The right servo is mounted mirrored, so they drive the right wheel backward.
-// The servo coasts when the last pulse is more than 50 ms ago.
+// drive the left wheel forward. The right servo is mounted mirrored, so longer pulses drive the right wheel
+// backward. The servo coasts when the last pulse is more than 50 ms ago.
 //
 // Sources: FS90R (Feetech; Pololu product 2820): stop at 1.5 ms, dead band of 45 us to each side since 2014,
 // longer pulses turn counter-clockwise, full speed at some 0.5 ms from stop. Parallax 900-00008: full speed

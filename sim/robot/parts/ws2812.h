@@ -8,8 +8,8 @@
 // strips need 280 us for a reset; their libraries wait for that time. Colours are reported as an event,
 // RRGGBB per LED, when they have changed and then stayed for 50 ms.
 //
-// Only firmware on an emulated chip can make such short pulses in loops. On the target host, the stand-in for
-// the library makes them.
+// Only firmware on an emulated chip can make such short pulses in loops. On the target host, the replacement
+// of the Adafruit_NeoPixel library (hal/libraries) makes the pulses.
 #pragma once
 
 #include "sim/robot/part.h"
@@ -45,7 +45,7 @@ class Ws2812Part final : public Part, public PinWatcher, public TextOutput {
 
   struct State {
     bool high = false;
-    SimTime since = 0;                  // beginning of `high`
+    SimTime since = 0;                  // time of the last level change
     std::vector<std::uint32_t> coming;  // GRB
     int bits = 0;                       // number of bits in the last element of `coming`
     std::vector<std::uint32_t> shown;

@@ -1,15 +1,15 @@
-// Faults between the board and the world around it. Scripts name them power, serial, eeprom and clock, in
-// addition to the robot's parts.
+// Simulates faults of the board: of its supply, serial line, EEPROM and clock. Scripts call them power,
+// serial, eeprom and clock. A script can also break the robot's parts, which sim/robot simulates.
 //
 // - Power. The board's regulator gives the chip min(supply, battery - regulator_drop_volts). Below
 //   brown_out_volts (both in the BoardSpec) the chip is held in reset, and restarts when the voltage rises
-//   again. If even the healthy battery supplies less than brown_out_volts or kLogicKeeps, the board must
-//   have another supply. In that case no sag resets the chip.
+//   again. If even the healthy battery gives the chip less than brown_out_volts or kLogicKeeps, the board
+//   must have another supply. In that case no sag resets the chip.
 // - Serial. Loses, doubles or corrupts bytes on their way to the firmware. A hash of (seed, number of the
-//   byte) selects them.
+//   byte) selects the affected bytes.
 // - EEPROM. Writing a byte takes kEepromWriteTime. After a power failure in that time, the byte may have any
-//   value; the script selects it. A used chip contains another sketch's bytes: each is a hash of (seed, its
-//   address).
+//   value; the script selects the value. A used chip contains another sketch's bytes: each byte is a hash of
+//   (seed, address).
 #pragma once
 
 #include <cstdint>
@@ -34,8 +34,8 @@ constexpr double kLogicKeeps = 2.0;  ///< V: with a lower supply, a 74HC's regis
 /// voltage. No retention voltage was found for an ATmega328P; for an ATmega164P it is 50 mV (7674F, 26.4).
 constexpr double kPowerOnReset = 1.3;
 
-/// The faults that a script can request, parsed and checked. A default value is not a fault: it means the
-/// script's "ok".
+/// The faults that a script can request, parsed and checked. A default value stands for "ok" in the script,
+/// which ends a fault.
 struct PowerFault {
   enum class Kind { none, sag, brown_out };
   Kind kind = Kind::none;
@@ -46,21 +46,21 @@ struct SerialFault {
   enum class Kind { none, lost, doubled, corrupted };
   Kind kind = Kind::none;
   double share = 0.0;     ///< share of the affected bytes
-  std::uint64_t nth = 0;  ///< number of the only affected byte, from 1; 0 = by share
+  std::uint64_t nth = 0;  ///< number of the only affected byte, from 1; 0 = `share` decides
   bool repairs() const { return kind == Kind::none; }
 };
-/// A flipped bit. There is no "ok".
+/// A flipped bit. No "ok" ends this fault.
 struct EepromFlip {
   std::uint16_t address = 0;
   int bit = 0;
   bool repairs() const { return false; }
 };
-/// The bytes of another sketch. There is no "ok".
+/// The bytes of another sketch. No "ok" ends this fault.
 struct EepromUsed {
   bool repairs() const { return false; }
 };
 struct ClockDrift {
-  std::optional<int> ppm = {};  ///< amount by which the clock is too fast
+  std::optional<int> ppm = {};  ///< amount by which the clock is too fast; empty = no fault
   bool repairs() const { return !ppm; }
 };
 using BoardFault = std::variant<PowerFault, SerialFault, EepromFlip, EepromUsed, ClockDrift>;
@@ -74,34 +74,36 @@ class BoardFaults final : EepromWatcher {
   static bool knows(const std::string& name);
   static const std::vector<std::string>& names();
 
-  /// Reads a fault. `arguments` begin with the kind. `ends`: whether it has a duration. Throws InputError.
+  /// Parses a fault. The first of the `arguments` is the fault's kind. `ends` states whether the script gives
+  /// the fault a duration. Throws InputError.
   BoardFault read(const std::string& name, const std::vector<std::string>& arguments,
                   bool ends = false) const;
   /// Throws InputError if the firmware's EEPROM is inaccessible on this target.
   void check_eeprom() const;
-  /// Starts a fault. It replaces an earlier fault of the same type, such as SerialFault.
+  /// Starts a fault. The fault replaces an earlier fault of the same type, such as SerialFault.
   void fail(const BoardFault& fault, SimTime t);
   /// Ends a fault.
   void repair(const BoardFault& fault, SimTime t);
 
   /// Sets the battery's voltage. This may start or stop the chip.
   void feed(double volts, SimTime t);
-  /// Operates the switch between battery and board. Parts that share the board's supply lose their state.
+  /// Operates the switch between battery and board. When it is switched off, parts that share the board's
+  /// supply lose their state.
   void switch_power(bool on, SimTime t);
-  /// Returns whether the chip runs: it is switched on and has enough voltage.
+  /// Returns whether the chip runs: the board is switched on and the chip's voltage is high enough.
   bool powered() const { return state_.powered; }
   /// Returns the present and past state of the supply.
   judge::SupplySummary power() const;
-  /// Leaves the byte that is being written at `t` with the value that `what` selects. Returns the byte's
-  /// address and value, or nullopt if there is no write.
+  /// Interrupts the EEPROM write that is in progress at `t`: sets the byte to the value that `what` selects.
+  /// Returns the byte's address and value, or nullopt if there is no write.
   std::optional<result::PowerLost::HalfWritten> leave_half_written(const HalfWritten& what, SimTime t);
 
   /// Sends bytes to the firmware.
   void send(const std::string& bytes, SimTime t);
 
-  /// Returns the number of the chip's starts.
+  /// Returns how often the chip has started so far.
   std::uint64_t boots() const { return state_.boots; }
-  /// Returns the number of the firmware's EEPROM writes since the run began.
+  /// Returns the number of EEPROM writes that the firmware has begun since the start of the run.
   std::uint64_t eeprom_writes() const { return state_.writes; }
 
   struct Write {
@@ -115,13 +117,13 @@ class BoardFaults final : EepromWatcher {
     bool powered = true;
     SimTime changed = 0;    ///< when `powered` last changed
     int resets = 0;         ///< number of resets because of low voltage
-    bool was_gone = false;  ///< the supply was off since the chip last ran: power-on, not a brown-out
+    bool was_gone = false;  ///< the supply was off since the chip last ran: the next start is a power-on
     std::uint64_t boots = 1;
-    double chip_volts = 0.0;  ///< of the chip's supply
+    double chip_volts = 0.0;  ///< V, supply voltage of the chip
     bool keeps = true;        ///< parts on the board's supply retain their state
     SerialFault serial;
-    std::uint64_t bytes = 0;         ///< sent to the firmware so far
-    std::uint64_t bytes_before = 0;  ///< sent before the current serial fault
+    std::uint64_t bytes = 0;         ///< number of bytes sent to the firmware so far
+    std::uint64_t bytes_before = 0;  ///< value of `bytes` when the current serial fault began
     std::uint64_t writes = 0;
     std::optional<Write> last_write;
   };

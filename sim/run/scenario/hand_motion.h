@@ -1,4 +1,4 @@
-// Manual moves of a robot.
+// Computes a robot's pose or tilt during a manual move.
 #pragma once
 
 #include "hal/board/sim_time.h"
@@ -6,16 +6,17 @@
 
 namespace robosim::scenario {
 
-/// A motion to and fro over the floor at constant speed: to the left, equally far to the right, and back.
+/// A motion at constant speed over the floor: to the left, equally far to the right, and back to the start.
 struct Sweep {
   Pose base;
   SimTime began, period;
-  double reach;  ///< m
+  double reach;  ///< m, distance to each side
 
   Pose at(SimTime t) const;
 };
 
-/// Lifts the robot and tilts it at constant speed during `way`, and levels it equally fast before `end`.
+/// Lifts a robot and tilts it at constant speed. The tilt takes the time `way`. The robot is levelled again
+/// at the same speed, in the time `way` before `end`.
 struct Tilt {
   SimTime began, way, end;
   double angle;  ///< rad

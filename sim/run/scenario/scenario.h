@@ -39,7 +39,7 @@ struct Trigger {
 /// bits set), then clears bits, so it may have any value.
 struct HalfWritten {
   enum class Kind { done, before, value };
-  Kind kind = Kind::done;  ///< done: the new content, since the supply lasts; before: the old content
+  Kind kind = Kind::done;  ///< done: the new content, since the write finishes; before: the old content
   std::uint8_t value = 0xFF;
 };
 
@@ -67,39 +67,40 @@ struct Action {
     light
   };
   Verb verb = Verb::press;
-  std::string part;  ///< press, release, cover, fault, send to a part; "off" or "on" for power and light;
-                     ///< "shut" or "open" for a door
-  std::vector<std::string> arguments;  ///< fault: kind and its arguments
+  std::string part;  ///< press, release, cover, fault, send: the part; power, light: "off" or "on"; door:
+                     ///< "shut" or "open"
+  std::vector<std::string> arguments;  ///< fault: the kind and its arguments
   std::string text;  ///< send: the bytes, or the message to a part; place: "X,Y,DIR"; obstacle, clear:
                      ///< "X,Y"; paint, erase, door: "X,Y X,Y"; light: its number, or "all"
-  std::string to;    ///< obstacle: the cell that it moves to; empty = none
-  SimTime held = 0;  ///< send: duration for a key of a remote control
-  double radius = kObstacleRadius;  ///< m, of an obstacle
-  double reach = 0.0;               ///< m, of sweep: distance to each side
-  SimTime period = 0;               ///< of sweep: to and fro; of tilt: one way; of obstacle: the way to `to`
-  double angle = 0.0;               ///< rad, of tilt: by this angle …
-  Vec2 side;                        ///< … in this direction, in the robot's frame
-  HalfWritten half_written;         ///< power off
-  std::optional<SimTime> duration;  ///< undone after this time: press, lift, cover, obstacle, fault, power
+  std::string to;    ///< obstacle: the cell to which the obstacle moves; empty = no move
+  SimTime held = 0;  ///< send to a remote control: how long its key is held down
+  double radius = kObstacleRadius;  ///< m, obstacle: its radius
+  double reach = 0.0;               ///< m, sweep: the distance to each side
+  SimTime period = 0;               ///< sweep: one cycle; tilt: the tilting; obstacle: the move to `to`
+  double angle = 0.0;               ///< rad, tilt: the angle
+  Vec2 side;                        ///< tilt: the side that goes down, a unit vector in the robot's frame
+  HalfWritten half_written;         ///< power off: the EEPROM byte that is being written
+  std::optional<SimTime> duration;  ///< the action is undone after this time; empty = never
 };
 
-/// Returns the subject of an action; empty if it has no subject. A later action on the same subject cancels
-/// the end of this action.
+/// Returns the object that an action changes, such as "body" or "fault S2"; empty for other actions. A later
+/// action on the same object cancels the scheduled end of this action.
 std::string subject_of(const Action& action);
-/// Returns the part that an action presses or covers with a finger; empty for other actions. The part stays
-/// pressed until the last finger leaves.
+/// Returns the verb and the part if an action presses or covers a part with a finger; empty for other
+/// actions. The part stays pressed or covered until the last finger leaves.
 std::string finger_of(const Action& action);
 
 struct Step {
   Trigger trigger;
   Action action;
-  Place place;           ///< in the script
+  Place place;           ///< position in the script
   std::string varies{};  ///< the line, if it has spreads (spread.h); the step contains their nominal values
 };
 
-/// Parses one line; returns nullopt if it is empty or a comment. Throws like parse_scenario.
+/// Parses one line. Returns nullopt if the line is empty or a comment. Throws the same errors as
+/// parse_scenario().
 std::optional<Step> parse_step(std::string_view line, const Place& place);
-/// Returns a step whose values have these shares of their spreads.
+/// Returns a step with values inside their spreads. `share` gives the position of each value in its spread.
 Step parse_varied(const Step& step, const Share& share);
 
 /// Parses a scenario. Throws InputError with file and line, and the valid triggers or verbs. Names of parts

@@ -164,7 +164,8 @@ bool ScenarioPlayer::met(const Pending& pending, const judge::Progress& progress
   return false;
 }
 
-// Ends actions whose time is over. Actions that end in one tick end in the order in which they began.
+// Ends actions whose time is over. If several end in the same tick, they end in the order in which they
+// began.
 void ScenarioPlayer::end_what_is_over(SimTime t, judge::Events& events) {
   std::map<std::uint64_t, std::pair<SimTime, Undo>> over;
   while (!state_.undo.empty() && state_.undo.begin()->first.first <= t) {

@@ -34,13 +34,13 @@ struct Stage {
   world::Body& body;
   exec::Executor& executor;
   std::uint64_t seed;
-  std::uint32_t number;  ///< of the robot in its world
+  std::uint32_t number;  ///< number of the robot in its world
   Profile profile;       ///< `ideal` uses the middle of each spread in a script
 };
 
-/// Limits of a script, which bound the cost of a tick. They apply to all steps; to steps that wait for an
-/// event, which are checked in each tick; to cells with obstacles; and to lines that paint, erase or move a
-/// door.
+/// Limits of a script, which bound the cost of a tick. kMostSteps limits the number of steps. kMostAwaited
+/// limits the steps that wait for an event, because each tick checks all of them. kMostObstacles limits the
+/// cells with obstacles. kMostChanges limits the lines that paint, erase or move a door.
 inline constexpr std::size_t kMostSteps = 100'000, kMostAwaited = 1000, kMostObstacles = 1000,
                              kMostChanges = 100;
 
@@ -50,15 +50,16 @@ class ScenarioPlayer {
   /// scripts beyond the limits.
   ScenarioPlayer(std::vector<Step> steps, const Stage& stage, const judge::Progress& progress);
 
-  /// Adds all steps at the script's end, or none. Throws like the constructor.
+  /// Adds steps at the script's end. If a step is invalid, throws the same errors as the constructor, and
+  /// adds no steps.
   void add(std::vector<Step> steps, const judge::Progress& progress);
 
   /// Runs the steps that are due at `t`, the beginning of a tick; appends their effects to `events`.
   void act(SimTime t, const judge::Progress& progress, judge::Events& events) {
     if (next_act(t) <= t) act_now(t, progress, events);
   }
-  /// Returns the time of the next action, unless steps are added. Returns the current time `t` if actions are
-  /// possible at any time.
+  /// Returns the time of the next action. Steps that are added later may be due earlier. Returns the current
+  /// time `t` if an action is possible at any time.
   SimTime next_act(SimTime t) const {
     if (!state_.awaiting.empty() || state_.sweep || state_.tilt || changes_.go_on()) return t;
     return std::min(state_.timed.empty() ? kNever : state_.timed.begin()->first.first,
@@ -74,38 +75,39 @@ class ScenarioPlayer {
   judge::SupplySummary power() const { return board_.power(); }
   /// Returns the faults of the script so far, by time.
   const std::vector<judge::ScriptFault>& faults() const { return state_.faults; }
-  /// Returns the number of the chip's starts.
+  /// Returns how often the chip has started so far.
   std::uint64_t boots() const { return board_.boots(); }
-  /// Returns the number of the firmware's writes to its EEPROM so far.
+  /// Returns the number of EEPROM writes that the firmware has begun so far.
   std::uint64_t eeprom_writes() const { return board_.eeprom_writes(); }
 
   /// A fault that a script requests.
   using ReadFault = std::variant<BoardFault, robot::PartFault>;
   struct Pending {
-    std::uint64_t number;  ///< its place in the script
+    std::uint64_t number;  ///< index of the step in the script
     Step step;
-    std::optional<ReadFault> fault;  ///< of an action that is a fault
+    std::optional<ReadFault> fault;  ///< set if the action is a fault
     bool heard = false;              ///< the awaited text has occurred
   };
   struct Undo {
-    std::uint64_t number;  ///< counted in the order of their beginnings
+    std::uint64_t number;  ///< number of the action; actions are numbered in the order of their beginnings
     Action action;
-    std::optional<ReadFault> fault;  ///< of an action that is a fault
+    std::optional<ReadFault> fault;  ///< set if the action is a fault
   };
-  /// The time when an action or its end is due, and its number.
+  /// The time at which a step or the end of an action is due, and its number.
   using Moment = std::pair<SimTime, std::uint64_t>;
   template <class T>
   using Due = std::map<Moment, T>;
 
-  /// The state that changes during a run, except the script's changes elsewhere.
+  /// The player's state that changes during a run. BoardFaults and WorldChanges have their own states.
   struct State {
-    std::uint64_t steps = 0, undos = 0;  ///< so far
+    std::uint64_t steps = 0, undos = 0;  ///< the next free numbers of a Pending and an Undo
     Due<Pending> timed;
-    std::vector<Pending> awaiting;  ///< events, in the script's order
+    std::vector<Pending> awaiting;  ///< steps that wait for an event, in the script's order
     Due<Undo> undo;
-    /// Keys in `undo` that a later action on the same subject cancels.
+    /// For each subject: the key in `undo` that a later action on the same subject cancels.
     std::map<std::string, Moment> lasting;
-    /// The subjects that fingers touch, and when each finger leaves, as in `undo`. kNever: the finger stays.
+    /// For each result of finger_of(): the fingers on the part. Each finger is a key in `undo`, with the time
+    /// at which the finger leaves. If that time is kNever, the finger stays, and `undo` has no such key.
     std::map<std::string, std::set<Moment>> fingers;
     std::optional<Sweep> sweep;
     std::optional<Tilt> tilt;
@@ -135,8 +137,8 @@ class ScenarioPlayer {
   result::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
   result::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);
   result::RunEvent::What switch_power(const Action& action, SimTime t);
-  /// Undoes an action of limited duration. The release of a remote control's key is not an event, since the
-  /// part itself times the release.
+  /// Undoes an action of limited duration. Returns nullopt for the release of a remote control's key: that
+  /// is not an event of the script, because the part itself times the release.
   std::optional<result::RunEvent::What> end(const Undo& undo, SimTime t);
   void bring_about(const ReadFault& fault, SimTime t);
   void repair(const ReadFault& fault, SimTime t);

@@ -16,8 +16,9 @@ using Share = std::function<double(std::size_t n)>;
 /// Returns whether a word contains a number with a spread.
 bool has_spread(const std::string& word);
 
-/// Returns the word with the drawn numbers: "14,3" for "12+-2,3". `first`: the index of the word's first
-/// number; set to the index of the next word's first number. Throws InputError, at `place`.
+/// Returns the word with the drawn numbers: "14,3" for "12+-2,3". `first` is the index of the word's first
+/// number in the line. The function sets it to the index of the next word's first number. Throws InputError
+/// with `place`.
 std::string with_shares(const std::string& word, const Share& share, std::size_t& first, const Place& place);
 
 }  // namespace robosim::scenario

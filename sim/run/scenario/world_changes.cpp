@@ -14,7 +14,7 @@ namespace {
 
 using enum Action::Verb;
 
-constexpr double kErased_m = 0.005;   // beyond the line, on each side
+constexpr double kErased_m = 0.005;   // width that is erased beyond each edge of the line
 constexpr double kDoorRadius = 0.01;  // m, of the discs that form a door
 constexpr double kDoorStep = 0.015;   // m, between two discs
 constexpr double kLongestDoor = 5.0;  // m
@@ -97,7 +97,7 @@ std::vector<std::size_t> WorldChanges::lights_of(const std::string& text) const 
   return lights;
 }
 
-/// Returns the width of an action's area to each side of its line.
+/// Returns half the width of the strip that an action changes.
 double WorldChanges::half_width(const Action& action) const {
   if (action.verb == door) return kDoorRadius;
   return 0.5 * world_.floor().line_width() + (action.verb == erase ? kErased_m : 0.0);

@@ -1,4 +1,4 @@
-// Changes of the world by a script: obstacles, paint on the floor, doors, lights.
+// Performs a script's changes of the world: obstacles, paint on the floor, doors, lights.
 #pragma once
 
 #include <map>
@@ -18,7 +18,8 @@ class WorldChanges {
   WorldChanges(const map::Map& map, const map::Stripes& stripes, world::World& world)
       : map_(map), stripes_(stripes), world_(world) {}
 
-  /// Throws InputError for unknown objects; ignores actions that do not change the world.
+  /// Checks an action. Throws InputError for unknown objects. Accepts any action that does not change the
+  /// world.
   void check(const Action& action) const;
   result::ScriptActed put_obstacle(const Action& action, SimTime t);
   void clear_obstacle(const std::string& cell);
@@ -35,16 +36,16 @@ class WorldChanges {
   bool go_on() const { return !state_.obstacles.empty(); }
 
   struct Obstacle {
-    map::CellAt cell;               ///< its initial place
-    int number;                     ///< its number in the world
-    Vec2 from = {}, to = {};        ///< of a moving obstacle
+    map::CellAt cell;               ///< initial cell of the obstacle
+    int number;                     ///< number of the obstacle in the world
+    Vec2 from = {}, to = {};        ///< m, start and end of a moving obstacle's path
     SimTime began = 0, period = 0;  ///< period 0: the obstacle does not move
   };
-  /// The state that changes during a run; keys are the script's words.
+  /// The state that changes during a run. The keys of the maps are the script's words, such as "2,3 5,3".
   struct State {
     std::vector<Obstacle> obstacles;
-    std::map<std::string, int> patches;             ///< numbers in the world
-    std::map<std::string, std::vector<int>> doors;  ///< the discs of a closed door
+    std::map<std::string, int> patches;             ///< numbers of patches in the world
+    std::map<std::string, std::vector<int>> doors;  ///< numbers of the discs that form a closed door
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }

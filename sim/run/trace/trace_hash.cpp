@@ -3,7 +3,7 @@
 #define XXH_STATIC_LINKING_ONLY
 #include <fmt/format.h>
 #include <xxhash.h>
-// Uses the processor's widest vectors, which give the same hash.
+// Uses the widest vector instructions of the processor. The hash does not depend on them.
 #if defined(__x86_64__) && __has_include(<xxh_x86dispatch.h>)
 #include <xxh_x86dispatch.h>
 #endif

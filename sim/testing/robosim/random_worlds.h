@@ -52,12 +52,12 @@ rc::Gen<std::string> tracks(Tracks limits = {});
 
 /// Generates robots within the spread of a robot file (a stock robot's name, or a path). Each parameter with
 /// a spread in the file gets a value within it. Floor sensors are up to `mounting_mm` off their positions, to
-/// the front or side. Robots shrink to the file's own values, except for parameters that the failure needs.
+/// the front or side. Robots shrink to the values in the file, except for parameters that the failure needs.
 rc::Gen<std::string> robots(const std::string& file = "uno5", double mounting_mm = 1.0);
 
 /// The faults to draw, with their maximum severity; 0 = never. docs/reference/robots.md describes each fault.
 struct Faults {
-  int at_most = 1;               ///< faults per run
+  int at_most = 1;               ///< maximum number of faults per run
   Duration from{};               ///< earliest beginning
   Duration until = 20_s;         ///< latest beginning
   double sensor_offset = 0.05;   ///< share of the range from white to black, in either direction
@@ -72,10 +72,10 @@ rc::Gen<std::string> faults(const std::string& robot = "uno5", Faults limits = {
 /// The worlds of a test.
 struct Worlds {
   Trial trial;                                       ///< everything that is not random
-  std::optional<rc::Gen<std::string>> maps = {};     ///< for Trial::map
-  std::optional<rc::Gen<std::string>> robots = {};   ///< for Trial::robot
+  std::optional<rc::Gen<std::string>> maps = {};     ///< values of Trial::map
+  std::optional<rc::Gen<std::string>> robots = {};   ///< values of Trial::robot
   std::optional<rc::Gen<std::string>> scripts = {};  ///< such as faults(); appended to Trial::script
-  std::uint64_t seeds = 1'000;                       ///< drawn from 1 to this number; 1 = the trial's own
+  std::uint64_t seeds = 1'000;                       ///< largest seed to draw; 1 = always Trial::seed
 };
 
 /// Generates trials in these worlds.
@@ -89,8 +89,8 @@ Runs runs(int count);
 
 /// Runs `body` in `runs` random worlds. `body` drives the robot and contains expectations like any test.
 /// After the first failure, smaller worlds are tried repeatedly until none of them fails. The test then fails
-/// with the smallest failing world, and prints its content. Every run draws the same worlds;
-/// RC_PARAMS="seed=7" draws others.
+/// with the smallest failing world, and prints its content. The test draws the same worlds each time;
+/// RC_PARAMS="seed=7" selects other worlds.
 void InRandomWorlds(const Worlds& worlds, Runs runs, const std::function<void(Simulation&)>& body,
                     const char* file = __builtin_FILE(), int line = __builtin_LINE());
 

@@ -1,3 +1,4 @@
+// Implements the RapidCheck generators of random_worlds.h.
 #include <fmt/format.h>
 #include <rapidcheck/gen/Create.h>
 #include <rapidcheck/gen/Numeric.h>
@@ -35,7 +36,7 @@ rc::Gen<Thing> drawn(Draw draw) {
   };
 }
 
-/// Scales `most` by the generator's size; at least 1.
+/// Scales `most` by the generator's size, and returns at least 1.
 int share(int most, int size) {
   return std::max(1, most * std::min(size, rc::kNominalSize) / rc::kNominalSize);
 }

@@ -1,3 +1,4 @@
+// Implements InRandomWorlds(): runs a test in random worlds, and reduces the first failure to a small world.
 #include <fmt/format.h>
 #include <rapidcheck/Random.h>
 #include <rapidcheck/detail/Configuration.h>

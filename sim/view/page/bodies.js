@@ -1,5 +1,5 @@
-// Draws robots on the floor, seen from above. `ctx` draws in mm of the floor, y north; `px` is a pixel's size
-// in mm.
+// Draws robots on the floor, seen from above. `ctx` is a canvas context whose unit is 1 mm of the floor, with
+// y to the north. `px` is the size of a pixel in mm.
 
 import { seen, style } from './colours.js';
 
@@ -26,7 +26,8 @@ export function drawBody(ctx, px, pose, robot, colour) {
   });
 }
 
-/** Returns the places of a robot's steered wheels, and their angles to the left in rad; [] without such wheels. */
+/** Returns the positions of a robot's steered wheels, and their angles to the left in rad. Returns [] if the
+ *  robot has no such wheels. */
 export function steeredWheels(run, t) {
   const { steering, track } = run.robot ?? {};
   const reading = steering && run.at(steering.servo, t);

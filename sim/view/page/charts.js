@@ -1,4 +1,5 @@
-// Draws curves over time, all in one time span. The mouse wheel zooms the span, and dragging scrubs.
+// Draws curves over time, all in one time span. The mouse wheel with Ctrl, Alt or Shift zooms the span.
+// Dragging changes the shown time.
 
 import { seen, series, style } from './colours.js';
 import { extent, indexAt, valueAt } from './run.js';
@@ -42,7 +43,7 @@ export function short(value) {
   return value.toFixed(size >= 100 || value === 0 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3);
 }
 
-/** A canvas over time, with a head at the shown time. Handles zooming and scrubbing. */
+/** A canvas with a time axis, and a vertical line at the shown time. Handles zooming and dragging. */
 export class Track {
   constructor(parent, span, height, label, left = LEFT) {
     this.span = span;

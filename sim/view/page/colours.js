@@ -1,6 +1,6 @@
-// Colours that colour-blind people can distinguish: Okabe and Ito's for series, and a part of plasma (van der
-// Walt and Smith) for magnitudes. Plasma's ends are omitted: they would be invisible on the line or the
-// floor.
+// Defines colours that colour-blind people can distinguish. Series have the colours of Okabe and Ito.
+// Magnitudes have a part of the colour map plasma (van der Walt and Smith). The ends of plasma are omitted,
+// because they would be invisible on the line or the floor.
 
 const SERIES = {
   light: ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#b07a00', '#2f9bd8', '#7a5195', '#6f6f00'],
@@ -11,7 +11,7 @@ export function series(i) { return SERIES[document.documentElement.dataset.theme
 const PLASMA = [[84, 2, 163], [126, 3, 168], [156, 23, 158], [182, 48, 139], [204, 71, 120], [222, 95, 101],
   [237, 121, 83], [248, 149, 64], [253, 180, 47]];
 
-/** Returns the colour of a magnitude. share: 0..1 */
+/** Returns the colour of a magnitude. `share` is 0 to 1. */
 export function more(share) {
   const at = Math.min(Math.max(share, 0), 1) * (PLASMA.length - 1);
   const i = Math.min(Math.floor(at), PLASMA.length - 2), part = at - i;

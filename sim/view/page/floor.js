@@ -30,7 +30,7 @@ const CROWD = 12, CROWD_S = 3;
 const colourOf = ({ number }) => series(1 + number % 7);
 
 export class FloorPicture {
-  /** `whenLoaded` is called once the picture of the floor, if it has one, can be drawn. */
+  /** If the floor has a picture, `whenLoaded` is called when the picture can be drawn. */
   constructor(canvas, runs, whenLoaded) {
     this.canvas = canvas;
     this.runs = runs;
@@ -165,8 +165,9 @@ export class FloorPicture {
     ctx.restore();
   }
 
-  /** Calls visit for the samples to draw until t, from index `first`: those at least a pixel apart. Returns the last
-   *  segment, up to the pose at t. */
+  /** Calls visit(from, to) for each segment to draw until t, with the indices of its samples. Begins at index
+   *  `first`. Skips samples that are less than a pixel apart. Returns the last segment, which ends at the
+   *  pose at t. */
   walk(run, t, visit, first = 0) {
     const { x_mm: x, y_mm: y } = run.columns;
     const last = indexAt(run.t, t);
@@ -184,7 +185,8 @@ export class FloorPicture {
   /** Returns the index of the trail's first sample. */
   trailBegins(run, t) { return run.t.length > LONG ? Math.max(indexAt(run.t, t) - LATELY, 0) : 0; }
 
-  /** Returns the path of a long run, with each place only once: an hour's laps would take seconds to paint. */
+  /** Returns the path of a long run. Each place is drawn only once, because an hour of laps would take
+   *  seconds to paint. */
   wholeTrail() {
     const { run, px } = this;
     const { x_mm: x, y_mm: y } = run.columns;

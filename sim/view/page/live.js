@@ -1,5 +1,5 @@
-// A run in progress, read from the lines of `robosim run --live`, and its player. The run has the interface
-// of any other run, and grows.
+// Represents a run in progress, read from the lines of `robosim run --live`, and its player. A LiveRun has
+// the interface of any other Run, and its data grow.
 
 import { Player } from './player.js';
 import { bytesOfBase64, column } from './recording.js';
@@ -38,7 +38,7 @@ class GrowingStream {
 }
 
 export class LiveRun extends Run {
-  /** `header`: as in a recording; `state`: the first `paused` of robot `number`. */
+  /** `header` is that of a recording. `state` is the first `paused` message of robot `number`. */
   constructor(header, state, number = 0) {
     super(header.sketch, new Float64Array(), {});
     const { started, robot_info: robot, result } = header;
@@ -47,7 +47,7 @@ export class LiveRun extends Run {
     this.units = new Map(robot.gauges?.map((g) => [g.name, g.unit]));
     this.readings = started.readings;
     const names = ['x_mm', 'y_mm', 'yaw_rad', 'speed_mm_s', 'cross_track_mm', 'left', 'right', 'wheel_left_mm_s', 'wheel_right_mm_s', ...this.readings];
-    this.now = new GrowingStream(['t_us', ...names].map((name) => ({ name })));  // until the first columns
+    this.now = new GrowingStream(['t_us', ...names].map((name) => ({ name })));  // until the first columns arrive
     this.take({ paused: state });
     const add = (name, unit, label, steps) => this.addGrowing(name, unit, label, steps, () => this.t, () => this.columns[name]);
     for (const [name, unit] of [['x_mm', 'mm'], ['y_mm', 'mm'], ['yaw_rad', 'rad'], ['speed_mm_s', 'mm/s']]) add(name, unit);
@@ -148,7 +148,8 @@ export class LiveRun extends Run {
   }
 }
 
-/** Sends play and pause as requests to the run. Stops following the run when the user looks back. */
+/** Sends play and pause as requests to the run. Stops following the run when the user seeks to an earlier
+ *  time. */
 export class LivePlayer extends Player {
   constructor(run) {
     super(run);

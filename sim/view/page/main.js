@@ -1,4 +1,4 @@
-// Assembles the page.
+// Assembles the page that replays a recording or shows a live run.
 
 import { Chart, SensorStripes, Span } from './charts.js';
 import { drawMark, GRADIENT, MARKS } from './colours.js';
@@ -33,7 +33,7 @@ function uses(run) {
 }
 
 class Page {
-  /** `runs`: a run for each robot. */
+  /** `runs` contains a Run for each robot. */
   constructor(runs) {
     this.runs = runs;
     const run = this.run = runs[0];
@@ -272,7 +272,7 @@ class Page {
     if (Number(where.get('span')) > 0) this.span.set(Number(where.get('span')));
   }
 
-  /** Lays another run over this one. An invalid file leaves the page unchanged. */
+  /** Draws another run over this one. An invalid file leaves the page unchanged. */
   async open(file) {
     const { over = [null] } = this;
     try {
@@ -284,7 +284,7 @@ class Page {
     }
   }
 
-  /** Compares with another run. `others`: its robots, or null for no comparison. */
+  /** Compares with another run. `others` are the Runs of its robots; null ends the comparison. */
   compare(others, name) {
     this.over = [others, name];
     this.others = others;
@@ -380,8 +380,8 @@ function complain(error) {
   if (!known) throw error;
 }
 
-/** In a page without a recording, lets the opening page show a live run: robosimLive(recording, paused) returns
- *  { page, feed }. */
+/** In a page without a recording, lets the opening page show a live run. It calls robosimLive(header,
+ *  paused), which returns { page, feed }. */
 function awaitRun() {
   $('subtitle').textContent = 'waiting for the run …';
   window.robosimLive = (header, state) => {

@@ -142,7 +142,7 @@ export class PinAxis {
   move() { this.track.moveHead(); }
 }
 
-/** A table of pins: the parts on each pin by the robot's file, and the sketch's use of the pin. */
+/** A table of pins: the parts on each pin according to the robot's file, and the sketch's use of the pin. */
 export class Wiring {
   constructor(panel, run, player) {
     Object.assign(this, { panel, run, player, cells: [] });

@@ -1,4 +1,4 @@
-// The shown time, and the functions that change it. All other parts listen to changes.
+// Stores the shown time of a replay, and changes it. All other parts of the page listen to the changes.
 
 const SPEEDS = [1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 4, 8, 16, 32, 64];
 
@@ -25,8 +25,9 @@ export class Player {
     this.seek((Math.round(this.t * 1000) + ms) / 1000);
   }
 
-  /** Moves to the next or previous event, of `kind` if given. Returns all events of that time. Without such an event,
-   *  moves to the end or the start of the run, or stays in place if `kind` is given. */
+  /** Moves to the next or previous event, and returns all events of that time. If `kind` is given, ignores
+   *  events of other kinds. Returns [] if no event is found. In that case, moves to the end or the start of
+   *  the run, or stays in place if `kind` is given. */
   stepEvent(direction, kind) {
     this.pause();
     const events = this.run.events.filter((e) => !kind || e.kind === kind);

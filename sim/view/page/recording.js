@@ -27,8 +27,8 @@ async function inflated(bytes) {
   }
 }
 
-/** Decodes whole numbers, stored as differences in groups of seven bits (sim/wire/columns.h). `before`: the state
- *  after the previous numbers, which is updated. */
+/** Decodes whole numbers, stored as differences in groups of seven bits (sim/wire/columns.h). `before` is the
+ *  decoder's state after the previous numbers, and is updated. */
 export function column(bytes, at, { bytes: size, order, scale, name }, count, before = { last: 0, change: 0 }) {
   const values = new Float64Array(count);
   const end = at + size;

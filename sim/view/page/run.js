@@ -1,5 +1,5 @@
-// A run that can be queried: the robot's pose at a time, the events, the signals. It is made from a
-// recording, or from a table that another robot has logged. Times are in seconds.
+// Represents a run that can be queried: the robot's pose at a time, the events, the signals. A Run is made
+// from a recording, or from a table that a real robot has logged. Times are in seconds.
 
 import { BadFile, lazily } from './recording.js';
 
@@ -36,7 +36,7 @@ export const KIND = {
   fault_began: 'fault', fault_ended: 'fault', power_lost: 'fault', power_back: 'fault', part_told: 'told',
 };
 
-// A robot that moves this far and this fast was moved manually.
+// A robot that moves this far and this fast between two samples was moved manually.
 const CARRIED_MM = 150, CARRIED_MM_S = 10000;
 
 export class Run {
@@ -47,7 +47,7 @@ export class Run {
     this.duration = t.length ? t[t.length - 1] : 0;
     this.signals = [];
     this.events = [];
-    this.lines = [];  // of the serial port: { t, text }
+    this.lines = [];  // lines of serial output: { t, text }
     this.pins = [];   // { name, t, level, duty, tone, source }
     this.sources = [];  // lines of the sketch that drove pins; a pin's `source` is an index from 1
     this.sensors = [];
@@ -55,7 +55,7 @@ export class Run {
       this.addSignal(name, unit);
   }
 
-  /** Adds a signal. `from`: its times and values, which are read on first access. */
+  /** Adds a signal. `from` provides the signal's times and values, which are read on first access. */
   addSignal(name, unit, label, steps = false, from = { times: () => this.t, values: () => this.columns[name], count: name in this.columns ? this.t.length : 0 }) {
     if (!from.count) return;
     const signal = { name, unit, label: label ?? name.replace(/_(mm_s|mm|rad)$/, '').replaceAll('_', ' '), steps };
@@ -114,8 +114,8 @@ export function valueAt({ t: times, values, steps }, t) {
   return values[i] + (t - times[i]) / (times[i + 1] - times[i]) * (values[i + 1] - values[i]);
 }
 
-/** Returns the graph that the sketch has reported in lines such as "found station 2" or "found junction 1". A node is
- *  the robot's place at that time; an edge is the robot's way between two nodes.
+/** Returns the graph that the sketch has reported in lines such as "found station 2" or "found junction 1". A
+ *  node is the robot's place at the time of the line; an edge is the robot's way between two nodes.
  *  { nodes: [{ t, x, y, name }], edges: [{ t, a, b }] } */
 export function toldGraph(run) {
   const nodes = [], edges = [];
@@ -155,7 +155,7 @@ export function apart(run, other) {
   return { name: 'apart_mm', unit: 'mm', label: 'apart', t, values, steps: false };
 }
 
-/** Returns the run of one robot. `number`: the robot's number. */
+/** Returns the run of robot `number`. */
 export function runOf({ header, streams }, number = 0) {
   const samples = streams.get('samples') ?? { t_us: new Float64Array() };
   const { result, started, robot_info: robot } = header;

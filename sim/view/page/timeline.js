@@ -1,4 +1,5 @@
-// Shows the whole run on one line: the cross-track error, and a mark for each event. Dragging scrubs.
+// Shows the whole run on one line: the cross-track error, and a mark for each event. Dragging changes the
+// shown time.
 
 import { drawMark, MARKS, style } from './colours.js';
 import { extent } from './run.js';

@@ -1,5 +1,6 @@
-// The visible part of the floor, and its scale. Dragging, the mouse wheel and pinching change both. Floor in
-// mm, y north; screen in CSS pixels, y down.
+// Selects the visible part of the floor, and its scale. Dragging, the mouse wheel and pinching change them.
+// Positions on the floor are in mm, with y to the north. Positions on the screen are in CSS pixels, with y
+// down.
 
 const LEAST_PX_PER_MM = 0.005, MOST_PX_PER_MM = 20;
 const MARGIN_PX = 12, SCALE_PX = 40;  // the scale and the trail's colours are below the floor
@@ -42,7 +43,7 @@ export class View {
     this.changed();
   }
 
-  /** Zooms, and keeps the place under the pixel there. */
+  /** Zooms around a pixel: the place under this pixel stays there. */
   zoom(factor, px = this.width / 2, py = this.height / 2) {
     const [x, y] = this.toFloor(px, py);
     this.scale = Math.min(Math.max(this.scale * factor, LEAST_PX_PER_MM), MOST_PX_PER_MM);

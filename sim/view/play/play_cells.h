@@ -1,4 +1,4 @@
-// Connects the robot on cells (sim/map/cells) to a session (sim/view/terminal).
+// Lets a session (session.h) control the simulated robot that moves from cell to cell (sim/map/cells).
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace robosim::play {
 
-/// The map must outlive the driver, and the start must be on its line.
+/// Makes a driver. The map must outlive the driver, and the start must be on the map's line.
 std::unique_ptr<CellDriver> drive_cells(const map::Map& map, const map::Start& start,
                                         double seconds_per_move);
 

@@ -24,7 +24,7 @@ constexpr std::int64_t kLongest_ns = 3'600'000 * kMs;
 constexpr std::int64_t kPressed_ns = 1000 * kMs;  // duration of pressing the button
 constexpr std::int64_t kThinking_ns = 100 * kMs;  // simulated time between the question and the answer
 
-/// A robot that drives by an algorithm.
+/// The sketch of an algorithm, and the robot for the sketch.
 struct Act {
   const char* sketch;
   const char* robot;
@@ -44,7 +44,8 @@ Act act_of(Algorithm algorithm) {
 
 bool begins(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
 
-/// Lines after which AiNavigator waits for the user: the first two for a destination, the last for a scan.
+/// Matches lines after which AiNavigator waits for the user: the first two for a destination, the last for a
+/// scan.
 constexpr const char* kWaits = "^(destination\\?|refused|Put me on)";
 
 class Drive {
@@ -133,7 +134,7 @@ class Drive {
       signal = client::Interrupts::signal();
     });
     if (signal == 0) return;
-    ::raise(signal);  // for an outer handler
+    ::raise(signal);  // so that an outer handler receives it, too
     throw SessionQuit{true};
   }
 

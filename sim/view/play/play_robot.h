@@ -1,4 +1,5 @@
-// Runs the simulated Arduino robot in a session with one of Robosim's sketches. Shows it in the live view.
+// Runs one of Robosim's sketches on the simulated Arduino robot, as part of a session. Shows the run in the
+// live view.
 #pragma once
 
 #include <string>
@@ -7,9 +8,9 @@
 
 namespace robosim::play {
 
-/// Compiles the algorithm's sketch and runs it. `left` and `right` end with the tour of all stations. With
-/// `ai`, the run pauses whenever the sketch asks for a destination, and continues with the user's answer.
-/// Returns a sentence about the end. Throws the errors of `robosim run`.
+/// Compiles the algorithm's sketch and runs it. With `left` or `right`, the run ends when the robot has
+/// toured all stations. With `ai`, the run pauses whenever the sketch requests a destination, and continues
+/// with the user's answer. Returns a sentence about the end. Throws the errors of `robosim run`.
 std::string play_robot(const map::Map& map, const map::Start& start, Algorithm algorithm,
                        terminal::Console& console, const AskPerson& ask);
 

@@ -1,6 +1,7 @@
-// Reproduces the session of Robosim v1. The user chooses a map, places the robot, and lets it walk or scan.
-// Then the user inspects the graph, and sends the robot from station to station. The SessionHost moves the
-// robot and finds maps. docs/howto/play.md describes the user's view.
+// Reproduces the interactive session of Robosim v1. The user chooses a map, places the robot, and lets it
+// walk or scan the map. Then the user inspects the scanned graph, and sends the robot from station to
+// station. The SessionHost moves the robot and finds maps. docs/howto/play.md describes the session for
+// users.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ namespace robosim::play {
 
 enum class Algorithm { left, right, ai };
 
-/// The robot on cells before one of its moves.
+/// The state of a robot that moves from cell to cell, before one of its moves.
 struct CellStep {
   map::Start pose;
   const char* sense = "";  ///< "straight"
@@ -35,19 +36,19 @@ struct WalkReport {
   bool complete = false;  ///< the scan covered everything, or the robot arrived or returned to the start
   std::string note;       ///< an additional message for the user; "" = none
   std::uint64_t moves = 0;
-  double time_s = 0.0;  ///< only of this walk
+  double time_s = 0.0;  ///< simulated time of this walk alone
   map::Start end;
 };
 
 struct RouteReport {
   bool possible = false;
   std::string why_not;
-  std::vector<int> junctions;  ///< by number
+  std::vector<int> junctions;  ///< numbers of the junctions on the route
   std::string turns;           ///< a letter for each junction: R, S, L
   double time_s = 0.0;
 };
 
-/// The robot on cells, on one map from one start at one speed.
+/// Moves a robot from cell to cell, on one map, from one start and at one speed.
 class CellDriver {
  public:
   virtual ~CellDriver() = default;
@@ -70,7 +71,7 @@ struct MapEntry {
   std::string note;  ///< "24 x 15 cells, 7 stations"
 };
 
-/// Asks the user on a separate page, which shows the text above the question. Returns the typed line.
+/// Asks the user on a separate page, which shows `told` above the question. Returns the typed line.
 using AskPerson =
     std::function<std::string(const std::vector<std::string>& told, const std::string& question)>;
 
@@ -127,7 +128,7 @@ class Session {
   Next choose_next(const std::string& result, terminal::Ink ink);
   Next on_robot();
 
-  // Lets the user drive on cells (session_drive.cpp).
+  // Lets the user move the robot from cell to cell (session_drive.cpp).
   Next on_cells();
   Next scan_and_drive();
   void show_graph(const std::string& result);

@@ -1,4 +1,4 @@
-// The part of a session from the first move on cells to the last.
+// Implements the part of a session in which the robot moves from cell to cell: walks, a scan, drives.
 #include <fmt/format.h>
 
 #include <algorithm>

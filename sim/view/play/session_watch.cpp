@@ -1,4 +1,4 @@
-// Shows the robot on cells, move by move.
+// Shows a robot that moves from cell to cell, one move after the other.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The page of `robosim serve`: sim/view/serve/page, embedded by the build.
+// Provides the files of the page of `robosim serve` (sim/view/serve/page), which the build embeds.
 #pragma once
 
 #include <string_view>

@@ -32,9 +32,9 @@ constexpr std::size_t kLongestMap = 256 * 1024;
 
 bool has_ending(const std::string& name, std::string_view ending) { return name.ends_with(ending); }
 
-// Returns the file's place, below `folder`.
+// Returns the file's path, relative to `folder`.
 fs::path place_of(const HeldFolder& folder, const std::string& name) {
-  if (name.starts_with("./")) {  // an existing map, without links that lead out
+  if (name.starts_with("./")) {  // an existing map; choices_in() omits links out of the folder
     const Choices choices = choices_in(folder);
     if (has_ending(name, ".map") &&
         std::find(choices.maps.begin(), choices.maps.end(), name) != choices.maps.end())
@@ -48,7 +48,8 @@ fs::path place_of(const HeldFolder& folder, const std::string& name) {
   return has_ending(name, ".ino") ? fs::path(name).stem() / name : fs::path(name);
 }
 
-// Writes through folder handles, so that no link leads out, even if it appears during the write.
+// Writes through open folders. So no symbolic link can lead out of the served folder, even if the link
+// appears during the write.
 void write_below(const HeldFolder& folder, const fs::path& place, const Offered& offered) {
   const auto foreign = [&] {
     return InputError(offered.name + " exists, but is not a regular file of this folder");

@@ -1,4 +1,4 @@
-// Saves the files that a page may write in the folder: sketches, finished images, robots and maps, by name.
+// Saves the files that a page may write in the served folder: sketches, finished images, robots and maps.
 // Writes nothing else, and replaces a file only on request.
 #pragma once
 
@@ -12,19 +12,19 @@ namespace robosim::serve {
 struct Offered {
   /// "Mine.ino", "Mine.hex", "robot.toml" or "hall.map", or a map of Choices: "./floors/hall.map"
   std::string name;
-  std::string text;      ///< for an image, its bytes
+  std::string text;      ///< content; the bytes of an image
   bool replace = false;  ///< replaces an existing file
 };
 /// Parses the JSON of a request. Throws InputError.
 Offered read_offered(const std::string& json);
 
-/// Thrown before writing if the file already exists.
+/// Thrown before writing if the file already exists and Offered::replace is false.
 struct IsThere {
   std::string sentence;
 };
 
-/// Saves the file; a sketch Mine.ino in a folder Mine. Returns the file's place in the folder,
-/// "./Mine/Mine.ino". Throws InputError for other names, for invalid text, and for an invalid map.
+/// Saves the file. A sketch Mine.ino goes to a folder Mine. Returns the file's path in the served folder,
+/// such as "./Mine/Mine.ino". Throws InputError for other names, for invalid text, and for an invalid map.
 std::string keep(const HeldFolder& folder, const Offered& offered);
 
 /// Returns the text of a map of Choices. Throws InputError.

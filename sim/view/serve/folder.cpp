@@ -22,7 +22,8 @@ constexpr int kDeepest = 3;
 constexpr std::size_t kMost = 500;
 constexpr std::size_t kLongestToml = 256 * 1024;
 
-// Returns whether a file contains an [[agent]]. A file that is too long for TOML does not.
+// Returns whether a file has an [[agent]] table, and thus lists robots. Returns false for a file that is
+// longer than kLongestToml.
 bool names_robots(const HeldFolder& root, const std::string& file) {
   try {
     std::istringstream lines(root.read(file, kLongestToml));
@@ -40,7 +41,8 @@ class Search {
  public:
   Search(const HeldFolder& root, Choices& choices) : root_(root), choices_(choices) {}
 
-  /// `below`: "." or "./some/folder". Visits a folder once, although links may lead to it again.
+  /// Searches `below`, which is "." or a path such as "./some/folder". Visits a folder once, although links
+  /// may lead to it again.
   void look(const std::string& below, int depth) {
     const Descriptor folder = root_.open(below, O_RDONLY | O_DIRECTORY);
     struct stat info {};

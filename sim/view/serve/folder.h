@@ -1,5 +1,5 @@
-// Lists the choices: the sketches, robots and maps of the served folder, and Robosim's own. A request names
-// one of these choices, never a path.
+// Lists the choices: the sketches, robots and maps of the served folder, and those that come with Robosim. A
+// request names one of these choices, never a path.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ struct Choices {
 /// Reads the folder again, three levels deep. Skips hidden files, and does not follow symbolic links out of
 /// the folder. Returns at most 500 names of each kind.
 Choices choices_in(const HeldFolder& folder);
-/// Returns whether a name is firmware for a chip, built by another tool.
+/// Returns whether a file with this name is firmware for a chip, built by another tool (.hex or .elf).
 bool is_image(const std::string& name);
 
 }  // namespace robosim::serve

@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLook_ms = 200;                    // period of checks for a listener
-constexpr std::size_t kMostText = 1 << 20;       // of a run's output; bytes
+constexpr std::size_t kMostText = 1 << 20;       // bytes of a run's output
 constexpr std::size_t kLongestLine = 16 << 20;   // bytes from a watched run: a line may contain a floor
 constexpr std::size_t kLongestPage = 64u << 20;  // bytes
 
@@ -54,7 +54,7 @@ void remove_abandoned(const fs::path& place) {
 }
 
 fs::path page_file(const fs::path& folder, int number) { return folder / fmt::format("{}.html", number); }
-/// Returns the file of a script. `robot`: the script's owner, if there are several robots.
+/// Returns the file of a script. If there are several robots, `robot` names the one that the script controls.
 fs::path script_file(const fs::path& folder, int number, const std::string& robot = "") {
   return folder / fmt::format("{}", number) / (robot + ".txt");
 }
@@ -107,7 +107,7 @@ class JobManager::Place {
   bool has_ = false;
 };
 
-/// Registers a run as accepting requests while it exists.
+/// Lets a run receive requests as long as this object exists.
 class JobManager::Listening {
  public:
   Listening(JobManager& jobs, int number, int descriptor) : jobs_(jobs), number_(number) {
@@ -277,7 +277,7 @@ std::optional<JobManager::Done> JobManager::watch(int number, const Tell& tell) 
 bool JobManager::ask(int number, const std::string& line) {
   const std::lock_guard lock(mutex_);
   const auto found = inputs_.find(number);
-  if (found == inputs_.end() || line.size() > PIPE_BUF) return false;  // writes a whole line or nothing
+  if (found == inputs_.end() || line.size() > PIPE_BUF) return false;  // a pipe may split longer lines
   return ::write(found->second, line.data(), line.size()) == static_cast<ssize_t>(line.size());
 }
 

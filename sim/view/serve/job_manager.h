@@ -26,8 +26,8 @@ struct RunForm {
   std::uint64_t seed = 1;
   double for_s = 60.0;                         ///< simulated time, 0.001 to 3600
   std::string goal;                            ///< "" = the map's
-  std::string script;                          ///< with several robots: for those not in `scripts`
-  std::map<std::string, std::string> scripts;  ///< with several robots: their scripts by name
+  std::string script;                          ///< the robot's script; of several robots, see `scripts`
+  std::map<std::string, std::string> scripts;  ///< of several robots: scripts by name; default = `script`
 };
 
 /// Parses the JSON of a request. Throws InputError if it is invalid, has other keys, or names anything
@@ -49,12 +49,12 @@ class PageFolder {
 
 class JobManager {
  public:
-  static constexpr int kAtOnce = 2;            ///< simultaneous runs
-  static constexpr std::size_t kKept = 8;      ///< stored pages of runs
+  static constexpr int kAtOnce = 2;            ///< maximum number of simultaneous runs
+  static constexpr std::size_t kKept = 8;      ///< maximum number of stored pages of runs
   static constexpr double kLongest_s = 600.0;  ///< wall time, including compilation
   static constexpr double kLongestLive_s = 3600.0;
 
-  /// `robosim`: the program. Stores pages in a temporary folder as long as this object exists.
+  /// `robosim` is the path of the program. Stores pages in a temporary folder as long as this object exists.
   JobManager(std::filesystem::path robosim, std::filesystem::path folder);
 
   /// The result of a run.
@@ -65,9 +65,9 @@ class JobManager {
   };
   /// Returns the result of a run that cannot start because kAtOnce others are running.
   static Done busy() { return {5, 0, "too many runs at once: try again later"}; }
-  /// Runs a request immediately. Passes the output to `say`, piece by piece, and may also call it without
-  /// text. If `say` returns false, the listener has left, and the run is stopped. Returns nullopt if kAtOnce
-  /// runs are active.
+  /// Runs a request immediately. Passes the output to `say`, piece by piece. Also calls `say` with an empty
+  /// text at intervals. If `say` returns false, the listener has left, and the run is stopped. Returns
+  /// nullopt if kAtOnce runs are active.
   std::optional<Done> run(const RunForm& form, const std::function<bool(const std::string&)>& say);
 
   /// Prepares a run for watching, and returns its number. Stores at most kKept unwatched runs.
@@ -77,8 +77,8 @@ class JobManager {
   /// Runs a prepared run like run(), but in step with the clock, and accepts requests. Returns nullopt if the
   /// run was not prepared, or was already watched.
   std::optional<Done> watch(int number, const Tell& tell);
-  /// Sends a request to a watched run (sim/wire/live.h), a line of JSON. Returns false if the run does not
-  /// accept it.
+  /// Sends a request, a line of JSON (sim/wire/live.h), to a watched run. Returns false if the run does not
+  /// accept the request.
   bool ask(int number, const std::string& line);
 
   /// Stops all runs permanently, because the server ends.
@@ -93,15 +93,16 @@ class JobManager {
  private:
   class Place;
   class Listening;
-  /// An output of a run's process, and its receiver, which returns false if the listener has left.
+  /// An output of a run's process, and a function that receives it. The function returns false if the
+  /// listener has left.
   struct Source {
     const Descriptor* pipe;
     std::function<bool(const std::string&)> take;
   };
   int next_number();
   ChildStart start_of(const RunForm& form, int number) const;
-  /// Waits until a process ends. Passes its output to the sources, and also calls them without text at
-  /// intervals.
+  /// Waits until a process ends. Passes its output to the functions of the sources. Also calls these
+  /// functions with an empty text at intervals.
   Done follow(Child& child, const std::vector<Source>& sources, double longest_s) const;
   void put_away(int number, Done& done) const;
 
@@ -113,7 +114,7 @@ class JobManager {
   int running_ = 0;
   int last_ = 0;
   std::map<int, RunForm> prepared_;
-  std::map<int, int> inputs_;  ///< inputs of watched runs
+  std::map<int, int> inputs_;  ///< by number of a watched run: descriptor of the pipe for its requests
 };
 
 }  // namespace robosim::serve

@@ -1,4 +1,5 @@
-// robosim-serve FOLDER ADDRESS PORT ROBOSIM: the program of `robosim serve`, which has checked all arguments.
+// robosim-serve FOLDER ADDRESS PORT ROBOSIM: the server program, which `robosim serve` starts after it has
+// checked all arguments.
 #include <fmt/format.h>
 
 #include <csignal>

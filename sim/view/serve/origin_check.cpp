@@ -25,7 +25,7 @@ bool is_count(std::string_view text) {
   return !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == text.npos;
 }
 
-// Compares texts in a time that does not depend on the first difference.
+// Compares texts in a time that does not depend on their content, so that timing does not reveal the token.
 bool equal(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned difference = 0;
@@ -51,8 +51,8 @@ bool OriginCheck::is_ours(std::string_view host) const {
   host.remove_suffix(port.size());
   if (host == address_ || host == "[" + address_ + "]") return true;
   if (is_loopback(address_)) return host == "localhost" || host == "127.0.0.1" || host == "[::1]";
-  // A server on all addresses accepts any IP address, since the token decides. A host name may belong to an
-  // attacker.
+  // A server on all addresses accepts any IP address as its name, because the token protects it. It accepts
+  // no host name, which may belong to an attacker.
   return address_ == "0.0.0.0" && host.find_first_not_of("0123456789.") == host.npos;
 }
 

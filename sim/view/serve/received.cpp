@@ -1,4 +1,5 @@
-// A separate file, because these headers and the HTTP library's define the same structs.
+// Implements bytes_taken(). The file is separate, because these headers and those of the HTTP library define
+// the same structs.
 #include "sim/view/serve/received.h"
 
 #include <linux/tcp.h>

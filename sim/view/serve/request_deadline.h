@@ -19,12 +19,13 @@ class RequestDeadline {
   struct Connection;
 
  public:
-  /// `port`: the server's port. `answer`: sent to a client that is too slow, before the connection is closed.
+  /// `port` is the server's port. A client that needs more than `most` receives `answer`, and its connection
+  /// is closed.
   RequestDeadline(int port, std::chrono::milliseconds most, std::string answer);
   ~RequestDeadline();
 
-  /// Returns the connection that was just accepted, and which the HTTP library does not pass on. Returns null
-  /// if the connection is already closed.
+  /// Finds the connection that the HTTP library has just accepted: the library does not pass on its socket.
+  /// Returns null if the connection is already closed.
   Connection* accepted();
   /// Answers a connection's request by `work`, in this thread. The time limit starts now.
   void answer(Connection* connection, const std::function<void()>& work);
@@ -38,7 +39,7 @@ class RequestDeadline {
   using Clock = std::chrono::steady_clock;
   struct Connection {
     int socket = -1;
-    ino_t inode = 0;  // socket numbers are reused
+    ino_t inode = 0;  // identifies the socket, because descriptors are reused
     Clock::time_point since{};
     bool awaited = false;
     bool head_awaited = false;

@@ -1,3 +1,4 @@
+// Parses the form of a requested run (job_manager.h).
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -93,7 +93,7 @@ std::string too_slow(std::chrono::milliseconds deadline) {
       body.size(), body);
 }
 
-// Formats each line as an event.
+// Formats each line as a server-sent event.
 std::string server_sent(std::string_view lines) {
   std::string text;
   while (!lines.empty()) {
@@ -219,8 +219,8 @@ struct Server::Impl {
     });
   }
 
-  /// Registers a handler of requests {"name", "text"}. It answers with JSON, or with the message of an
-  /// exception from `work`.
+  /// Registers a handler of requests {"name", "text"}. The handler answers with the JSON from `work`, or with
+  /// the message of an exception from `work`.
   void act(const char* path, std::function<Json(const Offered&)> work) {
     post(path, [work = std::move(work)](const Request& request, Response& response) {
       try {
@@ -377,7 +377,7 @@ void Server::serve() {
   if (!impl_->stopped) impl_->http.listen_after_bind();
   impl_->serving = false;
 }
-// The library ignores stop() until it listens.
+// Waits until the library listens, because the library ignores an earlier stop().
 void Server::stop() {
   impl_->stopped = true;
   impl_->jobs.end();

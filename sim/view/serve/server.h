@@ -6,9 +6,9 @@
 //                             {"say": "…"}, and at its end {"done": {"status", "recording", "sentence"}}
 //   GET  /recording/N.html    the page of run N (docs/reference/recordings.md)
 //   POST /api/live            prepares a run for watching: {"live": N}
-//   GET  /api/live/N          runs it, as server-sent events: the lines of `robosim run --live`, {"say": "…"}
-//                             and {"done": …}. The run ends when its listener leaves
-//   POST /api/live/N          a request to this run: {"id": 1, "do": "pause"}
+//   GET  /api/live/N          starts run N. Server-sent events are the lines of `robosim run --live`,
+//                             {"say": "…"} and {"done": …}. The run ends when its listener leaves
+//   POST /api/live/N          sends a request to run N: {"id": 1, "do": "pause"}
 //   POST /api/map             {"name"}: a map's text
 //   POST /api/floor           {"text"}: the floor of a map's text, or its error
 //   POST /api/file            {"name", "text", "replace"}: writes a sketch, robot or map (file_store.h)
@@ -27,11 +27,11 @@ namespace robosim::serve {
 struct Settings {
   std::filesystem::path folder;
   std::filesystem::path robosim;               ///< the program
-  std::string address = "127.0.0.1";           ///< of this machine; all but loopback require a token
+  std::string address = "127.0.0.1";           ///< to listen on; if not loopback, a token is required
   int port = 0;                                ///< 0 = 8080, or any free port
   std::chrono::milliseconds deadline{10'000};  ///< for receiving a request, head and body
-  /// Limit of the bytes that a server writes into its folder until it ends; each file counts as at least
-  /// 4096.
+  /// The number of bytes that the server may write into its folder until it ends. Each file counts as at
+  /// least 4096 bytes.
   std::uintmax_t most_saved = 200'000'000;
 };
 

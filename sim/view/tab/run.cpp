@@ -86,7 +86,8 @@ EMSCRIPTEN_KEEPALIVE const char* robosim_run(const char* request) {
   return answer.c_str();
 }
 
-/// Return the compressed content of a .rec of the last run; empty without a recording.
+/// Return the recording of the last run and its size. The recording is the content of a .rec before
+/// compression; empty without a recording.
 EMSCRIPTEN_KEEPALIVE const char* robosim_recording() { return recording.data(); }
 EMSCRIPTEN_KEEPALIVE int robosim_recording_size() { return static_cast<int>(recording.size()); }
 }

@@ -17,8 +17,8 @@ constexpr char32_t kAscii[] = U"o-|+--++|+|+++++";
 constexpr char32_t kArrows[] = U"►▼◄▲";
 constexpr char32_t kAsciiArrows[] = U">v<^";
 
-// Returns the first of `count` visible cells, chosen from the cells `least` to `most`. Keeps the first
-// visible cell `now`, unless `middle` would be near the edge or out of view.
+// Chooses `count` visible cells from the cells `least` to `most`, and returns the first of them. Returns the
+// present first cell `now` if this keeps `middle` away from the edges. Otherwise, centres `middle`.
 int keep_in_sight(int now, int least, int most, int count, int middle) {
   const int margin = count / 5;
   if (middle < now + margin || middle >= now + count - margin) now = middle - count / 2;

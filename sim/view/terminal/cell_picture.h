@@ -1,5 +1,5 @@
-// Draws a map for a robot that moves by cells, with the robot, its trail and names. Each cell is as large as
-// possible on the screen. If the map is too large, only the part around the robot is drawn.
+// Draws a map for a robot that moves from cell to cell, with the robot, its trail and labels. Each cell is as
+// large as possible on the screen. If the map is too large, only the part around the robot is drawn.
 #pragma once
 
 #include <optional>
@@ -52,7 +52,7 @@ class CellPicture {
   const map::Map& map_;
   int left_line_, top_line_, right_line_, bottom_line_;  // extent of the line, with a margin
   std::vector<bool> trail_;                              // by cell; empty until the robot has a position
-  int left_ = 0, top_ = 0;                               // of the last visible part; moves only if necessary
+  int left_ = 0, top_ = 0;                               // first cell of the last visible part
 };
 
 }  // namespace robosim::terminal

@@ -1,5 +1,5 @@
-// Provides the screen and keyboard of a session: frames out, keys in. Through a pipe, the user may type ahead
-// of the output.
+// Shows the frames of a session, and reads its keys. Input from a pipe may contain answers to questions that
+// have not been shown yet.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ class Console {
   virtual bool is_live() const = 0;
   virtual void show(const Frame& frame) = 0;
   /// Returns the next key. Returns `nothing` after at most `timeout_ms`, and after a resize, which requires a
-  /// redraw. A negative `timeout_ms` means no limit, but `nothing` is still possible.
+  /// redraw. A negative `timeout_ms` means no limit; `nothing` is then still possible, as after a resize.
   virtual Press wait(int timeout_ms) = 0;
   /// Returns the time of a clock for pacing, in microseconds.
   virtual std::int64_t now_us() = 0;
@@ -55,8 +55,9 @@ class ScreenConsole final : public Console {
   std::optional<Screen> screen_;
 };
 
-/// Lines of text, for pipes and terminals without other features (TERM=dumb). Input is read as keys, and the
-/// end of a line as Enter. A frame is written when an answer is needed and the last input line is used up.
+/// Lines of text, for pipes and for terminals without other features (TERM=dumb). Each character of the input
+/// is a key, and the end of a line is Enter. A frame is written when an answer is needed and the last input
+/// line is used up.
 class LineConsole final : public Console {
  public:
   /// Reads and writes these file descriptors. Writes only text, without escape sequences.

@@ -21,7 +21,7 @@ struct FleetRow {
 
 struct FleetReport {
   std::string map;
-  wire::Started started;  ///< the first robot's
+  wire::Started started;  ///< of the first robot
   std::vector<FleetRow> rows;
   std::optional<double> wall_s;  ///< empty = not shown
 };

@@ -15,7 +15,7 @@ constexpr double kMostDotsPerCell = 16.0;
 // An offset in dots. A point between two dots, such as the centre of a cell, belongs to the right and lower
 // dot.
 constexpr Vec2 kAside{-0.1, 0.1};
-// Returns the largest distance from a stripe to a painted dot, m: half of the widest line or dot.
+// Returns an upper limit of the distance from a stripe to a painted dot, m.
 double reach(const map::Map& map) {
   double most = std::max(map.line_m, map.cell_m);
   for (const map::Paint& paint : map.course.paints) most = std::max(most, paint.width);

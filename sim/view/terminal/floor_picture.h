@@ -31,7 +31,7 @@ struct Area {
 Area area_of(const map::Map& map);
 
 /// Returns a window of at most `columns` x `rows` characters that shows `area` as large as possible. A map
-/// cell has at most 16 dots, and a whole number of them unless it is smaller than a dot.
+/// cell is at most 16 dots wide. If a cell is wider than a dot, its width is a whole number of dots.
 Window fit(const map::Map& map, Area area, int columns, int rows);
 
 /// A character on the floor: a station's number, an arrow.

@@ -17,7 +17,8 @@ struct Look {
   bool colour = true;  ///< false: no escape sequences for colours
 };
 
-/// Reads LC_ALL, LC_CTYPE or LANG. NO_COLOR, TERM=dumb and `terminal` = false disable colours.
+/// Returns the abilities. LC_ALL, LC_CTYPE or LANG decides about UTF-8. NO_COLOR, TERM=dumb and `terminal` =
+/// false disable colours.
 Look look_from_environment(bool terminal);
 
 struct Glyph {

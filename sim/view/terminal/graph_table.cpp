@@ -47,7 +47,7 @@ std::string behind(const TrueGraph& graph, const Arm& arm) {
 
 std::string link_text(const Arm& arm) { return fmt::format("{} {}", direction_word(arm.out), arm.length); }
 
-// Prints the depth-first tree, without recursion: its depth may equal the network's length.
+// Prints the depth-first tree. Does not use recursion, because the tree may be as deep as it has nodes.
 class Tree {
  public:
   Tree(const TrueGraph& graph, bool utf8)

@@ -29,7 +29,7 @@ std::vector<std::string> graph_lines(const map::TrueGraph& graph, int columns, L
 
 /// Returns "S3", or "S3 dock" if the map names the station.
 std::string station_name(const map::TrueGraph& graph, int number);
-/// Returns the number of the station with this number ("3", "S3") or name; 0 = none.
+/// Returns the number of the station that the user's answer gives by number ("3", "S3") or name; 0 = none.
 int find_station(const map::TrueGraph& graph, const std::string& answer);
 
 }  // namespace robosim::terminal

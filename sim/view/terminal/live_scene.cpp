@@ -221,7 +221,7 @@ int LiveScene::draw_told(Frame& frame, int row) const {
 
 Frame LiveScene::draw(int columns, int rows, const std::string& speed, Look look) {
   Frame frame(columns, rows);
-  // Draws the panel on a separate frame first, to find its height.
+  // Draws the panel on a separate frame first, to find the panel's height.
   Frame panel(columns, 2 + 2 * kMostReadingRows + kMostTold + 1 + kSerialRows + 1);
   int panel_rows = draw_told(panel, draw_readings(panel, 0, look));
   if (result_) {

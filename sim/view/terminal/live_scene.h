@@ -1,4 +1,4 @@
-// Draws the content of the live view. It depends only on the events, not on the terminal or a clock.
+// Draws the content of the live view. The content depends only on the events, not on the terminal or a clock.
 #pragma once
 
 #include <map>
@@ -16,8 +16,8 @@ namespace robosim::terminal {
 
 class LiveScene {
  public:
-  /// `title` names sketch, robot and map. `names` are the names if there are several robots; only the first
-  /// one's parts are shown. The map must outlive the scene.
+  /// `title` names sketch, robot and map. `names` are the robots' names if there are several robots; only the
+  /// parts of the first robot are shown. The map must outlive the scene.
   LiveScene(std::string title, const map::Map& map, const wire::RobotInfo& robot,
             std::vector<std::string> names = {});
 

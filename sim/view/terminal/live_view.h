@@ -1,4 +1,4 @@
-// Shows a run in the terminal while it lasts.
+// Shows a run in the terminal during the run.
 #pragma once
 
 #include <functional>
@@ -14,14 +14,14 @@ namespace robosim::terminal {
 /// The sample period of a live view, in simulated time.
 constexpr std::int64_t kViewEvery_ns = 10'000'000;
 
-/// Occupies the terminal from construction to destruction. While it waits for the wall clock, on_event does
-/// not return, so that the runner blocks on its full pipe.
+/// Occupies the terminal from construction to destruction. While it waits for the wall clock,
+/// on_event() does not return, so that the runner blocks on its full pipe.
 class LiveView {
  public:
   struct Options {
     double speed = 1.0;  ///< simulated seconds per second of wall time; 0 = as fast as possible
     Look look;
-    std::function<bool()> stopped;  ///< whether the user wants to leave (Ctrl-C); then the view stops waiting
+    std::function<bool()> stopped;  ///< returns whether the user has pressed Ctrl-C: the view stops waiting
     std::function<void()> quit;     ///< called when `q` is pressed: ends the run
   };
 

@@ -15,7 +15,7 @@ class Pacer {
   double speed() const { return speed_; }
   bool paused() const { return paused_; }
 
-  /// Returns how long to wait until `sim_us` is due; 0 = now.
+  /// Returns the wall time to wait until `sim_us` is due; 0 = due now.
   std::int64_t wait_us(std::int64_t sim_us, std::int64_t wall_us) {
     if (speed_ <= 0.0) return 0;
     if (!running_) start(sim_us, wall_us);

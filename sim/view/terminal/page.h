@@ -14,7 +14,7 @@ namespace robosim::terminal {
 
 class Page {
  public:
-  /// A line of the footer. The footer comes last, wrapped, and is always visible.
+  /// A line of the footer. Long lines are wrapped.
   struct Line {
     std::string text;
     Ink ink = Ink::plain;

@@ -19,8 +19,8 @@ class Progress final : public robosim::Progress {
   bool active() const { return active_; }
   /// Shows a line immediately.
   void say(const std::string& text) override;
-  /// Shows a line that may change often, but at most ten times a second, and not in the object's first half
-  /// second.
+  /// Shows a line that changes often. Shows nothing in the first half second of this object's life, and then
+  /// at most ten lines a second.
   void update(const std::string& text) override;
   /// Shows simulated time in a line that changes often.
   void advance(std::int64_t t_us, double for_s);

@@ -46,11 +46,11 @@ class Trail {
 /// fine enough for a picture with a few centimetres per dot. It is a multiple of 1 ms.
 std::int64_t trail_every_ns(std::int64_t for_ns);
 
-/// A limit that the firmware states, and the maximum for which the RAM would suffice.
+/// A capacity that the firmware states, and the largest capacity for which the RAM would suffice.
 struct Room {
   std::string what;  ///< "nodes of a tree"
   std::uint64_t now = 0;
-  std::uint64_t fit = 0;  ///< the number that would use up the RAM left by the deepest stack
+  std::uint64_t fit = 0;  ///< the capacity that would use up the RAM left by the deepest stack
   std::uint64_t bytes_each = 0;
 };
 

@@ -23,8 +23,8 @@ std::optional<TerminalSize> terminal_size(int fd);
 /// The user's keys.
 enum class Key { none, space, plus, minus, quit, follow, up, down, left, right, other };
 
-/// Removes a key from the front of a terminal's input, `bytes`, and returns it. An incomplete escape sequence
-/// stays.
+/// Removes a key from the front of a terminal's input, `bytes`, and returns it. Does not remove an incomplete
+/// escape sequence.
 Key take_key(std::string& bytes);
 
 /// A key, for callers that also need letters.

@@ -7,7 +7,7 @@
 
 namespace robosim::terminal {
 
-/// Breaks text between words into lines of at most `columns` characters. A longer word stays whole.
+/// Breaks text between words into lines of at most `columns` characters. Does not break a longer word.
 std::vector<std::string> wrap(std::string_view text, int columns);
 
 /// Returns the number of characters of UTF-8 text.

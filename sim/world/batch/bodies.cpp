@@ -19,8 +19,8 @@ namespace {
 
 Two of(const Lanes (&figure)[2], std::size_t lane) { return {figure[0][lane], figure[1][lane]}; }
 
-// Computes each body's motion as if the body kept rolling. Sets `moves` for bodies that really keep rolling.
-// `done` is 0 for bodies that neither keep rolling nor stand without being driven.
+// Computes each body's motion as if the body kept rolling. Sets `moves` to a value above 0 for bodies that
+// really keep rolling. Sets `done` to 0 for bodies that neither keep rolling nor stand without being driven.
 //
 // The output is separate from the input. Otherwise compilers would create masked stores, which write only the
 // lanes that move. Some processors take 20 times as long for such stores.

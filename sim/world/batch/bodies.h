@@ -2,15 +2,15 @@
 // body many times, with different parameters or commands.
 //
 // A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications. Each
-// operation waits for the previous one. A batch therefore computes each operation for a block of bodies at
-// once (lanes.h). The order of operations is that of world::Body, so all bits of the results are equal.
-// Blocks are used for the usual state of bodies: both tyres roll, both wheels keep their direction, nothing
-// is near. Each tick tests each lane for this state.
+// operation needs the result of the previous one. A batch therefore computes each operation for a block of
+// bodies at once (lanes.h). The order of operations is that of world::Body, so all bits of the results are
+// equal. Blocks are used for the usual state of a body: both tyres roll, both wheels keep their direction,
+// and no obstacle is near. Each tick tests each body for this state.
 //
 // If a body starts, stops, slips, skids, or comes near a wall, the code of world::Body simulates this tick.
-// The same code simulates all special bodies (windings, steered wheels, wheels that skid, loads that shift).
-// The tick of a rolling body is in rolling_step.h, which single bodies use, too. batch_test.cpp compares
-// batches with single bodies, bit by bit.
+// That code also simulates all ticks of special bodies (windings with inductance, steered wheels, wheels that
+// skid, loads that shift). The tick of a rolling body is in rolling_step.h, which single bodies use, too.
+// tests/unit/batch/batch_test.cpp compares batches with single bodies, bit by bit.
 //
 // Bodies of a batch neither detect nor touch each other.
 #pragma once
@@ -35,7 +35,7 @@ struct BodyMotion {
   Lanes free_way;                    // m
   Lanes slips;                       // 1 = yes
 
-  /// Copies one body's state.
+  /// Copies the state of the body in `lane` from another object.
   void take(const BodyMotion&, std::size_t lane);
 };
 
@@ -43,7 +43,7 @@ struct BodyMotion {
 struct BodyBlock : BodyMotion {
   // Computed from the commands.
   Lanes direction[2], drives[2];          // sign of `drive`, and its amount
-  Lanes push[2], drag[2], push_until[2];  // driven
+  Lanes push[2], drag[2], push_until[2];  // while the motor is driven
   Lanes brake_push[2], brake_drag[2], brake_from[2];
   // Copied from the bodies.
   Lanes per_radius[2], inertia[2], turning_friction[2], joule0[2], joule1[2], side_share[2];
@@ -54,15 +54,15 @@ struct BodyBlock : BodyMotion {
 
 class Bodies {
  public:
-  /// `world` is not changed, and must outlive this object. Throws std::invalid_argument unless its floor is a
-  /// plane of one kind.
+  /// `world` is not changed, and must outlive this object. Throws std::invalid_argument if the map has hills,
+  /// surfaces or gaps between boards.
   explicit Bodies(const world::World& world);
 
   /// Adds a body and returns its number, from 0. Throws std::invalid_argument (see world::Body).
   std::size_t add(const world::BodyParams&, const Pose&);
   std::size_t size() const { return bodies_.size(); }
 
-  /// Commands a motor and places a body as in world::Body.
+  /// Command a motor and place a body, like the functions of world::Body.
   void command(std::size_t number, world::Side, const world::WheelCommand&);
   void place(std::size_t number, const Pose&);
 

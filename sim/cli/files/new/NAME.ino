@@ -1,18 +1,18 @@
-// Follows a black line with five sensors: the further the line is from the middle, the harder the robot steers.
-// The pins are those of the robot uno5: `robosim robot show uno5`.
+// Follows a black line with five sensors: the further the line is from the middle, the harder the robot
+// steers. The pins are those of the robot uno5: `robosim robot show uno5`.
 
 const int SENSORS[] = {A0, A1, A2, A3, A4};                          // left to right
 const int LEFT_SPEED = 5, LEFT_FORWARD = 7, LEFT_BACKWARD = 8;       // the motor driver's pins
 const int RIGHT_SPEED = 6, RIGHT_FORWARD = 9, RIGHT_BACKWARD = 10;
 
 const int FLOOR = 110;     // analogRead() over the floor
-const int LINE = 880;      // ... and over the line
-const int SPEED = 110;     // of 255, while the line is in the middle
+const int LINE = 880;      // analogRead() over the line
+const int SPEED = 110;     // of 255; both wheels while the line is in the middle
 const float STEERING = 70; // change of speed if the line is off by one sensor
 
-float off = 0;             // where the line is: -2 under the left sensor .. 2 under the right one
+float off = 0;             // position of the line: -2 under the left sensor .. 2 under the right one
 
-// Measures where the line is. If no sensor sees it, `off` stays as it was.
+// Measures the position of the line. If no sensor sees the line, `off` keeps its last value.
 void look() {
   long weight = 0, sum = 0;
   for (int i = 0; i < 5; i++) {

@@ -147,8 +147,8 @@ void BackwardSlice::ask_place(SimTime t) {
     note(lines[i], static_cast<int>(i), CauseStep::Kind::computes, time_of(from_));
   const Want want{0, lines.empty() ? nullptr : lines[0]};
   want_branch(from_, want);
-  // The firmware may be in a waiting loop. Follows only the last branch, which keeps the firmware in the
-  // loop.
+  // The firmware may be in a waiting loop. Therefore follows only the last branch, which keeps the firmware
+  // in the loop.
   Index index = from_;
   const auto pc = [&] { return log_->entries()[static_cast<std::size_t>(index)].pc; };
   while (sketch_.at(pc()).lines.empty() && frames_[static_cast<std::size_t>(index)] != kNone &&
@@ -161,7 +161,7 @@ void BackwardSlice::ask_place(SimTime t) {
 
 void BackwardSlice::follow(bool adjoins) {
   if (!log_) return;
-  if (frames_.empty()) {  // begin() has started a new log after the question was asked
+  if (frames_.empty()) {  // begin() has started a new log since ask()
     find_frames();
     from_ = static_cast<Index>(frames_.size()) - 1;
     pending_.clear();
@@ -208,7 +208,8 @@ std::optional<BackwardSlice::Want> BackwardSlice::take_wanted(Index index) {
 }
 
 void BackwardSlice::visit(Index index) {
-  // No branch within this call decided that the pending instructions ran, so a branch before the call did.
+  // No branch within this call decided that the pending instructions ran. Therefore the branch that decided
+  // that the call ran is their cause.
   if (const auto inside = pending_.find(index); inside != pending_.end()) {
     const std::vector<Pending> waiting = std::move(inside->second);
     pending_.erase(inside);

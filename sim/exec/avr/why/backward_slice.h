@@ -1,12 +1,13 @@
 // Implements exec::CauseFinder for an AVR, by a backward slice of the executed instructions.
 //
-//   wanted values     registers, flags and bytes whose value matters at this point
+//   wanted values     registers, flags and bytes whose values contribute to the effect
 //   instructions      belong to the slice if they computed a wanted value; their operands become wanted
 //   branches          belong to the slice if they decided that an instruction of the slice ran
-//   external inputs   (pins, converter, clock, received bytes) end the slice
+//   external inputs   (pins, ADC, clock, received bytes) end the slice
 //
-// Each instruction maps to its line of the sketch, or else to the line that called its function. The callers
-// of that line are included. The distance of a cause from the effect is counted in lines.
+// An instruction of the sketch maps to its source line. An instruction of the core maps to the line of the
+// sketch that called the core. The lines that called this line are causes, too. The distance of a cause from
+// the effect is measured in lines.
 #pragma once
 
 #include <array>
@@ -53,22 +54,22 @@ class BackwardSlice final : public CauseFinder {
   std::optional<CauseStep> switched_off(bool on) override;
 
  private:
-  using Index = std::int32_t;  ///< index of an entry in the log
+  using Index = std::int32_t;  ///< index of an entry in the instruction log
   static constexpr Index kNone = -1;
   static constexpr Index kLater = std::numeric_limits<Index>::max();
   using Line = SketchLines::Line;  ///< null = not in the sketch
   struct Want {
     int far = 0;
     Line line = nullptr;
-    Index by = kLater;  ///< last entry that reads the value; kLater = after the log
+    Index by = kLater;  ///< last entry that reads the value; kLater = the reader ran after the log's end
   };
-  /// An instruction whose deciding branch is not found yet.
+  /// An instruction of the slice whose deciding branch the search has not reached yet.
   struct Pending {
-    std::uint32_t pc = 0;  ///< kLast = the last branch decides
+    std::uint32_t pc = 0;  ///< address of the instruction; kLast = the last branch counts as the deciding one
     Want want;
   };
   static constexpr std::uint32_t kLast = ~0u;
-  static constexpr int kFarthest = 14;  ///< causes at a larger distance are not followed
+  static constexpr int kFarthest = 14;  ///< causes at a larger distance are ignored
 
   void forget();
   void find_frames();
@@ -97,16 +98,16 @@ class BackwardSlice final : public CauseFinder {
   Machine* machine_ = nullptr;
   std::optional<InstructionLog> log_;
   std::optional<Branches> branches_;
-  std::vector<std::uint32_t> calls_before_;  ///< calls open at the log's start, innermost first; in words
-  std::vector<Index> frames_;  ///< by entry: enclosing call, or entry of its handler; kNone = older
+  std::vector<std::uint32_t> calls_before_;  ///< word addresses of calls running when the log began
+  std::vector<Index> frames_;  ///< for each entry, the entry of the enclosing call or interrupt; or kNone
   Index from_ = kNone;         ///< entry at which the next follow() starts
 
   std::array<std::optional<Want>, 32> registers_;
   std::array<std::optional<Want>, 8> flags_;
   std::map<std::uint16_t, Want> bytes_;
   std::map<std::uint16_t, std::uint8_t> bits_;       ///< relevant bits of I/O registers, by address
-  std::map<Index, std::vector<Pending>> pending_;    ///< by enclosing call
-  std::map<std::pair<Line, Pin>, CauseStep> steps_;  ///< by line, and the pin that the line has read
+  std::map<Index, std::vector<Pending>> pending_;    ///< by the entry of the enclosing call
+  std::map<std::pair<Line, Pin>, CauseStep> steps_;  ///< by line, and by the pin that the line has read
 };
 
 }  // namespace robosim::exec::avr

@@ -1,6 +1,6 @@
-// Finds the branch that decides that an instruction runs. On the branch's other path, the program can return
-// to the branch, or leave the function, without running the instruction. Also finds the writes that a branch
-// has skipped.
+// Finds the branches that decide whether an instruction runs (control dependence). Such a branch has another
+// path, which skips the instruction, and then returns to the branch or leaves the function. Also finds the
+// writes that a branch has skipped.
 #pragma once
 
 #include <cstdint>
@@ -22,32 +22,35 @@ class Branches {
   bool is_branch(std::uint32_t pc) const;
   /// Returns the registers that the instruction at `pc` writes, one bit each.
   std::uint32_t writes_of(std::uint32_t pc) const { return writes_[pc]; }
-  /// Returns whether the branch decides that `pc` runs. `next` is the address, in the same function, to which
-  /// the branch has led.
+  /// Returns whether the branch has decided that the instruction at `pc` runs. `next` is the address to which
+  /// the branch has led, in the same function.
   bool decides(std::uint32_t branch, std::uint32_t next, std::uint32_t pc);
 
-  /// The effects of a branch's other path, up to the point at which both paths meet.
+  /// The writes on the path not taken by a branch, up to the address `meets`, at which the paths meet.
+  /// kInCaller = the paths meet after the function has returned.
   struct SkippedWrites {
     static constexpr std::uint32_t kInCaller = ~0u;
     std::uint32_t meets = kInCaller;
     std::uint32_t registers = 0;       ///< written registers, one bit each
-    std::vector<std::uint16_t> bytes;  ///< written data addresses, also by called functions; sorted
-    /// By pointer register: offsets of written bytes from the pointer's value at the branch. Called functions
-    /// are not included.
+    std::vector<std::uint16_t> bytes;  ///< sorted addresses of written bytes, also by called functions
+    /// The bytes that are written through pointers, as offsets from the pointer's value at the branch. The
+    /// index is the pointer register. Writes by called functions are not included.
     std::map<std::uint8_t, std::vector<std::uint8_t>> bytes_by_pointer;
   };
-  /// Returns the effects of the other path. `next` is the address to which the branch has led.
+  /// Returns the writes that the branch has skipped. `next` is the address to which the branch has led.
   const SkippedWrites& skipped_writes(std::uint32_t branch, std::uint32_t next);
 
  private:
   std::uint32_t words() const { return static_cast<std::uint32_t>(cpu_.flash().size() / 2); }
-  /// Returns the function that is called at `pc`; nothing if no function is called, or if it is unknown.
+  /// Returns the address of the function that is called at `pc`. Returns nullopt if the instruction is not a
+  /// call, or if the function is unknown.
   std::optional<std::uint32_t> called_at(std::uint32_t pc) const;
-  /// Returns the addresses at which execution can continue in the same function; empty after a return, or if
-  /// unknown.
+  /// Returns the addresses at which execution can continue in the same function. The result is empty for a
+  /// return, and if the addresses are unknown.
   std::vector<std::uint32_t> ways_on(std::uint32_t pc) const;
   bool avoids(std::uint32_t from, std::uint32_t branch, std::uint32_t pc) const;
-  /// Returns the addresses that execution can reach from `from` before `end` and `stop`, the nearest first.
+  /// Returns the addresses that execution can reach from `from` without passing `end` or `stop`, the nearest
+  /// first.
   std::vector<std::uint32_t> reached(std::uint32_t from, std::uint32_t end, std::uint32_t stop) const;
   bool leaves(std::uint32_t from, std::uint32_t branch, std::uint32_t pc) const;
   std::uint32_t meeting(std::uint32_t branch, std::uint32_t next, std::uint32_t other) const;

@@ -2,7 +2,7 @@
 
 #include "sim/exec/avr/why/backward_slice.h"
 
-// Finds the branch that decided that an instruction ran, or that a value stayed unchanged.
+// Finds the branch that decided that an instruction ran, or that a value was not changed.
 
 namespace robosim::exec::avr {
 namespace {
@@ -12,8 +12,8 @@ using robosim::avr::Instruction;
 using robosim::avr::Op;
 using Entry = InstructionLog::Entry;
 
-constexpr int kOfBranch = 2;             // distance of a branch from its effect
-constexpr std::size_t kTogether = 4000;  // instructions within which a branch's paths usually meet
+constexpr int kOfBranch = 2;             // distance, in lines, of a branch from the instruction it decides
+constexpr std::size_t kTogether = 4000;  // log entries in which the meeting of a branch's paths is searched
 constexpr std::int32_t kPointerBefore = 100;
 
 bool points_by(Op op, unsigned pair) {
@@ -48,8 +48,8 @@ void BackwardSlice::add_pending(Index index, Want want) {
   waiting.push_back({pc, want});
 }
 
-/// Returns the distance of a branch from its effect. Compiler routines have no lines: their branches belong
-/// to the calling line.
+/// Returns the distance, in lines, of a branch from its effect. Routines of the compiler's library have no
+/// source lines, so their branches belong to the line that called the routine.
 int BackwardSlice::far_of_branch(std::uint32_t pc) const {
   return sketch_.at(pc).is_described ? kOfBranch : 0;
 }
@@ -74,8 +74,8 @@ void BackwardSlice::visit_branch(Index index) {
   if (best) take(index, {best->far + far_of_branch(e.pc), best->line}, CauseStep::Kind::decides);
 }
 
-/// Visits a branch that left a wanted value unchanged. Its other path would have written the value before the
-/// point at which both paths meet.
+/// Adds a branch to the slice if it has left a wanted value unchanged. The path that was not taken would have
+/// written the value before the two paths meet.
 void BackwardSlice::visit_skipped_writes(Index index) {
   const auto& entries = log_->entries();
   const auto at = static_cast<std::size_t>(index);
@@ -106,7 +106,8 @@ void BackwardSlice::visit_skipped_writes(Index index) {
   if (best) take(index, {best->far + far_of_branch(branch), best->line}, CauseStep::Kind::decides);
 }
 
-/// Returns the first entry after the branch that both paths would have reached.
+/// Returns the first entry after the branch that the program would also have reached on the other path.
+/// Returns kLater if there is no such entry soon after the branch.
 BackwardSlice::Index BackwardSlice::meeting_behind(Index branch, std::uint32_t meets) const {
   const auto& entries = log_->entries();
   const Index frame = frames_[static_cast<std::size_t>(branch)];
@@ -123,13 +124,13 @@ BackwardSlice::Index BackwardSlice::meeting_behind(Index branch, std::uint32_t m
   return kLater;
 }
 
-/// Returns the value of a register pair at an entry. The value is known if memory was accessed earlier
-/// through the pair, or through a copy of it.
+/// Returns the value of a register pair at an entry, or nullopt if the value is unknown. The value is known
+/// if the same function has recently accessed memory through the pair or its copy.
 std::optional<std::uint16_t> BackwardSlice::pointer_at(Index index, unsigned pair) const {
   const auto& entries = log_->entries();
   const auto& cpu = machine_->chip().chip().cpu();
   const Index frame = frames_[static_cast<std::size_t>(index)];
-  std::array<std::optional<std::uint16_t>, 3> used;  // targets of X, Y and Z, known from later accesses
+  std::array<std::optional<std::uint16_t>, 3> used;  // values of X, Y and Z at entry i
   for (Index i = index; i >= 0 && index - i < kPointerBefore; --i) {
     const Entry& e = entries[static_cast<std::size_t>(i)];
     if (frames_[static_cast<std::size_t>(i)] != frame || e.interrupts) continue;

@@ -2,7 +2,8 @@
 
 #include "sim/exec/avr/why/backward_slice.h"
 
-// Finds the lines that used the processor's time, and the line that disabled interrupts.
+// Finds the lines of the sketch that used most of the processor's time, and the line that disabled
+// interrupts.
 
 namespace robosim::exec::avr {
 SourceLine BackwardSlice::busiest(SimTime from, SimTime to) const {

@@ -1,7 +1,7 @@
 // Records each executed instruction, with its accesses to data memory.
 //
-// While the log records, the chip runs in single steps and does not skip waiting loops. The results do not
-// change.
+// While the log records, the chip runs in single steps and does not skip waiting loops. This makes the run
+// slower, but does not change its results.
 #pragma once
 
 #include <cstdint>
@@ -23,18 +23,18 @@ class InstructionLog {
   enum class Touch : std::uint8_t { nothing, load, store, flash };
   struct Entry {
     std::uint32_t pc = 0;       ///< word address
-    std::uint32_t began = 0;    ///< cycles after began()
+    std::uint32_t began = 0;    ///< start of the instruction, in cycles after InstructionLog::began()
     std::uint16_t address = 0;  ///< lowest accessed address, in data memory or flash
     std::uint16_t sp = 0;       ///< stack pointer before the instruction
     std::uint8_t bytes = 0;
     Touch touch = Touch::nothing;
-    bool interrupts : 1 = false;  ///< entry of a handler; `pc` is 0
-    bool enables : 1 = false;     ///< interrupts are enabled afterwards
-    std::uint8_t changed = 0;     ///< changed bits of the byte at `address`
+    bool interrupts : 1 = false;  ///< the chip entered a handler instead of an instruction; `pc` is 0
+    bool enables : 1 = false;     ///< interrupts are enabled after the instruction
+    std::uint8_t changed = 0;     ///< for a store: the bits of the byte at `address` that changed
   };
   static_assert(sizeof(Entry) == 16);
 
-  /// Both arguments must outlive the log's use.
+  /// `chip` and `adapter` must outlive all use of the log.
   InstructionLog(WatchedChip& chip, const BoardAdapter& adapter) : chip_(chip), adapter_(adapter) {}
 
   void begin();
@@ -44,8 +44,8 @@ class InstructionLog {
 
   const std::vector<Entry>& entries() const { return entries_; }
   Cycle began() const { return began_; }
-  /// Returns the board's pin that the load at `index` has read, through the converter or the pin's port;
-  /// kNoPin = none.
+  /// Returns the board's pin that the load at `index` has read, through the ADC or the pin's port. Returns
+  /// kNoPin if the load has not read a pin.
   Pin pin_of(std::size_t index) const;
 
  private:
@@ -59,14 +59,14 @@ class InstructionLog {
   WatchedChip& chip_;
   const BoardAdapter& adapter_;
   std::vector<Entry> entries_;
-  std::vector<Looked> looked_;  ///< sorted by entry
+  std::vector<Looked> looked_;  ///< loads that have read a pin, sorted by index
   Cycle began_ = 0;
   Entry next_;
   std::uint8_t byte_before_ = 0;
   Cycle cycle_before_ = 0;
   bool asleep_before_ = false;
   int handlers_before_ = 0;
-  /// A read of a whole port, whose relevant pin is not known yet.
+  /// A read of a whole port. A later instruction shows which of the port's pins is relevant.
   struct Port {
     int number = -1;        ///< the chip's port; -1 = no such read
     std::size_t index = 0;  ///< entry of the load

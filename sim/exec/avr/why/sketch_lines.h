@@ -1,4 +1,4 @@
-// Maps instructions to their lines in the sketch; looks up each instruction once.
+// Maps instructions to source lines of the sketch, and caches the result for each instruction.
 #pragma once
 
 #include <map>
@@ -12,20 +12,20 @@ namespace robosim::exec::avr {
 
 class SketchLines {
  public:
-  using Line = const SourceLine*;  ///< equal pointers for equal file and line, while this object exists
+  using Line = const SourceLine*;  ///< unique for a file and line; valid while this object exists
 
   /// `debug` must outlive this object.
   explicit SketchLines(const DebugInfo& debug) : debug_(debug) {}
 
   struct Place {
-    bool is_described = false;  ///< has debug information, unlike compiler routines
-    bool is_pause = false;      ///< in delay() or micros(), whose branches decide nothing
+    bool is_described = false;  ///< has debug information; false in routines of the compiler's library
+    bool is_pause = false;      ///< in delay() or micros(), whose branches are not causes
     std::vector<Line> lines;    ///< lines in the sketch, innermost first
   };
   /// Returns the place of the instruction at word address `pc`.
   const Place& at(std::uint32_t pc) const;
   Line line(const SourceLine& where) const;
-  /// Returns the lines that declare what is at an ELF address: the variable or constant, and its member.
+  /// Returns the lines that declare the variable or constant at an ELF address, and its member there.
   const std::vector<Line>& declarations(std::uint32_t address) const;
 
  private:

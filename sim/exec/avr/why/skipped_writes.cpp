@@ -14,7 +14,7 @@ using robosim::avr::Op;
 constexpr std::size_t kMostReached = 400, kMostCalled = 3000;
 constexpr std::uint8_t kPointerX = 26, kPointerY = 28, kPointerZ = 30;
 constexpr std::uint32_t kScratch = 3;            // r0 and r1
-constexpr std::uint32_t kOfCalls = 0xFFu << 18;  // registers of a function's return value
+constexpr std::uint32_t kOfCalls = 0xFFu << 18;  // r18 to r25, in which functions return their results
 constexpr std::uint32_t kNowhere = ~0u;
 
 constexpr std::uint32_t pair_of(unsigned reg) { return 3u << reg; }
@@ -46,7 +46,8 @@ std::uint32_t Branches::meeting(std::uint32_t branch, std::uint32_t next, std::u
   const std::set<std::uint32_t> also(others.begin(), others.end());
   for (const std::uint32_t at : reached(next, branch, kNowhere))
     if (also.contains(at) && !leaves(other, branch, at) && !leaves(next, branch, at)) return at;
-  // If the other path cannot leave, it is a loop's body: it returns to the branch, then `next` follows.
+  // If the other path cannot leave the function, the path is the body of a loop. It returns to the branch,
+  // and the branch then leads to `next`.
   return leaves(other, branch, kNowhere) ? SkippedWrites::kInCaller : next;
 }
 
@@ -78,9 +79,11 @@ void Branches::add_writes(const std::vector<std::uint32_t>& places, SkippedWrite
   add_bytes_by_pointer(places, skipped_writes);
 }
 
-/// Adds bytes written through pointers that the path has not changed, or has copied from unchanged registers.
+/// Adds the bytes that the path writes through pointers. Considers only pointers that the path has not
+/// changed, or has copied from registers that it has not changed.
 void Branches::add_bytes_by_pointer(const std::vector<std::uint32_t>& places, SkippedWrites& skipped_writes) {
-  // by changed pointer pair: the pair that it was copied from; nothing = unknown
+  // For each pointer that the path has changed, the register pair from which the path has copied the pointer.
+  // nullopt = the pointer's value is unknown.
   std::map<std::uint8_t, std::optional<std::uint8_t>> copied;
   for (const std::uint32_t at : places)
     for (const std::uint8_t pair : {kPointerX, kPointerY, kPointerZ}) {

@@ -1,4 +1,4 @@
-// Represents a stretch of a run, between two moments. Matchers check it.
+// Represents the part of a run between two moments. Matchers check this part.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace robosim::testing {
 
-/// The robot's pose. x (east) and y (north) are those of the axle's centre, from the map's bottom-left
+/// The robot's pose. x (east) and y (north) are the position of the axle's centre, from the map's bottom-left
 /// corner. yaw is counter-clockwise from east. Columns and rows count from 0 at the map's top left.
 struct Pose {
   double x_mm = 0.0;
@@ -67,29 +67,30 @@ class Drive {
   Duration begin() const { return begin_; }
   Duration end() const { return end_; }
 
-  /// Returns whether the awaited event has occurred. After run_for(), returns true unless the run ended
-  /// early.
+  /// Returns whether the awaited event has occurred. After run_for(), returns whether the run lasted for the
+  /// whole duration.
   bool arrived() const { return complaint_.empty(); }
   explicit operator bool() const { return arrived(); }
   /// Converts for ASSERT_TRUE and EXPECT_TRUE. Includes the reason for a failure.
   operator ::testing::AssertionResult() const;  // NOLINT(google-explicit-constructor)
 
-  /// Returns what the sketch has sent during this drive.
+  /// Returns the text that the sketch has sent during this drive.
   std::string serial() const;
-  /// Returns the drive's moments, in order of time. The first is its beginning.
+  /// Returns the drive's moments, in order of time. The first moment is the beginning of the drive.
   std::vector<Moment> moments() const;
   /// Returns the stations in the order of arrival. A station that the robot left and visited again is listed
   /// twice.
   std::vector<std::string> stations() const;
-  /// Returns when and where the robot was farthest from the line.
+  /// Returns the moment at which the robot was farthest from the line.
   Moment worst() const;
   Length distance() const;
   int collisions() const;
   /// Returns the verdict with which the run ended: "lost", "reached", …; else "".
   std::string verdict() const;
-  /// Returns one sentence about the verdict if the run has ended.
+  /// Returns one sentence that explains the verdict, if the run has ended.
   std::string why() const;
-  /// Returns the score of a competition if the run has ended and has one; docs/reference/courses.md.
+  /// Returns the score under a competition's rules (docs/reference/courses.md). Returns nullopt if the run
+  /// has not ended, or if its goal has no score.
   std::optional<Score> score() const;
   /// Returns the resources used until now. Available only on a chip.
   std::optional<Usage> usage() const;

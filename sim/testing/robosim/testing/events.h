@@ -9,7 +9,7 @@
 
 namespace robosim::testing {
 
-/// An event. a || b occurs when either of them occurs. Events are checked every millisecond.
+/// An event. The event `a || b` occurs when `a` or `b` occurs. Events are checked every millisecond.
 class Event {
  public:
   enum class Kind { serial, line, note, event, visited, at, reading, pin, motors, rest, end };
@@ -36,13 +36,15 @@ class Event {
 };
 
 /// Occurs when the sketch has sent this text. The search begins after the last text that was found, and after
-/// the last action (press, send, …). The answer to a question is therefore found after the question.
+/// the last action (press, send, …). Text that the sketch sent before send() is therefore not taken for the
+/// answer.
 Event serial_says(const std::string& text);
-/// Occurs when this regular expression (ECMAScript's) matches part of a complete line; the line end is not
-/// included. The search begins as for serial_says().
+/// Occurs when this regular expression matches part of a complete line; the line end is not included. The
+/// syntax is RE2: that of ECMAScript, without lookahead and back references. The search begins at the same
+/// position as that of serial_says().
 Event serial_matches(const std::string& regex);
-/// Occurs when a display shows a text with this beginning, its lines joined by "|". Also occurs when a
-/// Bluetooth module has received a line with this beginning.
+/// Occurs when a display shows a text with this beginning; "|" joins the lines of a display. Also occurs when
+/// a Bluetooth module has received a line with this beginning.
 Event tells(const std::string& part, const std::string& text);
 /// Occurs when the body has covered the station's centre at least once since the start. `station` is a number
 /// or a name.
@@ -51,15 +53,15 @@ Event visits(int station);
 /// Occurs while the body covers a station's centre.
 Event is_at(const std::string& station);
 Event is_at(int station);
-/// turns_on() occurs when an LED, or another part that people can see or touch, is on; turns_off() when it is
-/// off.
+/// turns_on() occurs when an LED, or another part that people can see or touch, is on. turns_off() occurs
+/// when the part is off.
 Event turns_on(const std::string& part);
 Event turns_off(const std::string& part);
-/// pin_goes_high() occurs when the firmware drives a pin ("D13", "A5") high or with PWM; pin_goes_low() when
-/// it drives the pin low. A change of any duration counts.
+/// pin_goes_high() occurs when the firmware drives a pin ("D13", "A5") high or with PWM. pin_goes_low()
+/// occurs when the firmware drives the pin low. A change of any duration counts.
 Event pin_goes_high(const std::string& pin);
 Event pin_goes_low(const std::string& pin);
-/// motors_start() occurs when any motor is commanded; motors_stop() when none is.
+/// motors_start() occurs when any motor is commanded. motors_stop() occurs when no motor is commanded.
 Event motors_start();
 Event motors_stop();
 /// Occurs when no wheel has turned for this duration.

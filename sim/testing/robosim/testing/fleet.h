@@ -36,7 +36,7 @@ struct FleetMember {
 struct FleetTrial {
   std::vector<FleetMember> robots;  ///< in the order of their numbers
   std::string file;                 ///< a file with [[agent]] tables: docs/howto/fleets.md
-  std::string map;                  ///< as in a Trial; "" = the file's, else the first sketch's, else oval
+  std::string map;                  ///< as in a Trial; "" = the map of `file`, of the first sketch, or oval
   std::uint64_t seed = 1;
   std::string profile = "typical";
   Duration limit = std::chrono::hours(1);
@@ -69,14 +69,14 @@ class Fleet {
   /// Returns success if all robots have reached their goals, for EXPECT_TRUE. Otherwise names the robots that
   /// have not, with the reasons.
   ::testing::AssertionResult all_reached() const;
-  /// Returns the command that reproduces this run until now. The files that it names are saved if the test
-  /// fails.
+  /// Returns the command that reproduces this run until now. If the test fails, the files that the command
+  /// names are saved.
   std::string replay_command() const;
 
  private:
   struct Impl;
   std::vector<std::string> names_;
-  std::filesystem::path scratch_;  ///< folder of the files written for texts, such as a map
+  std::filesystem::path scratch_;  ///< folder of files with maps and robots that are texts
   std::vector<std::unique_ptr<Simulation>> robots_;
   std::unique_ptr<Impl> impl_;
 };

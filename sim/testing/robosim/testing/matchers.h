@@ -30,7 +30,7 @@ class Requirement {
   /// The result of a check.
   struct Finding {
     bool holds = true;
-    std::string sentence;  ///< the finding, in either case; may be empty if the requirement holds
+    std::string sentence;  ///< describes the finding; may be empty if the requirement holds
     Duration when{};       ///< time of the finding
   };
   using Look = std::function<Finding(const Drive&)>;
@@ -83,13 +83,13 @@ Doing backwards();     ///< faster than 5 mm/s
 Doing off_the_line();  ///< no line sensor sees the line
 Doing faster_than(Speed speed);
 Doing onto(int column, int row);  ///< the axle's centre is over this cell
-/// Requires that the robot never drives while `what` is true. Checks samples every 10 ms.
+/// Requires that `what` is never true, in samples every 10 ms: NeverDrives(backwards()).
 Requirement NeverDrives(Doing what);
 /// Requires no contact with walls, obstacles or the map's edge.
 Requirement NeverCollides();
 
-/// SerialSays() requires that the sketch has sent this text. SerialMatches() requires that it has sent a line
-/// of which the regular expression matches a part.
+/// SerialSays() requires that the sketch has sent this text. SerialMatches() requires that the regular
+/// expression matches part of a line that the sketch has sent.
 Requirement SerialSays(std::string text);
 Requirement SerialMatches(std::string regex);
 
@@ -98,8 +98,8 @@ Requirement Reaches(std::string goal);
 /// Requires that the run ended with this verdict: "lost".
 Requirement EndsAs(std::string verdict);
 
-/// ScoresAtLeast() requires that the run ended with a score of at least `value`; ScoresAtMost(), of at most
-/// `value`. The unit is seconds or points.
+/// ScoresAtLeast() requires that the run ended with a score of at least `value`. ScoresAtMost() requires a
+/// score of at most `value`. The unit is seconds or points.
 Requirement ScoresAtLeast(double value);
 Requirement ScoresAtMost(double value);
 
@@ -112,8 +112,8 @@ constexpr Limit flash(std::int64_t bytes) { return {Limit::Of::flash, bytes}; }
 constexpr Limit ram(std::int64_t bytes) { return {Limit::Of::ram, bytes}; }  ///< variables
 constexpr Limit stack(std::int64_t bytes) { return {Limit::Of::stack, bytes}; }
 constexpr Limit loop_time(Duration most) { return {Limit::Of::loop_time, most.count()}; }
-/// Requires limits from power-on to the drive's end. Only for chips: on the host the values are unknown, and
-/// the requirement fails.
+/// Requires that the firmware stayed within these limits from power-on to the drive's end. For chip targets
+/// only: on the host the values are unknown, and the requirement fails.
 Requirement UsesAtMost(std::initializer_list<Limit> limits);
 template <typename... Limits>
 Requirement UsesAtMost(Limit first, Limits... more) {

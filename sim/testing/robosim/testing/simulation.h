@@ -45,8 +45,8 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   // The next functions advance the time. A run that is lost, stuck, toppled, hung, over budget or crashed
-  // fails the test when this object is destroyed. It does not fail a test that has waited with ends() or
-  // called verdict().
+  // fails the test when this object is destroyed. If the test has waited with ends(), or has called
+  // verdict(), such a run does not fail the test.
   Drive run_for(Duration time, const char* file = __builtin_FILE(), int line = __builtin_LINE());
   [[nodiscard]] Drive run_until(const Event& event, Within<Duration> within,
                                 const char* file = __builtin_FILE(), int line = __builtin_LINE());
@@ -54,8 +54,8 @@ class Simulation {
   Drive run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
   Duration now() const;
 
-  // The next functions act immediately. Parts are named as in the robot file. Unknown names throw InputError
-  // with the place of the call, `file` and `at`.
+  // The next functions act immediately. Parts have their names in the robot file. If a name is unknown, these
+  // functions throw InputError with the place of the call, `file` and `at`.
   void press(const std::string& button, Duration time = 100_ms, const char* file = __builtin_FILE(),
              int at = __builtin_LINE());
   void hold(const std::string& button, const char* file = __builtin_FILE(), int at = __builtin_LINE());
@@ -84,8 +84,8 @@ class Simulation {
   std::vector<std::string> stations_visited() const;  ///< in the order of the first visits
   std::string serial() const;                         ///< everything that the sketch has sent
   std::vector<std::uint8_t> eeprom() const;           ///< the board's whole EEPROM
-  /// Returns the network of lines reachable from the robot's start. A sketch that explores must find this
-  /// network.
+  /// Returns the network of lines that is reachable from the robot's start. A sketch that explores the map
+  /// must find this network.
   Graph true_graph() const;
   bool over() const;
   std::string verdict() const;  ///< "" until the run is over
@@ -98,9 +98,9 @@ class Simulation {
   const Trial& trial() const { return trial_; }
   /// Returns the command that reproduces this run until now.
   std::string replay_command() const;
-  /// Returns the hash of the run until now, and ends it.
+  /// Ends the run now, and returns its trace hash.
   std::string trace_hash();
-  /// Returns the number of bytes that the sketch has written to its EEPROM, and ends the run.
+  /// Ends the run now, and returns the number of bytes that the sketch has written to its EEPROM.
   std::uint64_t eeprom_writes();
 
  private:
@@ -116,7 +116,8 @@ class Simulation {
 
 void PrintTo(const Simulation& simulation, std::ostream* out);
 
-/// Returns why a target cannot run: the missing tool and the remedy. Returns "" if nothing is missing.
+/// Returns the reason why a target cannot run: the missing tool and the remedy. Returns "" if nothing is
+/// missing.
 std::string what_lacks(const std::string& target);
 /// Returns whether the environment variable ROBOSIM_REQUIRE, such as "host,avr", names the target.
 bool is_required(const std::string& target);

@@ -23,16 +23,16 @@ struct MinimumRate {
 };
 /// Requires this share among exactly these seeds.
 constexpr MinimumRate at_least(double rate) { return {rate, false}; }
-/// Requires that these seeds show this rate for all seeds, at 95 % confidence. The lower end of Wilson's
-/// interval must reach the rate. This needs more runs: 381 without a failure for 0.99.
+/// Requires that the tested seeds prove this rate for all possible seeds, at 95 % confidence. The lower end
+/// of Wilson's interval must reach the rate. This needs more runs: 381 without a failure for 0.99.
 constexpr MinimumRate surely_at_least(double rate) { return {rate, true}; }
 
 /// Runs a trial to its verdict with each of the seeds. Passes if at least this share of the runs reaches the
-/// goal. Stops as soon as the result is certain. A failure prints the failed seeds and the reasons, the
-/// interval of the true rate (Wilson's, 95 %), and the first failure's replay command.
+/// goal. Stops as soon as the result is certain. A failure prints the failed seeds with the reasons, and the
+/// interval of the true rate (Wilson's, 95 %). It also prints the command that replays the first failed run.
 ///
 /// ROBOSIM_JOBS=N runs N trials at a time (default: the number of processors); the result is the same. Throws
-/// the same exceptions as Simulation, and InputError if these seeds are too few to show the rate.
+/// the same exceptions as Simulation, and InputError if these seeds are too few to prove the rate.
 ::testing::AssertionResult success_rate(const Trial& trial, MinimumRate least,
                                         const std::vector<std::uint64_t>& seeds);
 

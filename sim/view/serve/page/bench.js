@@ -1,7 +1,7 @@
-// The form above a replay. It requests a run from the server, and shows the run's page below. Pressing a button,
-// or sending a text, adds a line to the script at the shown time, and repeats the run. Equal input gives an
-// equal run, so that everything before that time is unchanged. A run that is watched live receives the line
-// at once.
+// Implements the form of `robosim serve`. The form requests a run from the server, and shows the run's page
+// below. Pressing a button, or sending a text, adds a line to the script at the shown time, and repeats the
+// run. Equal input gives an equal run, so that everything before that time is unchanged. A run that is
+// watched live receives the line at once.
 
 import { put } from '/drop.js';
 import { Editor } from '/editor.js';
@@ -257,7 +257,8 @@ function choose(key, value) {
   throw new Error(isFile ? `Unknown ${key} in the link: expected one in this folder or one that comes with Robosim, got ${value}.` : `Invalid ${key} in the link: ${value}.`);
 }
 
-/** Applies a link: /#sketch=./Follower&map=oval&run=1 chooses, and runs; live=1 watches. */
+/** Applies a link such as /#sketch=./Follower&map=oval&run=1. It sets fields of the form. run=1 starts a run;
+ *  live=1 starts a run and watches it live. */
 async function follow() {
   const where = new URLSearchParams(location.hash.slice(1));
   for (const [key, value] of where) {

@@ -1,5 +1,5 @@
-// Saves files that are dropped on the page, or chosen, in the folder. Replaces existing files only on
-// request.
+// Saves files that the user has dropped on the page, or selected, in the served folder. Replaces existing
+// files only on request.
 
 import { post } from '/watch.js';
 
@@ -12,7 +12,7 @@ const base64 = (file) => new Promise((done, failed) => {
   reader.readAsDataURL(file);
 });
 
-/** `tell`: { say(sentence, bad), ask(question, yes), listed(), put(place) }. */
+/** Saves files. `tell` has the functions say(sentence, bad), ask(question, yes), listed() and put(place). */
 export async function put(files, tell) {
   for (const file of files) {
     const image = /\.(hex|elf)$/.test(file.name), most = image ? LARGEST_IMAGE_KB : LARGEST_KB;

@@ -1,5 +1,5 @@
-// Draws maps (docs/reference/maps.md). The text is the map: drawing changes the text, and the server
-// interprets the text, as in every run. So everything that only the text can express is kept, and an
+// Lets the user draw maps (docs/reference/maps.md). The text is the map: drawing changes the text, and the
+// server interprets the text, as in every run. So everything that only the text can express stays, and an
 // invalid text stays unchanged.
 
 import { post } from '/watch.js';
@@ -16,8 +16,9 @@ export function parts(text) {
 }
 export const join = ({ front, rows }) => `${front ? `+++\n${front}+++\n` : ''}${rows.map((row) => `${row}\n`).join('')}`;
 
-/** Returns the legend's digit for a tool on a cell with another surface, so that the surface stays; null for a cell
- *  without such a surface. */
+/** Keeps the surface of a cell on which a tool is used, if the legend names the surface. Returns { digit,
+ *  front }: the legend's digit for the tool on this surface, and the settings with this digit. Otherwise
+ *  returns null. */
 export function onSurface(front, found, tool) {
   const words = Object.fromEntries([...(/^\[legend\]\r?\n((?:(?!\[).*\n?)*)/m.exec(front)?.[1] ?? '').matchAll(/^([3-9])\s*=\s*"(.*?)"/gm)].map(([, digit, means]) => [digit, means]));
   const [, kind] = /^(?!floor|line|wall|gap|obstacle)(\w+)/.exec(words[found] ?? '') ?? [];
@@ -29,7 +30,8 @@ export function onSurface(front, found, tool) {
   return digit ? { digit, front: front.replace(/^\[legend\]\r?\n/m, `[legend]\n${digit} = "${means}"\n`) } : null;
 }
 
-/** Returns the segment from a pose to a place: a straight line, or the only possible arc. */
+/** Returns the segment from a pose to a place: a straight line, or the only arc that begins with this
+ *  heading. */
 export function segmentTo({ x, y, heading }, toX, toY) {
   const chord = Math.hypot(toX - x, toY - y);
   let off = Math.atan2(toY - y, toX - x) - heading;
@@ -147,7 +149,7 @@ export class Editor {
   toSheet(x, y) { return [this.left + x * this.scale, this.top + (this.floor.height - y) * this.scale]; }
   /** Shows the whole map. */
   fit() { Object.assign(this, { larger: 1, left: 8, top: 8 }); }
-  /** Zooms, and keeps the place under the pixel there. */
+  /** Zooms around a pixel: the place under this pixel stays there. */
   zoom(factor, px, py) {
     if (!this.floor) return;
     const [x, y] = this.toFloor(px, py);

@@ -19,7 +19,7 @@ function put(page, what, x, y) {
   return `place ${Math.round(x)}mm,${Math.round(y)}mm,${['E', 'NE', 'N', 'NW', 'W', 'SW', 'S', 'SE'][(eighth + 8) % 8]}`;
 }
 
-/** Handles clicks on the floor. `what()`: "robot", "obstacle", or nothing. */
+/** Handles clicks on the floor. `what()` returns the object to place: "robot", "obstacle", or nothing. */
 export function onClicks(page, floor, what, act) {
   let from = null;
   floor.addEventListener('pointerdown', ({ clientX, clientY }) => { from = { clientX, clientY, run: page.run }; });

@@ -1,8 +1,8 @@
-// The script for the next run (docs/reference/scripts.md). With several robots, each has its own, and the
-// text shows the selected robot's script.
+// Stores the script for the next run (docs/reference/scripts.md). If there are several robots, each robot has
+// a script. The text box then shows the script of the selected robot.
 
 export class Scripts {
-  /** `box`: shows the text; `whose`: shows the robot's name, if there are several. */
+  /** `box` shows the text. If there are several robots, `whose` shows the name of the selected robot. */
   constructor(box, whose) { Object.assign(this, { box, whose, names: [], texts: [], number: 0 }); }
 
   /** Uses the scripts of a shown run's robots. */
@@ -25,7 +25,7 @@ export class Scripts {
     if (this.names.length) this.texts[number] = joined(this.texts[number], lines);
     if (!this.names.length || number === this.number) this.box.value = joined(this.box.value, lines);
   }
-  /** Forgets the robots, since the next run is another one. */
+  /** Forgets the robots, because the next run may have other robots. */
   forget() {
     if (this.names.length) this.box.value = this.whose.textContent = '';
     this.names = [];

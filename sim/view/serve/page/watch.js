@@ -22,7 +22,7 @@ const empty = (frame) => new Promise((done) => {
 });
 
 export class Watch {
-  /** `tell`: { say(text), begun(page), did(lines, agent), refused(sentence), gone() }. */
+  /** `tell` has the functions say(text), begun(page), did(lines, agent), refused(sentence) and gone(). */
   constructor(frame, tell) {
     Object.assign(this, { frame, tell, page: null, feed: null, header: null, early: [], asked: Promise.resolve() });
   }

@@ -1,4 +1,5 @@
-// Replaces libdw. Images have no debug information, so messages do not name lines of the sketch.
+// Replaces the reader of debug information, which needs libdw. Images in a tab have no debug information, so
+// messages do not name lines of the sketch.
 #include "sim/exec/elf/debug_info.h"
 
 namespace robosim::exec {

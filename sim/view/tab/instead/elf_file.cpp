@@ -1,5 +1,5 @@
-// Replaces libelf: reads 32-bit little-endian files, such as those for an AVR. target_of_elf() has rejected
-// others.
+// Reads ELF files without libelf. Supports 32-bit little-endian files, such as those for an AVR.
+// target_of_elf() has rejected other files before.
 #include "sim/base/elf/elf_file.h"
 
 #include <elf.h>

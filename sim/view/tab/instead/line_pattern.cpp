@@ -1,4 +1,5 @@
-// Replaces RE2: patterns are only used to drive a run step by step, which a tab cannot do.
+// Replaces the regular expressions of RE2. Only a run that is driven step by step uses them, and a tab has no
+// such runs.
 #include "sim/run/line_pattern.h"
 
 #include "sim/base/error.h"

@@ -1,4 +1,4 @@
-// Replaces libpng.
+// Replaces the reader of PNG files, which needs libpng. Maps with a picture are refused.
 #include "sim/map/png_rows.h"
 
 #include "sim/base/error.h"

@@ -1,4 +1,4 @@
-// Replaces sockets: a tab has no debugger.
+// Replaces the gdb server, which needs sockets. No debugger can connect to a tab.
 #include "sim/exec/gdb/server.h"
 
 namespace robosim::exec::gdb {

@@ -4,8 +4,8 @@ const $ = (id) => document.getElementById(id);
 const ENDING = { map: 'map', robot: 'toml' };
 
 export class TextEditor {
-  /** `textOf(kind)`: returns { name, text } of the choice; `use(kind, { name, bytes })`: replaces it by the user's
-   *  own file. */
+  /** `textOf(kind)` returns { name, text } of the selected map or robot. `use(kind, { name, bytes })` selects
+   *  the edited file instead. */
   constructor(textOf, use) {
     for (const kind of Object.keys(ENDING)) $(`edit-${kind}`).addEventListener('click', () => this.open(kind, textOf(kind), use));
     $('own-text').addEventListener('input', () => { this.file.bytes = new TextEncoder().encode($('own-text').value); });

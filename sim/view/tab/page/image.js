@@ -1,4 +1,5 @@
-// Converts firmware images to the flashed bytes from address 0 on, which make a link as short as possible.
+// Converts firmware images to flash content, the bytes from address 0 on, and back. This content makes a link
+// as short as possible.
 
 const kData = 0, kEnd = 1, kSegment = 2, kUpper = 4;
 const SECOND = 0x800000;  // avr-gcc puts everything outside of flash above it (sim/base/elf/avr_addresses.h)
@@ -10,7 +11,7 @@ const filled = (parts) => {
   return flash;
 };
 
-/** Returns the flash content of an Intel HEX file that has run. */
+/** Returns the flash content of an Intel HEX file. Does not check the file, because it has already run. */
 function ofHex(text) {
   const parts = [];
   let base = 0;
@@ -25,7 +26,8 @@ function ofHex(text) {
   return filled(parts);
 }
 
-/** Returns the flash content of an ELF file that has run; null if it also has content for the EEPROM. */
+/** Returns the flash content of an ELF file; null if the file also has content for the EEPROM. Does not check
+ *  the file, because it has already run. */
 function ofElf(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const parts = [], table = view.getUint32(28, true);

@@ -1,9 +1,9 @@
-// Makes runs with the module (sim/view/tab/run.cpp). Writes the files that a run needs to the module's own file
-// system. This is a plain script, for the worker and for tests without a browser.
+// Runs sketches with the WebAssembly module (sim/view/tab/run.cpp). Writes the files that a run needs to the
+// module's file system. This is a plain script, for the worker and for tests without a browser.
 
 class Bench {
-  /** `robots`: texts of the stock robots by name. `options`: the module's; `reached` is called with the simulated
-   *  seconds. */
+  /** `robots` contains the texts of the stock robots by name. `options` are those of the module; it calls
+   *  `reached` with the simulated seconds. */
   static async make(robots, options) {
     const bench = new Bench();
     bench.module = await robosimModule(options);
@@ -15,8 +15,8 @@ class Bench {
     return bench;
   }
 
-  /** Runs a `request` (docs/reference/runner-protocol.md). `files`: the contents of the files that it names. Returns
-   *  { result } or { error }, and `recording`: the compressed part of a .rec. */
+  /** Runs a `request` (docs/reference/runner-protocol.md). `files` contains the files that the request names.
+   *  Returns { result } or { error }, and `recording`: the content of a .rec before compression. */
   run(files, request) {
     const { FS, cwrap, _robosim_recording, _robosim_recording_size } = this.module;
     for (const name of FS.readdir('/run')) if (FS.isFile(FS.stat(`/run/${name}`).mode)) FS.unlink(`/run/${name}`);

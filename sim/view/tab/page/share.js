@@ -10,8 +10,9 @@ const MAGIC = 'robosim.run/1\n';
 
 const through = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream));
 
-/** Packs a run. `wanted`: the form's values; a user's file is { name, bytes }, otherwise a name. `hash`: the run's
- *  trace hash. Returns null if the image has content outside of flash. */
+/** Packs a run. The first argument has the values of the form. In it, a user's file is { name, bytes }; any
+ *  other file is a name. `hash` is the run's trace hash. Returns null if the image has content outside of
+ *  flash. */
 export async function packed({ sketch, robot, map, ...more }, hash) {
   const text = (own) => typeof own === 'string' ? own : { name: own.name, text: new TextDecoder().decode(own.bytes) };
   const image = typeof sketch === 'string' ? new Uint8Array() : flashOf(sketch.name, sketch.bytes);

@@ -1,5 +1,5 @@
-// The form above a replay, without a server: a worker runs the sketch. The page that `robosim run --record
-// run.html` writes shows the recording.
+// Implements the form above a replay, without a server: a worker runs the sketch. The page that
+// `robosim run --record run.html` writes shows the recording.
 
 import { TextEditor } from './edit.js';
 import { buttonsOf, onClicks, sending, withLine } from './hands.js';
@@ -277,7 +277,8 @@ async function share() {
 
 // ---- begin
 
-/** Applies a link: #sketch=PidFollower&map=oval&run=1 chooses, and runs; #share=… is made by share(). */
+/** Applies a link such as #sketch=PidFollower&map=oval&run=1. It sets fields of the form; run=1 starts a run.
+ *  share() makes links such as #share=… */
 async function follow() {
   const where = new URLSearchParams(location.hash.slice(1));
   if (where.has('share')) await takeShared(ofLink(where.get('share')));

@@ -1,10 +1,10 @@
-// Runs sketches next to the page, so that the page stays responsive: a run is a single call that returns at
-// its end.
+// Runs sketches in a worker, so that the page stays responsive: a run is a single call that returns at the
+// end of the run.
 importScripts('robosim.js', 'runs.js');
 
 const MAGIC = 'robosim.rec/1\n';
 
-/** Returns the bytes of a .rec (docs/reference/recordings.md). */
+/** Returns the bytes of a .rec with this content (docs/reference/recordings.md). */
 async function rec(content) {
   const stream = new Blob([content]).stream().pipeThrough(new CompressionStream('deflate'));
   const packed = await new Response(stream).blob();

@@ -22,7 +22,7 @@ enum class Sense {
   straight,    ///< the line continues
   right_turn,  ///< the line bends to the right
   left_turn,
-  junction  ///< three or four ways; go to the junction to find out which
+  junction  ///< three or four lines meet; drive onto the junction to find their directions
 };
 
 class Cells {
@@ -53,5 +53,5 @@ class Cells {
 
 }  // namespace robosim
 
-/// Your algorithm.
+/// The algorithm, which your file defines.
 extern "C" __attribute__((visibility("default"))) void navigate(robosim::Cells& robot);
