@@ -16,8 +16,8 @@ struct Station {
 
 /// The part of the network that is reachable along the line from one start.
 struct Network {
-  std::vector<Station> stations;  ///< dead ends in the order of their ids, then other named places
-  std::vector<CellAt> junctions;  ///< nodes of degree 3 or 4, in the order of the walk
+  std::vector<Station> stations;    ///< dead ends in the order of their ids, then other named places
+  std::vector<CellAt> junctions;    ///< nodes of degree 3 or 4, in the order of the walk
   std::vector<CellAt> unreachable;  ///< dead ends and named places without an obstacle-free line to the start
   /// The nodes in the order of travel from the start, if the reachable network is one closed loop; else
   /// empty. Each node of a loop has degree 2, or has degree 4 and is crossed straight.

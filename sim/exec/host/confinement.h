@@ -44,8 +44,7 @@ void confine(const CallKey& key, bool has_grown);
 /// Creates the filter that all confined processes share, and measures the memory in use. A call before
 /// processes are forked saves each of these processes a millisecond.
 void prepare_to_confine();
-constexpr std::uint64_t kConfinedMemory = 192
-                                          << 20;  ///< bytes that a process may allocate after confine()
+constexpr std::uint64_t kConfinedMemory = 192 << 20;  ///< bytes that a process may allocate after confine()
 
 /// Call read() and write() with the key, which the kernel requires in a confined process.
 long keyed_read(int fd, void* data, std::size_t bytes);

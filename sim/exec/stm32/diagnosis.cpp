@@ -155,7 +155,8 @@ Activity Diagnosis::activity() const {
   if (activity.call.starts_with("digitalRead") || activity.call.starts_with("pulseIn"))
     activity.pin = ports.last_read();
   const Clock& clock = machine_.bus().link().clock;
-  if (clock.now - ports.last_read_at() <= clock.hz()) activity.polled = machine_.bus().link().reads.only_pin();
+  if (clock.now - ports.last_read_at() <= clock.hz())
+    activity.polled = machine_.bus().link().reads.only_pin();
   activity.where = where_now();
   activity.stopped_by = stopped_by();
   return activity;
