@@ -401,7 +401,7 @@ NextStep next_step(const Evidence& e) {
     text += ": it has no motors";
   else if (low.empty() && never_output.empty())
     text += "; its motor pins were driven, but not strongly or long enough to turn the wheels";
-  const Pin pin = awaited_pin(e);
+  const Pin pin = e.verdict == Verdict::crashed ? kNoPin : awaited_pin(e);
   if (pin == kNoPin) return {text};
   text +=
       fmt::format("; the sketch waits for {}, which is {}", pin_name(e, pin), e.pin_level ? "HIGH" : "LOW");

@@ -66,7 +66,7 @@ void WatchdogMargin::watchdog_resets(std::uint8_t flags) {
       seen.what =
           fmt::format("the watchdog was not reset within its timeout of {:.0f} ms, and reset the chip",
                       1e3 * seconds_of(power));
-      seen.mend = mended(power);
+      seen.mend = "Use a longer timeout, or call wdt_reset() within the code that takes so long.";
       seen.where = program_.diagnosis().sketch_line();
       seen.first_s = now_s();
     } else {

@@ -42,7 +42,7 @@ TEST_F(WatchdogMarginTest, IsOverrunWhereItBites) {
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].detector, "watchdog_bite");
   EXPECT_THAT(found[0].what, HasSubstr("was not reset within its timeout of 256 ms, and reset the chip"));
-  EXPECT_THAT(found[0].mend, HasSubstr("wdt_enable(WDTO_500MS)"));
+  EXPECT_THAT(found[0].mend, HasSubstr("Use a longer timeout, or")) << "the code may take any longer time";
   EXPECT_EQ(found[0].where.file, "Test.ino");
   EXPECT_EQ(found[0].where.line, 3);
   EXPECT_EQ(found[0].times, 1);

@@ -353,6 +353,7 @@ TEST_F(Explain, AButtonThatIsWaitedForComesWithTheLineThatPressesIt) {
               EndsWith("the sketch waits for pin 4 (button \"start\"), which is HIGH: "
                        "press it with this line in a script: at 1s press start 200ms"));
   EXPECT_EQ(next_step(e).by, NextStep::By::script);
+  EXPECT_THAT(next(Verdict::crashed), Not(HasSubstr("waits for"))) << "it waits for nothing any more";
 }
 
 TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
