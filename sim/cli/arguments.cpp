@@ -26,6 +26,7 @@
 #include "sim/cli/sweep/sweep_arguments.h"
 #include "sim/launch/names.h"
 #include "sim/map/generator.h"
+#include "sim/result/detector_names.h"
 
 namespace robosim::cli {
 namespace {
@@ -67,10 +68,21 @@ void refuse_for_fleet(const RunArguments& run) {
          "prints what only one sketch sends; run that robot alone, or read it in --json");
 }
 
+/// Returns the names of all detectors, for the help of `run`.
+std::string detector_names() {
+  std::string text;
+  for (const result::DetectorName& one : result::kDetectorNames)
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", one.name);
+  return text;
+}
+
 Command parse_run(const Words& words) {
   RunArguments run;
   std::string speed, port;
-  Options options("run", "run a sketch on a robot on a map and judge the run");
+  Options options(
+      "run", "run a sketch on a robot on a map and judge the run",
+      fmt::format("With --sanitize, a run also reports these findings (docs/howto/sanitizers.md): {}.",
+                  detector_names()));
   options.text("--map", run.map, "MAP", kMapHelp, PossibleValues::map());
   FleetOptions robots(options, run);
   RunOptions shared(options, run);

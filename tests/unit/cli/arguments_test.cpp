@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/error.h"
+#include "sim/result/detector_names.h"
 #include "tests/support/readable.h"
 
 namespace robosim::cli {
@@ -122,6 +123,8 @@ TEST(Arguments, HelpAndVersionAreTexts) {
   EXPECT_THAT(parsed<PrintText>({"--version"}).text, HasSubstr("robosim 0."));
   EXPECT_THAT(parsed<PrintText>({"--help"}).text, HasSubstr("Exit status"));
   EXPECT_THAT(parsed<PrintText>({"run", "--help"}).text, HasSubstr("--profile PROFILE"));
+  for (const result::DetectorName& one : result::kDetectorNames)
+    EXPECT_THAT(parsed<PrintText>({"run", "--help"}).text, HasSubstr(std::string(one.name)));
   EXPECT_THAT(parsed<PrintText>({"map", "show", "--help"}).text, HasSubstr("--start X,Y,DIR"));
   EXPECT_THAT(parsed<PrintText>({"robot", "show", "-h"}).text, HasSubstr("ROBOT"));
 }
