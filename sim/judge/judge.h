@@ -60,11 +60,10 @@ class Judge {
     Vec2 position;
   };
   const std::optional<Seen>& line_last_seen() const { return line_seen_; }
-  /// Returns the time since which a stuck robot has been driven without moving by kStuckMove or turning by a
-  /// degree, or has been pushing.
+  /// Returns the time since which a stuck robot has been driven without moving, or has been pushing.
   SimTime stuck_since() const { return pushes_ ? pushed_at_ : anchored_at_; }
-  /// Returns whether the robot is stuck because it has pushed against an obstruction for kPushedAfter, without
-  /// leaving its place or turning by 30 degrees.
+  /// Returns whether the robot is stuck because it has pushed against an obstruction for kPushedAfter. During
+  /// this time it has neither left its place nor turned by 30 degrees.
   bool pushes() const { return pushes_; }
   /// Return the time when the axle arrived at its present place, and the place.
   SimTime in_one_place_since() const { return place_since_; }

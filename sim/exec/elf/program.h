@@ -14,7 +14,7 @@ namespace robosim::exec {
 /// Returns `content` if it is an ELF file for `target`. Otherwise throws InputError, which names `file`.
 std::string content_for(std::string_view target, std::string content, const std::string& file);
 
-/// Throws InputError if the file is not a linked program, but for example an object file.
+/// Throws InputError if the file is not a linked program. Object files, for example, are not.
 void check_program(const ElfFile& elf);
 
 /// The bytes to flash.

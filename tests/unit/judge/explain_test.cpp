@@ -229,7 +229,7 @@ TEST_F(Explain, ARobotThatDrivesOnUntilItsTimeIsUpDoesNotDriveInOnePlace) {
 
 TEST_F(Explain, ARobotThatStandsAfterItsDriveIsSaidToWithWhatItsSketchWaitsFor) {
   e.activity.call = "digitalRead(4)";
-  e.activity.pin = 4;
+  e.activity.pin = e.activity.polled = 4;
   robot_is_at(2 * kSecond, {3, 1}, true, true);
   robot_is_at(11900 * kMillisecond, {3, 1}, true, false);
   EXPECT_THAT(why(Verdict::timeout),
