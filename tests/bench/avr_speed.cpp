@@ -1,4 +1,4 @@
-// Measures the emulated chip's speed as a multiple of real time, on one core.
+// Measures the AVR emulator: its speed as a multiple of real time, on one core, and the cost of a snapshot.
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>
@@ -43,8 +43,8 @@ void whole(benchmark::State& state, const std::filesystem::path& sketch) {
   report(state);
 }
 
-// Runs the chip alone, with open pins, in steps of `range` milliseconds. Steps of 1 ms are those of the
-// lockstep with the world; steps of 1000 ms have almost no overhead.
+// Runs the chip without a robot, with open pins, in steps of `range` milliseconds. A whole simulation runs
+// the chip in steps of 1 ms. Steps of 1000 ms have almost no overhead.
 void chip(benchmark::State& state, const std::filesystem::path& sketch) {
   const auto image = image_of(sketch);
   const SimTime step = state.range(0) * kMillisecond;
@@ -57,7 +57,7 @@ void chip(benchmark::State& state, const std::filesystem::path& sketch) {
   report(state);
 }
 
-// A whole simulation, stopped after its first second.
+// A whole simulation that has run for one second.
 class Midway {
  public:
   Midway() : executor_(*robot_.board, image_of(build::find_sketch("PidFollower"))), simulation_(setup_) {

@@ -29,7 +29,7 @@ constexpr std::size_t kChunk = 256 * 1024;
 
 enum Form : std::int64_t { digits, displayed };
 
-// A comb: a trunk down the middle and a branch in every fourth row, enclosed by walls.
+// A map file in the form of a comb: a trunk down the middle, a branch in every fourth row, and walls around.
 class LargeMap {
  public:
   explicit LargeMap(Form form)

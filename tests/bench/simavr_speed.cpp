@@ -1,6 +1,7 @@
-// Measures the speed relative to libsimavr. A whole run with robot and world alternates with a bare loop of
-// avr_run() over the same ELF file. The times vary by a factor of two between machines and hours, but their
-// ratio varies less. `robosim_bench_avr --benchmark_filter=libsimavr` prints the median of the ratio.
+// Measures Robosim's speed relative to libsimavr. A whole run, with robot and world, alternates with a bare
+// loop of avr_run() over the same ELF file. The times vary by a factor of two between machines and hours, but
+// their ratio varies less. This command prints the median of the ratio:
+// `robosim_bench_avr --benchmark_filter=libsimavr`.
 extern "C" {
 #include <simavr/avr_uart.h>
 #include <simavr/sim_avr.h>

@@ -39,7 +39,7 @@ void whole(benchmark::State& state, const char* board, const std::filesystem::pa
   state.counters["times_real_time"] = benchmark::Counter(seconds, benchmark::Counter::kIsRate);
 }
 
-// A whole simulation, stopped after its first second.
+// A whole simulation that has run for one second.
 class Midway {
  public:
   Midway() : executor_(*robot_.board, image()), simulation_(setup_) { simulation_.run_until(kSecond); }

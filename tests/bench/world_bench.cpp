@@ -83,8 +83,9 @@ void floor_coverage_square(benchmark::State& state) { coverage(state, 0.0, false
 BENCHMARK(floor_coverage_square);
 void floor_coverage_round(benchmark::State& state) { coverage(state, 0.15, false); }
 BENCHMARK(floor_coverage_round);
-// Reads a 3.2 m x 2.2 m loop as a path. `paint` contains keys of the map for one long side and two bends.
-// `marks` is the number of marks next to the line.
+// Measures reading the floor of a 3.2 m x 2.2 m loop that the map describes as a path. `paint` contains
+// additional TOML keys (width, colour, wear) for one long side and two bends. `marks` is the number of marks
+// next to the line.
 void read_path(benchmark::State& state, const std::string& paint, int marks = 0) {
   const std::string bend = "{ radius = \"150 mm\", angle = \"90 deg\"";
   std::string beside;
@@ -121,7 +122,7 @@ BENCHMARK(floor_worn);
 void floor_coverage_raster(benchmark::State& state) { coverage(state, 0.0, true); }
 BENCHMARK(floor_coverage_raster);
 
-// Measures the distance along the line, at points within 15 mm of its centre.
+// Measures one query of the distance to the line, at points along the line and within 15 mm of its centre.
 void distance_to_line(benchmark::State& state, double corner_m) {
   const map::Map map = loop_map(corner_m);
   const world::Floor floor(map);

@@ -137,8 +137,8 @@ inline Driver& browser() {
   return driver;
 }
 
-/// Opens a run's page from disk, and returns the result of `body`. In the body, `page` is the page's own
-/// object, or null if there is no run.
+/// Opens a run's page from disk, and returns the result of `body`. In the body, `page` is the page's
+/// JavaScript object `window.robosim`, or null if the page has no run.
 inline nlohmann::json in_page(const std::filesystem::path& page, const std::string& body, int width = 1400,
                               int height = 900) {
   browser().open("file://" + page.string(), width, height);

@@ -1,4 +1,5 @@
-// Opens the recording for the tests of the page in a browser.
+// Provides the fixture of the tests of a recording's page, run.html: records one run for all tests of a
+// program.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@
 
 namespace robosim::test {
 
-/// A suite that several files share, so that its cases share a browser and a recording.
+/// A suite that several test files share, so that its cases share a browser and a recording.
 class Page : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {

@@ -1,4 +1,4 @@
-// Tests the page's messages for broken files.
+// Tests the messages of a recording's page (`robosim run --record run.html`) for broken files.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST_F(Page, SaysInOneSentenceThatItsRecordingIsBroken) {
   }
 }
 
-// The file ends within the page's style, recording or program. The page's own code then does not run.
+// Cuts the page's file off within its style sheet, its recording or its script. The script then does not run.
 TEST_F(Page, SaysThatItIsCutOff) {
   const std::string good = read_file(file());
   const std::size_t begins = good.find("octet-stream\">") + 14;

@@ -1,4 +1,4 @@
-// Tests the drawing of the page's floor.
+// Tests how a recording's page (`robosim run --record run.html`) draws the floor, and what is on the floor.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -132,7 +132,7 @@ TEST_F(Page, DrawsTheGraphThatTheSketchTellsAsItGrows) {
                                        "--script", "scan.script", "--record", "scan.html"},
                                       folder->path());
   ASSERT_EQ(ended.status, 0) << ended.err;
-  // A node is drawn in the graph's colour only after it was reported.
+  // A node is drawn in the graph's colour only after the sketch reported the node.
   const Json shown = in_page(*folder / "scan.html", R"(
     const { nodes, edges } = page.run.told, { height, cell } = page.run.floor;
     const stations = page.run.started.stations.map((s) => [s.name, (s.x + 0.5) * cell, height - (s.y + 0.5) * cell]);

@@ -1,4 +1,5 @@
-// Tests the page's pictures.
+// Takes pictures of a recording's page (`robosim run --record run.html`), and compares those of the
+// documents.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +11,8 @@ namespace page_pictures_test {
 
 using Json = nlohmann::json;
 
-// Takes pictures for people to look at: a wide screen and a phone's, light and dark.
+// Takes pictures for people to look at: of a wide screen with the light theme, and of a phone with the dark
+// one.
 TEST_F(Page, IsPhotographed) {
   const std::filesystem::path pictures = ROBOSIM_PICTURES;
   for (const char* tab : {"plots", "pins", "serial", "events", "wiring"}) {

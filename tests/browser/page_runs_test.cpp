@@ -1,4 +1,4 @@
-// Tests several runs on one page: a second run over the first, and several robots.
+// Tests a recording's page (run.html) with several runs: a second run over the first, and several robots.
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -244,7 +244,7 @@ TEST_F(Page, FitsAPhoneAndNamesEveryButton) {
   }
 }
 
-// The page of robosim serve is hidden while the compiler's messages are shown.
+// `robosim serve` hides a run's page while the page of the server shows the compiler's messages.
 TEST_F(Page, IsDrawnAgainAfterItWasHidden) {
   const Json scales = in_page(file(), R"(
     const shown = page.view.scale;

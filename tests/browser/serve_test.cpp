@@ -77,7 +77,7 @@ TEST_F(Serve, SendsTextsToASketchOfTheFolder) {
   EXPECT_THAT(lines, Contains("say \"hi\""));
 }
 
-// The run is not slowed to real time, so that the test need not wait.
+// Runs faster than real time, so that the test does not wait.
 TEST_F(Serve, WatchesARunWhileItRuns) {
   const Json seen = in_page("sketch=./Echo&map=oval&robot=uno5&seconds=3000&live=1", R"(
     await until(() => shown()?.run.live && shown().player.playing);
@@ -120,8 +120,8 @@ TEST_F(Serve, WatchesARunWhileItRuns) {
   EXPECT_EQ(seen["kept"], seen["lines"]) << "the run's recording is displayed at the end";
 }
 
-// Runs two robots from a file, PidFollower and Echo, on one line. The second robot is controlled. Then both
-// robots are watched as they drive.
+// Runs two robots from a file, PidFollower and Echo, on one line. Sends a text to the second robot, first in
+// a recorded run, and then in a live run.
 TEST_F(Serve, RunsSeveralRobotsAndActsOnTheOneThatIsLookedAt) {
   folder_.write("two.toml",
                 "map = \"oval\"\n[[agent]]\nname = \"A\"\nsketch = \"PidFollower\"\ngoal = \"none\"\n"
@@ -347,7 +347,7 @@ TEST_F(Serve, SaysThatItsServerIsGone) {
       in_page("sketch=./Echo", R"(await until(() => document.documentElement.dataset.ready); return 1;)");
   EXPECT_EQ(state, 1);
   EXPECT_TRUE(server_->end().ok());
-  // Notifies both users who only watch, and users who start a run.
+  // The message appears for users who only watch, and for users who start a run.
   for (const char* deed : {"", "$('state').textContent = ''; $('run').click();"})
     EXPECT_THAT(
         browser()

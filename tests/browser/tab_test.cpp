@@ -1,4 +1,5 @@
-// Tests the page in a tab (docs/howto/tab.md), from a plain file server and offline.
+// Tests the web page that runs Robosim in the browser as WebAssembly (docs/howto/tab.md), from a plain file
+// server and offline.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +13,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Json = nlohmann::json;
 
-// Helpers of the page's tests: pass a file to the page, run a sketch, and wait for a message or a displayed
-// run.
+// JavaScript functions for the tests: they pass a file to the page, run a sketch, and wait for a message or a
+// displayed run.
 constexpr const char* kTab = R"(
   const shown = () => $('replay').contentWindow?.robosim;
   const give = async (name, content) => {

@@ -39,7 +39,7 @@ class Bench final : public avr::ChipEnvironment {
   std::map<int, double> pin_voltages;  ///< by pin with an analog voltage; other pins use their level
   std::map<int, PinDrive> drives;      ///< how the chip drives each pin
   std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;
-  std::vector<std::pair<avr::Cycle, int>> samples;        ///< converted channels, with times
+  std::vector<std::pair<avr::Cycle, int>> samples;        ///< time and channel of each ADC conversion
   std::map<int, bool> listens_to;                         ///< whether the chip requests a pin's edges
   std::vector<std::pair<avr::Cycle, avr::Cycle>> frames;  ///< time, and the frame duration from then on
   std::vector<std::uint8_t> reported;

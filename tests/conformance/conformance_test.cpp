@@ -1,4 +1,5 @@
-// Runs each program of tests/conformance/avr on the core, and compares its report with the data sheet.
+// Runs each program of tests/conformance/avr on Robosim's emulated AVR, and compares its report with the data
+// sheet.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
-// robosim_conformance [FILE]: runs each program on Robosim's core and on the referees, and prints the table.
-// With FILE, writes the table into that file, between the lines "<!-- table -->" and "<!-- end -->".
+// robosim_conformance [FILE]: runs each program of tests/conformance/avr on Robosim's emulated AVR and on
+// other emulators (referees.h), and prints a table of the results. With FILE, writes the table into that
+// file, between the lines "<!-- table -->" and "<!-- end -->".
 #include <fmt/format.h>
 
 #include <cstdio>

@@ -31,8 +31,8 @@ const ChipSpec& chip_named(const std::string& name);
 /// or expectation.
 std::vector<Program> programs_in(const std::filesystem::path& folder);
 
-/// Returns the program's flash, compiled by avr-gcc for a chip ("atmega328p"). Throws std::runtime_error with
-/// the compiler's message.
+/// Compiles the program by avr-gcc for a chip ("atmega328p"), and returns the content of its flash. Throws
+/// std::runtime_error with the compiler's message.
 std::vector<std::uint8_t> compile(const Program& program, const std::string& chip);
 
 /// Formats bytes in hexadecimal, such as "05 .. ff"; ".." is a byte that may have any value.

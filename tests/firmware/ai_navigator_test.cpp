@@ -117,7 +117,7 @@ TEST_P(AiNavigator, NoticesThatItsMapIsDamaged) {
 TEST_P(AiNavigator, DoesNotTrustAPlaceThatIsDamaged) {
   constexpr int kPlace = 1021;
   scan();
-  robot().act("fault eeprom flip " + std::to_string(kPlace) + " 1");  // the place is now another station
+  robot().act("fault eeprom flip " + std::to_string(kPlace) + " 1");  // names another station as the place
   robot().power_off(200_ms);
   ASSERT_TRUE(robot().run_until(serial_says("I do not know where I am"), within(2_s)));
 }
@@ -172,7 +172,7 @@ TEST(AiNavigatorsMemory, NeverHoldsAWrongGraphWhereverThePowerIsCut) {
     ASSERT_TRUE(robot.run_until(serial_says("destination?") || asks_for_a_scan, within(2_min)));
     const std::vector<std::uint8_t> eeprom = robot.eeprom();
     const std::vector<std::uint8_t> map(eeprom.begin(), eeprom.begin() + kEndOfMap);
-    if (whole.empty()) whole = map;  // map of the run without a power cut
+    if (whole.empty()) whole = map;  // the first run is without a power cut
     const Graph kept = explored(eeprom);
     if (kept.nodes.empty()) {
       EXPECT_THAT(robot, Not(SerialSays("I have a map")));

@@ -54,7 +54,8 @@ _________________
 _________________
 )";
 
-/// Adds a third junction, with a station, on the longer route of 20 cells. The straight route has 12 cells.
+/// Two junctions, connected by two routes: 12 cells straight on, or 20 cells via the south. The longer route
+/// has a third junction, from which a line leads to a station.
 inline constexpr const char* kWideRing = R"(+++
 name = "wide ring"
 +++
@@ -95,8 +96,8 @@ ____________________________
 ____________________________
 )";
 
-/// Two routes from junction 1 to junction 2, as in kRing. Station 3 is to the left of junction 1. Seen from
-/// station 1, its line leaves the junction sideways.
+/// Two routes from junction 1 to junction 2, as in kRing. A line leads from junction 1 to station 3. A robot
+/// that comes from station 1 must turn left there.
 inline constexpr const char* kRingOfThree = R"(+++
 name = "ring of three"
 +++

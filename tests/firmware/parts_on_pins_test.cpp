@@ -67,7 +67,7 @@ TEST_P(OnPins, ASonarSeesAnObstacleThatIsPutInTheWay) {
   const Drive drive = robot.run_until(serial_says("left"), within(5_s));
   ASSERT_TRUE(drive);
   EXPECT_THAT(drive, NeverCollides());
-  const double before_it = 1050 - 60 - 75;  // pose at which the sensor's front touches the obstacle
+  const double before_it = 1050 - 60 - 75;  // x in mm at which the sensor's front touches the obstacle
   EXPECT_GT(robot.pose().x_mm, before_it - 250) << "the robot stops at a distance of 25 cm";
   EXPECT_LT(robot.pose().x_mm, before_it) << "the robot coasts, but does not touch the obstacle";
 }

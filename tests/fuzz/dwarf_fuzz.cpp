@@ -1,5 +1,5 @@
-// Looks up places, lines and variables in the debug information of an arbitrary ELF file. Corrupt information
-// yields no results or wrong ones, within the bounds of memory and time that libFuzzer sets.
+// Looks up functions, source lines and variables in the debug information of an arbitrary ELF file. Corrupt
+// information yields no results or wrong ones, within the bounds of memory and time that libFuzzer sets.
 #include <sys/mman.h>
 #include <unistd.h>
 

@@ -69,7 +69,7 @@ Server& listen(std::optional<Server>& server, std::uint16_t& port, std::atomic<b
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static std::uint16_t port = kFirstPort;
-  if (size > 1 << 15) return 0;  // what the socket's buffer can store without a reader
+  if (size > 1 << 15) return 0;  // the socket's buffer cannot store more without a reader
   std::atomic<bool> interrupted{false};
   std::optional<Server> server;
   listen(server, port, interrupted);

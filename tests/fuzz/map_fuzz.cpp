@@ -33,7 +33,7 @@ std::string outcome(std::string_view text, std::size_t piece) {
   }
 }
 
-// Checks that a path's stripes are on the path.
+// Checks that each point of a path is on one of the stripes that the map has for the path.
 void use_course(const Map& map, const Start& start) {
   const Path& path = map.course.paths.front();
   if (map.cells.size() > 4096 || map.cell_m < 0.01 || path.length() > 50.0) return;
@@ -55,7 +55,7 @@ void use(const Map& map) {
   try {
     start = default_start(map);
   } catch (const InputError&) {
-    return;  // no line
+    return;  // the map has no line
   }
   const Network network = trace_network(map, start);
   if (start.on_path) return use_course(map, start);

@@ -1,5 +1,6 @@
-// Records arbitrary events of a runner, as a table and as a file of signals in order of time. Reads arbitrary
-// bytes as a sweep's table: either it is rejected with file and line, or each row belongs to the plan.
+// Records arbitrary events of a runner as CSV and as VCD, in which times must not decrease. Reads arbitrary
+// bytes as a recording and as the CSV table of a sweep. A message that rejects a file must name the file.
+// Each row of a valid table must be a run of the sweep.
 #include <fmt/format.h>
 #include <unistd.h>
 

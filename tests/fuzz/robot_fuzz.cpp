@@ -1,5 +1,5 @@
 // Reads arbitrary bytes as a robot file. Either the file is rejected with a message, or it describes a robot
-// with a body.
+// whose body can be simulated.
 #include <cstddef>
 #include <cstdint>
 #include <string_view>

@@ -1,5 +1,5 @@
-// Reads arbitrary bytes as files of values: TOML (checks.toml, front matter), rows of tables, and coverage
-// data.
+// Reads arbitrary bytes as TOML (checks.toml, a map's front matter), as a row of CSV, as an archive of
+// several files (sim/base/archive.h), and as UTF-8.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,3 +1,6 @@
+// Generates hostile folders of sketches: odd names, links, special files, huge files, project files,
+// includes, assembly code and libraries. Other inputs exhaust the compiler, forge its messages, or are
+// hostile map and robot files.
 #include <fmt/format.h>
 
 #include <utility>
@@ -12,7 +15,8 @@ using Entries = std::vector<Entry>;
 const std::string kBody = "void setup() {}\nvoid loop() { delay(1); }\n";
 const std::string kS = kSecretHere;
 
-/// Marks a repeated text. It is expanded only when its file is written, because all files together are large.
+/// Returns a short code for a text that is repeated `times` times. When a file is written, written_out()
+/// expands the code. The expanded texts of all inputs together would need too much memory.
 std::string repeated(const std::string& text, int times) {
   return fmt::format("\x02{}\x03{}\x04", times, text);
 }

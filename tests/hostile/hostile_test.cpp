@@ -292,8 +292,8 @@ void try_input(const char* suite, const Input& input) {
     if (is_sketch) words.emplace_back("--serial");
     modes.emplace_back(target + (untrusted ? " --untrusted" : ""), words);
   };
-  // Without --untrusted, a settings file may be a link, and name folders of libraries or a robot's base
-  // anywhere.
+  // Without --untrusted, a settings file may be a link. It may also name library folders, or the robot's
+  // base, outside of the sketch's folder.
   const bool names_others = input.mechanism == "link_as_settings" ||
                             (input.mechanism == "platformio" && input.variant == "libraries") ||
                             (input.mechanism == "robot" && input.variant == "base");
@@ -366,7 +366,7 @@ class Server {
     if (::read(output.read.get(), text, sizeof text) <= 0) throw std::runtime_error("no server");
     output_ = std::move(output.read);
   }
-  /// The port is chosen before the server starts, because requests name it.
+  /// Returns the server's port. It is chosen before the server starts, because requests name the port.
   static int port() {
     static const int number = QuietPort().number();
     return number;

@@ -21,8 +21,8 @@ enum class Kind { file, folder, link, hard_link, pipe, socket, device, sparse };
 
 struct Entry {
   std::string path;     ///< below the sketch's folder, which is called S
-  std::string content;  ///< of a file ("\2TIMES\3TEXT\4" stands for a repeated text); a link's target; the
-                        ///< number of zero bytes of a sparse file
+  std::string content;  ///< text of a file ("\2TIMES\3TEXT\4" stands for a repeated text), target of a link,
+                        ///< or number of zero bytes of a sparse file
   Kind kind = Kind::file;
 };
 
@@ -32,7 +32,7 @@ struct Input {
   std::string mechanism, variant;
   std::vector<Entry> entries;
   Target target = Target::both;
-  bool compiles = false;     ///< whether it must compile: a sketch that does not compile tests nothing
+  bool compiles = false;     ///< whether the sketch must compile; otherwise the input would test nothing
   bool on_terminal = false;  ///< whether output goes to a terminal, including the serial text
 };
 
@@ -40,9 +40,9 @@ inline std::ostream& operator<<(std::ostream& out, const Input& input) {
   return out << input.mechanism << "/" << input.variant;
 }
 
-/// Sketches that compile, and attack while they are loaded or run.
+/// Returns sketches that compile, and attack while they are loaded or run.
 std::vector<Input> sketches();
-/// Folders that attack every program that reads or compiles them.
+/// Returns folders that attack every program that reads or compiles them.
 std::vector<Input> folders();
 
 struct HostileRequest {
@@ -55,7 +55,7 @@ inline std::ostream& operator<<(std::ostream& out, const HostileRequest& request
   return out << request.mechanism << "/" << request.variant;
 }
 
-/// `host` is the server's name and port, as the server expects them.
+/// Returns hostile requests. `host` is the name and port that the server expects in the Host header.
 std::vector<HostileRequest> requests(const std::string& host);
 
 }  // namespace robosim::hostile

@@ -1,3 +1,4 @@
+// Generates hostile HTTP requests to `robosim serve`.
 #include <fmt/format.h>
 
 #include <utility>
@@ -23,7 +24,8 @@ class Requests {
            bool stays_open = false) {
     all_.push_back({mechanism, variant, std::move(parts), stays_open});
   }
-  /// Returns a request's first line, Host header and `lines`: header lines, each with its end.
+  /// Returns the head of a request: the line `first`, the Host header, and `lines`. `lines` are more header
+  /// lines, each with its CR LF.
   std::string head(const std::string& first, const std::string& lines = "") const {
     return fmt::format("{} HTTP/1.1\r\nHost: {}\r\n{}\r\n", first, host_, lines);
   }

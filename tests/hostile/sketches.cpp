@@ -1,3 +1,5 @@
+// Generates hostile sketches. Each sketch makes a forbidden library call or system call, or another attack.
+// The attack happens in setup(), or when the sketch is loaded.
 #include <fmt/format.h>
 #include <seccomp.h>
 
@@ -7,8 +9,8 @@
 namespace robosim::hostile {
 namespace {
 
-/// The beginning of every sketch. P is the path of the secret, B a buffer whose text is sent after the
-/// attack.
+/// The beginning of every sketch for the host. P is the path of the secret file. B is a buffer, whose text
+/// the sketch sends by Serial after the attack.
 constexpr const char* kBeginning = R"(#define P "@SECRET@"
 static long B[2048];
 extern "C" { long c_syscall(...) __asm__("syscall"); long c_write(int, const void*, unsigned long) __asm__("write");

@@ -20,7 +20,7 @@ class MemoryOfTree {
  public:
   explicit MemoryOfTree(pid_t root) : root_(root) {}
   void look();
-  std::size_t largest_kb() const { return largest_kb_; }  ///< of the process with the highest peak
+  std::size_t largest_kb() const { return largest_kb_; }  ///< highest peak of a single process
   std::size_t sum_kb() const { return sum_kb_; }          ///< highest sum over all processes at one moment
 
  private:

@@ -1,5 +1,6 @@
-// Runs the Arduino library's unit tests (tests/unit/nav, tests/unit/firmware) with sanitizers against a
-// Stage's copy of the library. An engineer of the library would also run them, after the suite of sketches.
+// Runs the Arduino library's unit tests (tests/unit/nav, tests/unit/firmware) with sanitizers. The tests run
+// against a copy of the library in which a bug was inserted (stage.h). An engineer who works on the library
+// would also run these tests, after the tests of the sketches.
 #pragma once
 
 #include <filesystem>

@@ -87,7 +87,7 @@ std::vector<const Bug*> chosen(const std::vector<Bug>& all, const Arguments& arg
   return bugs;
 }
 
-/// Calls `task(stage, i)` for each i below `count`, several calls at a time.
+/// Calls `task(stage, i)` for each i below `count`, with one thread for each stage.
 template <typename Task>
 void for_each(std::size_t count, std::vector<Stage>& stages, Task task) {
   std::atomic<std::size_t> next = 0;

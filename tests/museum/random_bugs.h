@@ -27,14 +27,14 @@ struct Attempt {
   };
   mutate::Mutation bug;
   Ending ending = Ending::survived;
-  std::string by;       ///< "host: PidFollower.StartsAtOnce"
+  std::string by;       ///< the target and test that found the bug: "host: PidFollower.StartsAtOnce"
   std::string library;  ///< the unit test that finds a bug that is `survived` or `unobserved`; empty = none
 };
 
 const char* word(Attempt::Ending ending);
 
-/// Inserts one bug, and runs the targets and then the library's tests until one of them finds it. `unchanged`
-/// is the suite's result on the host without the bug.
+/// Inserts one bug. Runs the suite on each target, and then the library's unit tests, until a test finds the
+/// bug. `unchanged` is the suite's result on the host without the bug.
 Attempt attempt(Stage& stage, const LibraryTests& library, const mutate::Mutation& bug,
                 const std::vector<std::string>& targets, const TestRun& unchanged);
 

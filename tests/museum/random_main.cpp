@@ -3,10 +3,10 @@
 //
 //   robosim_random_bugs [--count N] [--seed N] [--targets host,avr,stm32] [--jobs N]
 //
-// Tries N bugs (20) that compile and change a run. The suite runs on the host against a copy of the firmware
-// with the bug. If the suite finds nothing, it runs on each chip, and then the library's unit tests run.
-// Prints one line per bug to standard error, and the totals to standard output. The same seed draws the same
-// bugs.
+// Tries N bugs (default 20) that compile and change a run. The suite runs on the host against a copy of the
+// firmware with the bug. If no test fails, the suite runs on each chip, and then the library's unit tests
+// run. Prints one line per bug to standard error, and the totals to standard output. The same seed draws the
+// same bugs.
 #include <fmt/format.h>
 #include <stdlib.h>
 

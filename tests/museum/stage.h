@@ -1,4 +1,5 @@
-// A copy of the firmware for inserting bugs, which the suite of tests/firmware runs against.
+// Manages a copy of the firmware. The caller inserts bugs into the copy, and runs the suite of tests/firmware
+// against it.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +15,7 @@ namespace robosim::museum {
 
 using mutate::TestRun;
 
-/// Selects the tests of a target to run.
+/// Selects the target and the test suites to run.
 struct Choice {
   std::string target;              ///< "host", "avr", "stm32"
   std::vector<std::string> words;  ///< only suites with one of these words in their names; empty = all
@@ -37,7 +38,7 @@ class Stage {
   std::string complaint(const Bug& bug) const;
   /// Changes the firmware. Throws InputError if the patch does not apply.
   void spoil(const Bug& bug);
-  /// Applies edits. They name files relative to the source tree.
+  /// Applies edits, which name files relative to the source tree.
   void spoil(const std::vector<mutate::Edit>& edits);
 
   /// Runs tests until one fails. Throws as mutate::run_tests does.

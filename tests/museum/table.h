@@ -17,7 +17,7 @@ struct Result {
   };
   const Bug* bug = nullptr;
   std::vector<Catch> catches;  ///< empty: the bug survived
-  double seconds = 0.0;        ///< until the last catch
+  double seconds = 0.0;        ///< wall time of all tests that ran for this bug
   std::string trouble;         ///< why the bug could not be tried; empty = it was tried
 
   bool caught() const { return !catches.empty(); }

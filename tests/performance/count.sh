@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# count.sh performance|performance_table BUILD: counts the instructions of fixed pieces of work with valgrind's
-# callgrind. Compares the counts with the table of docs/explanation/performance.md, or writes them into it.
-# Status 1: a count is more than 2 % above the table's.
+# count.sh performance|performance_table BUILD: counts the instructions of fixed pieces of work with
+# valgrind's callgrind. Compares the counts with the table of docs/explanation/performance.md, or writes them
+# into it. Status 1: a count is more than 2 % above the table's.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 page=$here/../../docs/explanation/performance.md
 way=$1
 build=$(readlink -f "$2")
-work=$(mktemp -d)  # its path is as long in every checkout; the count grows with the length
+work=$(mktemp -d)  # the length of this path, which changes the count, is equal in every checkout
 trap 'rm -rf "$work"' EXIT
 tolerance=2  # per cent
 
@@ -22,8 +22,8 @@ fi
 # cannot write.
 clean() { env -i PATH=/usr/bin:/bin HOME="$work" XDG_CACHE_HOME="$work/cache" TMPDIR="$work" ROBOSIM_SANDBOX=off "$@"; }
 
-# Runs a command, and prints a line "PROGRAM INSTRUCTIONS" for each of its processes. A fork's count includes
-# the instructions before the fork.
+# Runs a command, and prints a line "PROGRAM INSTRUCTIONS" for each of its processes. The count of a forked
+# process includes the instructions before the fork.
 trace() {  # COMMAND...
   rm -f "$work"/out.*
   clean valgrind --tool=callgrind --trace-children=yes ${counted_from:+"--zero-before=$counted_from"} --callgrind-out-file="$work/out.%p" "$@" >"$work/stdout" 2>"$work/stderr" || {
@@ -64,8 +64,8 @@ swept() {  # SEEDS
     awk '{ sum += $2 } END { printf "%.0f\n", sum }'
 }
 
-# Prints the instructions of command, runner and run. Each of ROBOTS robots has a line of its own on a map of
-# 24,000 cells.
+# Counts the instructions of all processes that run ROBOTS robots. Each robot follows a separate line on a map
+# of 24,000 cells.
 fleet_of() {  # ROBOTS
   { printf '+++\n+++\n'; for _ in {1..40}; do printf '%.0s_' {1..200}; echo; printf '%.0s.' {1..200}; echo; printf '%.0s_' {1..200}; echo; done; } >"$work/lines.map"
   { echo 'map = "lines.map"'; for ((i = 0; i < $1; ++i)); do printf '[[agent]]\nname = "R%d"\nsketch = "PidFollower"\nstart = "9,%d,E"\n' $i $((3 * i + 1)); done; } >"$work/fleet.toml"

@@ -11,7 +11,7 @@ constexpr Pin kLeft[] = {5, 7, 8};
 constexpr Pin kRight[] = {6, 9, 10};
 constexpr Pin kFirstSensor = 14;
 
-constexpr double kCruise = 0.5;  // of full duty
+constexpr double kCruise = 0.5;  // duty cycle, 0..1
 constexpr double kProportional = 0.22;
 constexpr double kDerivative = 1.2;
 

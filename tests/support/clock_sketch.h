@@ -38,7 +38,7 @@ void setup() {
 }
 void loop() {})";
 
-/// A board for the sketch.
+/// A board on which the tests run the sketch.
 struct ClockedBoard {
   const char* name;
   long mhz;
@@ -46,10 +46,11 @@ struct ClockedBoard {
 };
 inline constexpr ClockedBoard kProMinis[] = {{"promini8", 8, 3.3}, {"promini16", 16, 5.0}};
 
-/// Ten readings take fourteen ADC clocks each. The ADC runs at 125 kHz on both boards.
+/// The duration of ten readings, which take fourteen ADC clocks each. The ADC runs at 125 kHz on both boards.
 inline constexpr double kTenReads_us = 1120;
 
-/// Durations that each target's own test checks.
+/// The measured durations of ten analogRead() and of a thousand digitalRead(), which each target's test
+/// checks.
 struct ReadTimes {
   double ten_analog_us = 0.0;
   double thousand_digital_us = 0.0;

@@ -1,5 +1,5 @@
-// Tests a debugger that steps backward in a run: where it halts, and that the run, its output and its result
-// equal those of a run without a debugger. The debugger's packets are sent in advance.
+// Tests a run under a debugger that can step backward. Checks where the run halts. Also checks that the run's
+// events, output and result equal those of a run without a debugger. gdb's packets are sent in advance.
 //
 // Each test file is for one target. Before the include of this header, the file declares in an anonymous
 // namespace of robosim::runner:
@@ -110,12 +110,13 @@ class DebuggedRunTest : public testing::Test {
   }
 
   void say(const std::string& packet) { packets_.push_back(packet); }
-  /// Sends an order. Queries the program counter and the time at the next halt.
+  /// Sends a gdb packet that resumes the run, then queries the program counter and the time at the next halt.
   void go(const std::string& order) {
     for (const std::string& packet : {order, "p" + std::string(Target::kPc), std::string("qRcmd,74696d65")})
       say(packet);
   }
-  /// Runs with these packets, and compares the result with a run without a debugger. Returns all replies.
+  /// Runs the sketch with the packets of say() and go(). Compares the result with a run without a debugger.
+  /// Returns all replies.
   std::vector<std::string> run() {
     Told alone, told;
     alone.hears_inputs = told.hears_inputs = hears_inputs_;
@@ -174,7 +175,7 @@ class DebuggedRunTest : public testing::Test {
   judge::Outcome outcome_;
 };
 
-/// Expects `turn` places forward, one further place, and then the same places backward.
+/// Expects that the halts after `places[turn]` equal the halts before `places[turn]`, in reverse order.
 void expect_mirrored(const std::vector<std::string>& places, std::size_t turn) {
   ASSERT_EQ(places.size(), 2 * turn + 1);
   for (std::size_t i = 0; i < turn; ++i) EXPECT_EQ(places[turn + 1 + i], places[turn - 1 - i]) << i;
@@ -194,7 +195,7 @@ TEST_F(DebuggedRunTest, StepsGoBackAsTheyWentForth) {
 }
 
 TEST_F(DebuggedRunTest, BreakpointsAreMetBackAsTheyWereForth) {
-  constexpr int kHalts = 70;  // through several snapshots
+  constexpr int kHalts = 70;  // enough to pass several snapshots
   say(breakpoint("_Z4passv"));
   say(breakpoint(Target::kTicks));
   for (int i = 0; i <= kHalts; ++i) go("c");

@@ -1,4 +1,4 @@
-// Formats the values of an event, for tests that do not depend on its sentence.
+// Formats the values of an event, for tests that do not depend on the wording of a message.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ class ValueWriter {
     for (const std::string& value : values) all += (all.empty() ? "" : ",") + value;
     return all;
   }
-  /// Writes integers, or nothing if all are 0.
+  /// Returns the values rounded to integers, or "" if all are 0.
   template <std::size_t N>
   static std::string shown_as(const std::array<double, N>& values) {
     std::string all;

@@ -14,7 +14,7 @@
 
 namespace robosim::test {
 
-/// A socket that listens at a free port of this machine, and therefore occupies it.
+/// A socket that listens at a free port of this machine, so that no other program can use the port.
 class Port {
  public:
   Port() : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {

@@ -25,7 +25,8 @@ struct StockRun {
 
 class NotedRun final : public Listener {
  public:
-  /// `note` returns the chip's state as a number.
+  /// Runs the sketch. After each tick, stores the result of `note`, which returns the chip's state as a
+  /// number.
   NotedRun(const StockRun& what, exec::Executor& executor, std::function<std::uint64_t()> note)
       : note_(std::move(note)) {
     const map::Map map = map::read_map(map::find_map(what.map));

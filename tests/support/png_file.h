@@ -12,8 +12,8 @@ struct PngKind {
   int depth = 8, colours = PNG_COLOR_TYPE_GRAY, interlace = PNG_INTERLACE_NONE;
 };
 
-/// `rows` are the bytes of each row in the format of the kind. Palette entry 0 is white, 1 black, 2 pure
-/// green.
+/// Makes a picture from the bytes of its rows, in the format that `kind` describes. If the picture has a
+/// palette, entry 0 is white, 1 is black, and 2 is pure green.
 inline std::string png_of(int width, int height, std::vector<std::string> rows, PngKind kind = {}) {
   std::string bytes;
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);

@@ -1,4 +1,4 @@
-// Names a test's parameters.
+// Converts texts to names for the parameters of GoogleTest tests.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -34,7 +34,7 @@ namespace {
 using testing::ElementsAreArray;
 using testing::HasSubstr;
 
-/// One in kToTheEnd runs continues to the end; the others end earlier.
+/// One in kToTheEnd restored runs continues to the end of the simulation. The other runs end earlier.
 constexpr std::size_t kToTheEnd = 10;
 
 struct Case {
@@ -46,7 +46,7 @@ struct Case {
   bool is_driven = false;  ///< controlled step by step
 };
 
-/// The script's part for all robots: the robot is blocked, lifted, without power, or faulty.
+/// The script's lines for all robots: a weak motor, a lift, power failures, clock drift and corrupted bytes.
 const std::string kScript = R"(
 at 230ms fault left weak 0.6 for 300ms
 at 350ms lift for 80ms
@@ -92,7 +92,7 @@ struct Told final : Listener {
   std::vector<std::string> lines;
 };
 
-/// Chooses actions only by the robot's current state, and stores nothing.
+/// Chooses actions only by the robot's current state, so that a restored run repeats the actions.
 struct Hands final : StepController {
   Leg next(Standstill& standstill) override {
     const State& now = standstill.state();

@@ -1,4 +1,4 @@
-// Hashes runs for comparison.
+// Computes hashes, with which tests compare runs.
 #pragma once
 
 #include <cstdint>

@@ -34,8 +34,8 @@ struct Robot {
 struct Node {
   int no = 0;
   int visit = 0;
-  int station[3] = {0, 0, 0};   ///< by slot, 0 = none
-  int junction[3] = {0, 0, 0};  ///< by slot, 0 = none
+  int station[3] = {0, 0, 0};   ///< station's number by slot; 0 = none
+  int junction[3] = {0, 0, 0};  ///< junction's number by slot; 0 = none
 };
 
 struct Scan {

@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr double kAtStation_mm = 25.0;  // from the axle's centre to the end of the line
+constexpr double kAtStation_mm = 25.0;  // largest distance of the axle's centre from the end of the line
 
 map::TrueGraph graph_of(const std::string& map_name, const std::string& start = "") {
   const map::Map map = map::read_map(map::find_map(map_name));
@@ -27,7 +27,7 @@ map::TrueGraph graph_of(const std::string& map_name, const std::string& start = 
 // Observations of a run.
 struct Seen {
   std::string text;           // the sketch's output, without CR
-  std::vector<int> arrivals;  // stations that it "arrived at"
+  std::vector<int> arrivals;  // stations that the sketch prints after "arrived at"
   int collisions = 0;
   double time_s = 0.0;
   std::string verdict;

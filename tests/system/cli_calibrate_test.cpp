@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 const std::string kLogger = ROBOSIM_SAMPLES "/CalibrationLogger";
 
-/// Random parameters, in the units in which the file has them.
+/// A generator of random parameters, in the units of the robot file.
 struct Drawn {
   explicit Drawn(std::uint64_t seed) : stream(seed, 0, "calibrate", "test") {}
   double operator()(double low, double high) { return low + (high - low) * stream.uniform(count++); }

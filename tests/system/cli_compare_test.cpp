@@ -154,9 +154,9 @@ TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
   EXPECT_NE(result["edges"][0]["texts"][0], result["edges"][0]["texts"][1]);
 }
 
-// An Uno's millis() may lag by one tick, so it prints "even" when a Blue Pill prints "odd". A host
-// that is delayed by a fraction of a millisecond prints what the Blue Pill prints. These differences must not
-// hide later ones.
+// An Uno's millis() may lag by one tick, so an Uno prints "even" when a Blue Pill prints "odd". A run on the
+// host that is delayed by a fraction of a millisecond prints what the Blue Pill prints. `robosim compare`
+// must not blame a target for these differences, and must find later ones.
 TEST_F(CliCompare, WhatHangsOnATickOfTheClockBlamesNoTarget) {
   const Ended ended = compare("DiffersAtTick", "host,stm32");
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;

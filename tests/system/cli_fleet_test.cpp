@@ -148,7 +148,7 @@ TEST(CliFleet, ASketchBesideAnStm32IsConfinedAndTheOthersDriveOn) {
   ROBOSIM_NEEDS_TARGET("stm32");
   if (const std::string why = exec::why_not_confined(); !why.empty()) GTEST_SKIP() << why;
   const Folder folder;
-  // libunicorn executes these instructions before and after a power cycle.
+  // The emulated STM32 must execute LDREX and STREX correctly, before and after a power cycle.
   write_file(folder / "Left.ino",
              "volatile unsigned shared;\n"
              "void setup() { Serial.begin(9600); }\n"

@@ -87,8 +87,8 @@ class CliGdb : public ::testing::TestWithParam<Debugged> {
     Ended run;
     std::string gdb;  ///< gdb's output
   };
-  /// Starts a run, and gdb with these commands. gdb retries until the run listens. `status` is 1 if the last
-  /// command is refused.
+  /// Starts a run, and gdb with these commands. gdb tries to connect until the run listens. `status` is gdb's
+  /// expected exit status: 1 if its last command fails.
   Session debug(const std::string& commands, int status = 0) const {
     const std::string port = std::to_string(free_port());
     folder_.write(

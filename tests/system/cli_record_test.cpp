@@ -144,7 +144,7 @@ TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {
   const Folder folder;
   struct Drawn {
     const char* picture;
-    std::filesystem::path where;  ///< avoids a path of this machine in the picture
+    std::filesystem::path where;  ///< working directory: keeps paths of this machine out of the picture
     std::vector<std::string> run;
   };
   for (const Drawn& one :

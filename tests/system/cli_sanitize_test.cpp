@@ -172,8 +172,8 @@ TEST(CliSanitize, WhereNoCheckFindsAnythingItIsSaidWhatTheyDoNotLookAt) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("next:"), HasSubstr("Not checked: unsigned")));
 }
 
-// The second run has more memory, so the code that filled the memory continues. This code fails a check after
-// the time at which the first run ended.
+// After a failure, Robosim runs the sketch again with checks. The second run has more memory, so the code
+// that filled the memory continues. It fails a check long after the first run's end.
 TEST(CliSanitize, ACheckThatFailsLongAfterTheFirstRunsEndIsNotItsCause) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;

@@ -47,7 +47,8 @@ class Effects : public testing::Test {
     return runner_of("host").run(request, {});
   }
 
-  /// Returns the sketch's last values in `ideal`, standing on the line: the middle sensor and the battery.
+  /// Returns the last readings that the sketch prints, standing on the line: the middle sensor and the
+  /// battery.
   std::pair<int, int> prints(const std::string& robot, const std::string& floor, double seconds,
                              const std::string& script = "", const std::string& profile = "ideal") {
     const std::string serial = run(robot, floor, profile, 'p', 1, seconds, script).serial;
@@ -108,7 +109,7 @@ TEST_F(Effects, OfAWeakBatteryOnTheReferenceAreAsTheModelSays) {
   EXPECT_EQ(prints("[electronics]\nfed_by_battery = true\n", "", 0.1, weak).first, code(kBlack));
 }
 
-// Tests in `ideal`, on the line, how dark black is with paint and gloss.
+// Tests the reading over a black, a grey, a glossy and a worn line, without noise (profile `ideal`).
 TEST_F(Effects, OfPaintAreAsTheModelSays) {
   const auto seen = [&](const std::string& keys) {
     return prints("",
@@ -168,7 +169,8 @@ TEST_F(Effects, OfAWeakSourceAreReadingsOfTheChannelBefore) {
   EXPECT_LE(read, code(3.7 + 0.43 * (kBlack - 3.7)) + 1);
 }
 
-// The edge of this line is farther from its middle than half the width of the map's line.
+// The path is 90 mm wide, although the map's `line` is 20 mm. A robot on the path's edge must not count as
+// lost.
 TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
   const std::string loop =
       "+++\nline = \"20 mm\"\nsize = [\"1.8 m\", \"1.2 m\"]\n[[path]]\nwidth = \"90 mm\"\nfrom = [\"500 "

@@ -44,7 +44,7 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
   const Vec2 station_2 = map.centre(graph.stations[1].cell) * 1e3;
   const std::string counts = std::to_string(graph.stations.size()) + " stations, " +
                              std::to_string(graph.junctions.size()) + " junctions";
-  std::string way;  // from station 1 to station 2
+  std::string way;  // the route from station 1 to station 2, as the sketch prints it
   int kept = 0, lost = 0;
 
   // The number of bytes that are written for the map, without the three bytes of the robot's place.

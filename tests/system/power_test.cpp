@@ -61,7 +61,7 @@ TEST_F(Power, ThatTwoMotorsTakeAtOnceResetsTheChip) {
   EXPECT_GT(rises.metrics.distance_m, 0.3);
 }
 
-// The robot moves a short distance before its board is off.
+// The battery is almost empty. The robot moves a short distance, and then its board has no power.
 TEST_F(Power, ThatIsGoneIsWhatARobotStandsFor) {
   for (const std::string target : {"host", "avr", "stm32"}) {
     SCOPED_TRACE(target);

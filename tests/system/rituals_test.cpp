@@ -60,7 +60,7 @@ TEST_P(Rituals, TheRobotCanBePutBesideTheLine) {
   EXPECT_THAT(serial("at 1s press start 100ms\nat 6.2s place 1000mm,700mm,NE\n"), HasSubstr("floor"));
 }
 
-// SoftwareSerial has one handler, and registers it again for the other ports' pins.
+// SoftwareSerial has one interrupt handler, and registers the handler for the pin changes of every port.
 TEST_P(Rituals, AByteByBluetoothEndsAWaitOnSoftwareSerialOnPinsOfAnyPort) {
   if (std::string(GetParam()) != "host") ROBOSIM_NEEDS_TARGET(GetParam());
   folder_.write("Bt/Bt.ino",

@@ -337,7 +337,8 @@ TEST_F(Sandbox, ShowsASketchNothingOfTheEnvironment) {
   for (int run = 0; run < 2; ++run) EXPECT_EQ(runner.run(request).serial, "none");
 }
 
-/// Calls a function for each mapped page. The system reports which pages are mapped.
+/// Sketch code that calls a function for each mapped page near the heap, the C library and the stack. A
+/// system call fails for pages that are not mapped.
 constexpr const char* kLooksAtAllMemory = R"(
 extern "C" { void* sbrk(long); int getpid(); long syscall(long, ...); int* __errno_location(); extern void* __libc_stack_end; }
 #define QUIET __attribute__((no_sanitize_coverage))
@@ -457,7 +458,7 @@ TEST_F(Sandbox, ShowsASketchTheSameAddressesInEachRun) {
   }
 }
 
-// Elsewhere the C library's random canary remains in the stack.
+// On other processors, the C library's random canary remains in the stack.
 #ifdef __x86_64__
 TEST_F(Sandbox, ShowsASketchTheSameUnwrittenStackInEachCommand) {
   if (!kernel_allows_fixed_addresses()) GTEST_SKIP() << "the kernel refuses fixed addresses here";

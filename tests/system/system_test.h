@@ -40,7 +40,8 @@ struct Run {
   double clock_s = 0.0;  ///< first value of millis(), on chip targets only
 };
 
-/// All tests of one process share a target's runner, so no run may disturb the next one.
+/// Returns the runner of a target. All tests of one process share this runner, so no run may disturb the
+/// next.
 inline client::Runner& runner_of(const std::string& target) {
   static std::map<std::string, client::Runner> runners;
   return runners.try_emplace(target, target).first->second;
@@ -78,8 +79,8 @@ inline std::string what_is_missing(const std::string& target) {
   return "";
 }
 
-/// For SetUp(): skips the test if the target cannot run. If ROBOSIM_REQUIRE names the target, the test fails
-/// instead.
+/// Skips the test if the target cannot run. If ROBOSIM_REQUIRE names the target, the test fails instead. Call
+/// this function in SetUp().
 inline void needs_target(const std::string& target) {
   const std::string missing = what_is_missing(target);
   if (!missing.empty() && is_required(target)) FAIL() << missing;

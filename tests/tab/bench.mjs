@@ -1,4 +1,4 @@
-// Loads the module of a built folder into node.
+// Loads the tab's WebAssembly module from its build folder into Node.js.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';

@@ -1,6 +1,6 @@
-// node elf_test.mjs FOLDER COMMAND: reads .elf files that are cut off or have changed bytes. The tab reads
-// them without libelf, and the command with libelf. Both must refuse a file with the same sentence, or run it
-// to the same trace.
+// node elf_test.mjs FOLDER COMMAND [FILES]: runs FILES (default 100) .elf files that are cut off or have a
+// changed byte. The tab's module in FOLDER reads the files without libelf, and the robosim command reads them
+// with libelf. Tab and command must refuse a file with the same message, or run it to the same trace.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -19,7 +19,7 @@ const below = (most) => (seed = (seed * 48271) % 2147483647) % most;
 
 const view = new DataView(whole.buffer, whole.byteOffset, whole.byteLength);
 const sections = view.getUint32(32, true), count = view.getUint16(48, true);
-/** Returns the place of a byte of an ELF file's structure: header, segments or sections. */
+/** Returns the offset of a random byte in the ELF file's header, segment table or section table. */
 const told = () => {
   const kind = below(3);
   if (kind === 0) return below(52);

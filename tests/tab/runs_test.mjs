@@ -1,6 +1,6 @@
 // node runs_test.mjs FOLDER COMMAND [SECONDS [SEED …]]: runs every stock sketch on every map with these
-// seeds, in the module and by the command of this machine. Each run simulates SECONDS. The trace hash, the
-// verdict with its sentence, and the image's hash must be equal.
+// seeds. Each run is simulated for SECONDS, by the tab's WebAssembly module in FOLDER and by the robosim
+// command. The trace hash, the verdict with its sentence, and the image's hash must be equal.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -1,6 +1,7 @@
-// Runs one planner of firmware/src/nav on the chip, over all pairs of stations of one tree. This program is
-// compiled once per planner, which PLANNER selects. PLANNER_none compiles the program without a planner, once
-// with each kind of table (see TABLE_parents). A planner's flash is the difference in size from that program.
+// Runs one path planner of firmware/src/nav on an ATmega328P, for all pairs of stations of one tree. This
+// program is compiled once for each planner; a macro such as PLANNER_bfs selects the planner. PLANNER_none
+// compiles the program without a planner, once with each kind of table (see TABLE_parents). The flash of a
+// planner is the difference in size from the program without a planner.
 //
 // The program exchanges data with planners.cpp through general-purpose registers. Each read of GPIOR1 returns
 // the next byte of the tree (size, then the parents of nodes 1, 2, …). Each write to GPIOR2 sends a byte of
@@ -67,7 +68,7 @@ __attribute__((noinline)) static nav::Plan plan(uint8_t from, uint8_t to) {
 #endif
 }
 
-static uint8_t stations[kNodes];  // not one bit per node: the RAM for stations is not measured
+static uint8_t stations[kNodes];  // a byte per node is enough: the RAM of this array is not measured
 
 static void readTree() {
   const uint8_t size = GPIOR1;
@@ -102,7 +103,7 @@ int main() {
   prepare();
   send16(sizeof(Table));
   send16(kWorkBytes);
-  GPIOR0 = 1;  // an empty measurement: the overhead of measuring
+  GPIOR0 = 1;  // an empty measurement: planners.cpp subtracts its time from the other times
   GPIOR0 = 2;
   for (uint8_t from = 0; from < table.size(); ++from) {
     for (uint8_t to = 0; to < table.size(); ++to) {

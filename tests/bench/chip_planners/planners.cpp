@@ -3,8 +3,9 @@
 // chip_planners compiles the images and runs this program.
 //
 // A tree of n nodes grows from one line: a station chosen at random becomes a junction with two new stations,
-// until there are n nodes. Then the nodes are numbered in preorder. The mean is over all ordered pairs of
-// stations. Every path is compared with the true path; a wrong path ends the program with status 1.
+// until there are n nodes. Then the nodes are numbered in preorder. The printed cycles are the mean over all
+// ordered pairs of stations. Every path is compared with the true path. A wrong path ends the program with
+// status 1.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +39,7 @@ Bytes randomTree(unsigned nodes, std::uint32_t seed) {
     leaves.push_back(first + 1);
   }
   Bytes parents;
-  std::vector<std::pair<unsigned, unsigned>> open = {{0, 0}};  // nodes to visit: node, new id of its parent
+  std::vector<std::pair<unsigned, unsigned>> open = {{0, 0}};  // nodes to visit, and new ids of their parents
   while (!open.empty()) {
     const auto [node, parent] = open.back();
     open.pop_back();
@@ -74,7 +75,7 @@ Bytes trueWay(const Bytes& parents, std::uint8_t from, std::uint8_t to) {
 class Session final {
  public:
   Session(const Bytes& image, const Bytes& parents) : input_(parents), bench_(kAtmega328p, image) {
-    input_[0] = static_cast<std::uint8_t>(parents.size());  // in the root's entry: the root has no parent
+    input_[0] = static_cast<std::uint8_t>(parents.size());  // uses the root's entry: the root has no parent
     avr::Cpu& cpu = bench_.chip.cpu();
     cpu.on_write<&Session::mark>(kGpior0, this);
     cpu.on_read<&Session::read>(kGpior1, this);

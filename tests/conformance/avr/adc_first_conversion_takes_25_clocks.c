@@ -5,7 +5,7 @@
 // Chips: atmega328p atmega2560 atmega32u4
 #include "report.h"
 
-// 1 + 25 * 2 cycles
+// The conversion ends 1 + 25 * 2 cycles after ADEN.
 #define CONTROL_AFTER(cycles)                 \
   ({                                          \
     ADCSRA = 0;                               \

@@ -12,9 +12,9 @@ static void convert(uint8_t channel) {
 }
 
 int main(void) {
-  convert(14);  // 0x3840
+  convert(14);  // result: 0x3840
   report(ADCL);
-  convert(15);  // 0
+  convert(15);  // result: 0
   report(ADCH);
   report(ADCH);
   convert(15);

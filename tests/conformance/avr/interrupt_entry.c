@@ -4,7 +4,7 @@
 #include "report.h"
 
 // Timer 0 runs at the processor's clock and overflows during a row of NOPs. The handler reads the timer
-// immediately: IN returns the cycles since the overflow: 4 for the entry and 3 for the JMP.
+// immediately. IN returns the cycles since the overflow: 4 for the entry and 3 for the JMP.
 ISR(TIMER0_OVF_vect, ISR_NAKED) {
   __asm__ volatile(
       "in r24, %0\n\t"

@@ -4,7 +4,7 @@
 // Chips: atmega2560
 #include "report.h"
 
-// Measures as interrupt_entry.c does.
+// Timer 0 counts cycles and overflows during the NOPs. IN returns the cycles since the overflow.
 ISR(TIMER0_OVF_vect, ISR_NAKED) {
   __asm__ volatile(
       "in r24, %0\n\t"

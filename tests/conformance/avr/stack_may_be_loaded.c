@@ -13,7 +13,7 @@ ISR(TIMER0_OVF_vect) {
   if (SP > (uint16_t)stack_of_b && SP < (uint16_t)(stack_of_b + sizeof stack_of_b)) in_stack_of_b = 1;
 }
 
-// Call-saved registers stay on the old stack.
+// Saves call-saved registers on the current stack, and switches to the other routine's stack.
 static __attribute__((naked, noinline)) void take_turns(void) {
   __asm__ volatile(
       "push r28\n\tpush r29\n\t"

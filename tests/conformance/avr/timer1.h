@@ -1,5 +1,5 @@
-// Helpers for programs about an ATtiny85's timer 1. A synchroniser delays its registers by a cycle or two
-// (2586Q, figure 12-2). The programs therefore sample in the middle of the timer's ticks.
+// Helpers for programs about an ATtiny85's timer 1. A synchroniser delays accesses to the timer's registers
+// by a cycle or two (2586Q, figure 12-2). The programs therefore read in the middle of the timer's ticks.
 #pragma once
 
 #include "report.h"

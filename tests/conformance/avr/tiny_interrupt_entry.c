@@ -4,7 +4,7 @@
 // Chips: attiny85
 #include "report.h"
 
-// Timer 0 runs at the processor's clock; the handler reads it immediately.
+// Timer 0 counts cycles and overflows during the NOPs. IN returns the cycles since the overflow.
 ISR(TIMER0_OVF_vect, ISR_NAKED) {
   __asm__ volatile(
       "in r24, %0\n\t"

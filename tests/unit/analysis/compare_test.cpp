@@ -1,4 +1,4 @@
-// Tests the comparison of fictitious histories.
+// Tests the comparison of two runs' histories. The histories are fictitious.
 
 #include "sim/campaign/analysis/compare.h"
 
@@ -12,7 +12,7 @@ using Kind = Difference::Kind;
 
 constexpr std::int64_t kMs = 1'000'000, kS = 1'000'000'000;
 
-/// Returns a run of 20 s that drives ahead all the time.
+/// Returns a run of 20 s whose robot drives ahead all the time.
 History run() {
   History h;
   h.verdict = "reached";
@@ -21,7 +21,7 @@ History run() {
   return h;
 }
 
-/// Returns a run that drives ahead, but does `manoeuvre` from `from` to `to`.
+/// Returns a run whose robot drives ahead, except from `from` to `to`, when it does `manoeuvre`.
 History with(Manoeuvre manoeuvre, std::int64_t from, std::int64_t to) {
   History h = run();
   h.stretches = {{0, from, Manoeuvre::ahead, 0.5, 0.5},
@@ -119,7 +119,7 @@ TEST(Compare, FormattingIsKnownAndDoesNotCount) {
   EXPECT_EQ(c.known[1].what, "width of long");
 }
 
-/// Returns a run that prints `offset` plus a triangle wave of 0 to 40 at intervals of `every`.
+/// Returns a run whose sketch prints `offset` plus a triangle wave of 0 to 40, at intervals of `every`.
 History stream(std::int64_t every, int offset) {
   History h = run();
   for (std::int64_t t = every; t < h.end_ns; t += every) {
@@ -151,7 +151,8 @@ TEST(Compare, ALineThatComesFiveTimesInTwoSecondsIsAStreamToo) {
       Kind::number);
 }
 
-/// Returns a run that prints one of `values` every 0.4 s, with `there` as the value at index `odd`.
+/// Returns a run whose sketch prints one of `values` every 0.4 s. The value at index `odd` is replaced by
+/// `there`.
 History readings(std::vector<int> values, std::size_t odd, int there) {
   History h = run();
   values.at(odd) = there;
@@ -177,7 +178,7 @@ TEST(Compare, TheLineOfAStreamThatIsShownIsTheOneOfThatMoment) {
   EXPECT_EQ(d->sides[1], "prints \"e 8000\", and no similar value within a second");
 }
 
-/// Returns a run that prints a line each second: "on" before `off_from`, then "off".
+/// Returns a run whose sketch prints a line each second: "on" before `off_from`, then "off".
 History light(std::int64_t off_from) {
   History h;
   h.end_ns = 70 * kS;

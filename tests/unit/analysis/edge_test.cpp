@@ -1,4 +1,5 @@
-// Tests, on fictitious runs, the comparison of two targets by means of runs with a slightly wrong clock.
+// Tests how robosim compare decides whether a difference between two targets is chance: whether one target,
+// with a slightly wrong clock, behaves like the other. The runs are fictitious.
 
 #include "sim/campaign/analysis/edge.h"
 
@@ -11,7 +12,7 @@ namespace edge_test {
 
 using Kind = Difference::Kind;
 
-/// Returns a run that drives ahead, turns for 1 s, and drives ahead again to the end.
+/// Returns a run whose robot drives ahead, does `manoeuvre` for 1 s, and drives ahead again to the end.
 History turning_at(std::int64_t at_ns, Manoeuvre manoeuvre, std::int64_t end_ns = 30 * kSecond_ns) {
   History h;
   h.verdict = "timeout";

@@ -1,4 +1,4 @@
-// Tests the time at which the converter samples, and the code of the sampled voltage.
+// Tests the time at which the ADC samples a voltage, and the digital code of this voltage.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests the comparator with voltages; conformance programs can only set levels.
+// Tests the analog comparator with voltages; conformance programs can only set digital levels.
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega2560.h"
@@ -23,7 +23,7 @@ class ComparatorTest : public testing::Test, protected IdleChip {
   }
   void positive(double volts) { bench.pin_voltages[pin('D', 6)] = volts; }
   void negative(double volts) { bench.pin_voltages[pin('D', 7)] = volts; }
-  /// Gives both pins a low level instead of a voltage.
+  /// Sets both comparator pins to the digital level LOW, and removes their voltages.
   void take_levels() {
     bench.pin_voltages.clear();
     bench.levels[pin('D', 6)] = bench.levels[pin('D', 7)] = false;
@@ -135,7 +135,7 @@ TEST_F(ComparatorTest, AChangeOfWhatIsCapturedIsAnEdgeIfTheyDiffer) {
   EXPECT_EQ(read(kTifr1) & kIcf1, 0) << "a falling edge";
 }
 
-/// A chip of another type that also waits in a loop.
+/// A chip of another type. Its processor also waits in an endless loop.
 class OtherChip {
  public:
   explicit OtherChip(const ChipSpec& spec) : bench(spec, kLoop) {}

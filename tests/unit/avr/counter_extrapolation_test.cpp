@@ -1,5 +1,6 @@
-// Tests the window of counter values that CounterExtrapolation finds. Within this window, a counter changes
-// neither the branches of a computation nor the results that are held.
+// Tests the window of counter values that CounterExtrapolation finds. For all counter values in this window,
+// a computation takes the same branches. The registers and flags passed to hold() and hold_flags() have the
+// same values.
 #include "sim/mcu/avr/counter_extrapolation.h"
 
 #include <gtest/gtest.h>
@@ -77,7 +78,7 @@ class Computation : public RandomCode {
   }
 };
 
-/// The processor's registers after a run with some counter value, and its branches during the run.
+/// The processor's registers after a run, and the branches that it took during the run.
 struct Outcome {
   std::vector<std::uint8_t> registers, branches;
   std::uint8_t sreg = 0;
@@ -85,7 +86,8 @@ struct Outcome {
 
 class RampTest : public testing::Test {
  protected:
-  /// Runs `code` from registers derived from `seed`. If `follows`, `extrapolation_` observes the run.
+  /// Runs `code`. The initial registers are derived from `seed`. If `follows` is true, `extrapolation_`
+  /// observes the run.
   Outcome run(const Program& code, unsigned seed, std::uint8_t counter, bool follows) {
     Cpu& cpu = follows ? *followed_ : *other_;
     std::mt19937 engine(seed);
@@ -109,7 +111,7 @@ class RampTest : public testing::Test {
       if (follows) {
         EXPECT_TRUE(extrapolation_->agrees(~0u)) << "before word " << cpu.pc();
       }
-      // The next address shows whether the instruction skipped.
+      // The next address shows whether the instruction skipped its successor.
       if (instruction.op == Op::sbrc || instruction.op == Op::sbrs)
         outcome.branches.push_back(static_cast<std::uint8_t>(cpu.pc()));
     }

@@ -25,7 +25,7 @@ class HighSpeedTimerTest : public testing::Test, protected IdleChip {
     const unsigned low = read(kTcnt4);
     return static_cast<unsigned>(read(kTc4h)) << 8 | low;
   }
-  /// Returns the number of cycles, out of `cycles` consecutive ones, in which a pin's bit reads 1.
+  /// Runs for `cycles`. Returns the number of these cycles in which a pin's bit reads 1.
   int high(Address pins, std::uint8_t bit, int cycles) {
     int high = 0;
     for (int i = 0; i < cycles / 2; ++i) {
@@ -36,8 +36,8 @@ class HighSpeedTimerTest : public testing::Test, protected IdleChip {
   }
 };
 
-// Table 15-6 and 15.8.1: with PWM4x = 0 the timer counts to OCR4C and overflows there, and OCR4x take effect
-// immediately.
+// Table 15-6 and 15.8.1: with PWM4x = 0 the timer counts to OCR4C and overflows there. Writes to OCR4x take
+// effect immediately.
 TEST_F(HighSpeedTimerTest, CountsUpToOcr4cAndOverflowsThere) {
   write_wide(kOcr4c, 0x2FF);
   write_wide(kOcr4a, 0x100);

@@ -1,5 +1,5 @@
-// A chip whose processor waits in an endless loop at each vector. Meanwhile, a test writes its registers as
-// firmware would.
+// A chip for tests of peripherals: its processor only waits, in an endless loop at each interrupt vector. The
+// test writes the chip's registers as firmware would.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ class IdleChip {
   void write(Address address, std::uint8_t value) { bench.chip.cpu().store(address, value); }
   std::uint8_t read(Address address) { return bench.chip.cpu().load(address); }
   void run(Cycle cycles) { bench.run(cycles); }
-  /// Runs until exactly this cycle, if a pass of the loop, which takes two cycles, ends there.
+  /// Runs until `cycle`, or one cycle longer, because each pass of the endless loop takes two cycles.
   void run_to(Cycle cycle) { bench.chip.run_to(cycle); }
   Cycle now() { return bench.chip.cycle(); }
   int pin(char port, int bit) { return bench.chip.pins().at(port, bit); }
@@ -26,7 +26,7 @@ class IdleChip {
     bench.chip.cpu().set_pc(kSleep);
     run(1);
   }
-  /// Returns the vector at which the processor loops; 0 = no interrupt since the reset.
+  /// Returns the number of the vector at which the processor loops; 0 = no interrupt since the reset.
   int vector() { return static_cast<int>(bench.chip.cpu().pc() / 2); }
 
  private:

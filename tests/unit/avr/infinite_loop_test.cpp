@@ -16,7 +16,7 @@ constexpr Address kFlag = 0x110, kOther = 0x111;
 constexpr unsigned kBack = 0xCFFF, kReti = 0x9518;
 constexpr int kMost = 10'000, kVector = 3;
 
-/// A program at word 0x80, with a vector's handler at 0x40.
+/// Builds a program at word address 0x80, and an interrupt handler at word address 0x40.
 class RecurrenceTest : public testing::Test {
  protected:
   RecurrenceTest() {

@@ -1,5 +1,5 @@
-// Tests the instruction table against the processor: each instruction that is followed writes only what the
-// table says, and its results depend only on what it says.
+// Tests effects_of() against the processor. Each instruction writes only the registers, flags and memory that
+// effects_of() lists. Its results depend only on the registers and flags that effects_of() lists.
 #include "sim/mcu/avr/instruction_effects.h"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ class InstructionEffectsTest : public testing::Test {
     State state{std::vector<std::uint8_t>(32),
                 static_cast<std::uint8_t>(engine_() & ~std::uint32_t{Cpu::kI})};
     for (std::uint8_t& reg : state.data) reg = static_cast<std::uint8_t>(engine_());
-    for (const unsigned pointer : {27u, 29u, 31u})  // into RAM
+    for (const unsigned pointer : {27u, 29u, 31u})  // high bytes of X, Y and Z: addresses in RAM
       state.data[pointer] = static_cast<std::uint8_t>(0x04 + engine_() % 0x10);
     return state;
   }
@@ -48,7 +48,7 @@ class InstructionEffectsTest : public testing::Test {
     cpu_.set_pc(pc);
   }
   /// Calls visit(pc, instruction, state, effects) before each instruction, with the chip in a random state.
-  /// Skips instructions that are not followed, or access data memory outside RAM.
+  /// Skips instructions with `effects.elsewhere`, and instructions that access data memory outside RAM.
   template <typename Visit>
   void each_instruction(Visit visit) {
     for (std::uint32_t pc = 2; pc < kAllWords && !HasFatalFailure(); ++pc) {
@@ -95,7 +95,7 @@ TEST_F(InstructionEffectsTest, AreAllThatItsResultsDependOn) {
         const std::vector<std::uint8_t> data = cpu_.data;
         const std::uint8_t flags = cpu_.sreg();
         const std::uint32_t next = cpu_.pc();
-        State other = before;  // differs in all that the instruction does not read
+        State other = before;  // inverts all registers and flags that the instruction does not read
         for (unsigned reg = 0; reg < 32; ++reg)
           if (!(e.reads >> reg & 1)) other.data[reg] = static_cast<std::uint8_t>(~other.data[reg]);
         const std::uint8_t free_flags = static_cast<std::uint8_t>(~e.flags_read & ~Cpu::kI);

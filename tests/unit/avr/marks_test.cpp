@@ -1,4 +1,5 @@
-// Tests that marks stop the processor before an instruction, even one that is fused with its predecessor.
+// Tests marks, which are the processor's breakpoints. A mark stops the processor before an instruction, even
+// if the processor would execute its predecessor in the same step.
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega328p.h"

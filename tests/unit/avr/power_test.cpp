@@ -1,4 +1,4 @@
-// Tests the number of cycles that waking takes.
+// Tests the sleep modes. Above all, tests the number of cycles from a wake-up event to the interrupt handler.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"
@@ -10,8 +10,8 @@ constexpr std::uint8_t kEnable = 1, kIdle = 0, kNoiseReduction = 2, kPowerDown =
                        kStandby = 12, kExtendedStandby = 14;
 constexpr Cycle kWatchdogTime = 256000, kWakes = 4, kEnters = 4;
 
-/// Sleeps in `mode` until the watchdog expires. Returns the cycles from then to the first cycle of its
-/// handler.
+/// Sleeps in `mode` until the watchdog expires. Returns the number of cycles from the expiry to the first
+/// cycle of the watchdog's interrupt handler.
 Cycle wakes_after(std::uint8_t mode) {
   IdleChip chip;
   chip.write(reg::kWdtcsr, 0x40);

@@ -1,4 +1,4 @@
-// Tests pull-ups, as seen from outside the chip.
+// Tests the pull-up resistors, as circuits outside the chip see them.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"

@@ -1,4 +1,4 @@
-// Makes machine code for tests, word by word or at random.
+// Generates AVR machine code for tests: word by word, or random instructions.
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,7 @@ class Program {
     word(0x940E);
     word(to);
   }
-  /// Adds a branch to `to` that is taken if `flag` of SREG is set, or is clear.
+  /// Adds a branch to `to`. The branch is taken if bit `flag` of SREG equals `set`.
   void branch(unsigned flag, bool set, unsigned to) {
     word((set ? 0xF000 : 0xF400) | ((to - here() - 1) & 0x7F) << 3 | flag);
   }

@@ -1,4 +1,5 @@
-// Tests that forecasts of a register's reads equal the values read later.
+// Tests forecasts of the values that firmware will read from a register. The values read later must equal the
+// forecast.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -12,7 +13,8 @@ constexpr Address kTifr0 = 0x35, kTifr1 = 0x36, kTifr2 = 0x37, kTcnt0 = 0x46, kT
 
 class OutlookTest : public testing::Test, protected IdleChip {
  protected:
-  /// Returns the value that a read at `cycle` gives if nothing accesses the chip before. Restores the chip.
+  /// Returns the value of a read at `cycle` if nothing accesses the chip before `cycle`. Then restores the
+  /// chip's current state.
   std::uint8_t read_at(Address address, Cycle cycle) {
     const auto before = bench.chip.save();
     bench.chip.cpu().skip_to(cycle);

@@ -1,4 +1,4 @@
-// Tests effects of timers that no program can report: duty cycles, number of events, external edges.
+// Tests effects of timers that no program can observe: duty cycles, number of events, external edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr std::uint8_t kPd6 = 1 << 6, kPb3 = 1 << 3;
 class TimerTest : public testing::Test, protected IdleChip {
  protected:
   PinDrive drive(char port, int bit) { return bench.drives[pin(port, bit)]; }
-  /// Runs `cycles`, and returns the number of events in this time.
+  /// Runs for `cycles`. Returns the number of scheduled events in this time.
   int events(Cycle cycles) {
     const Cycle end = now() + cycles;
     for (int count = 0;; ++count) {
@@ -92,7 +92,7 @@ TEST_F(TimerTest, TellsTheLevelsOfAPinThatIsToggledTooSlowlyForATone) {
   }
 }
 
-// 16.9.2: a counter above TOP counts up to MAX, and can match before it gets there.
+// 16.9.2: a counter above TOP counts up to MAX, and can match OCR1A before it reaches MAX.
 TEST_F(TimerTest, TogglesAboveTop) {
   constexpr Address kOcr1a = 0x88;
   write(kDdrb, 1 << 1);
@@ -220,7 +220,7 @@ TEST_F(TimerTest, InterruptsToTheCycleForEver) {
       chip.run_to(due + way.period / 2 + 1);
       EXPECT_EQ(chip.read(kTcnt0), way.period / 128);
       EXPECT_EQ(chip.read(reg::kTifr0) & way.enables, 0);
-      if (time == 8) {  // interrupts are disabled, and some are missed
+      if (time == 8) {  // interrupts stay disabled, so some are missed
         chip.run_to(due + 5 * period + period / 2);
         EXPECT_EQ(chip.read(reg::kTifr0) & way.enables, way.enables);
         serve(chip.now() + 8);

@@ -1,4 +1,5 @@
-// Tests the receiver, and a transmitter's effect on its pin, which a program cannot read.
+// Tests the USART's receiver. Also tests the level that the transmitter puts on its pin, which a program
+// cannot read.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Tests that skipping busy-wait loops is not observable. Runs the same program on two chips, only one of
-// which skips loops, and compares the chips repeatedly.
+// Tests that skipping busy-wait loops is not observable. Runs the same program on two chips, and compares the
+// chips repeatedly. Only one of the chips skips loops.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -16,7 +16,7 @@ namespace waiting_loops_test {
 using conformance::Bench;
 
 constexpr unsigned kTcnt0 = 0x46, kTcnt2 = 0xB2, kAdcsra = 0x7A, kEecr = 0x3F;
-constexpr unsigned kCount = 0x100, kMemory = 0x110;  // the number of overflows; arbitrary data
+constexpr unsigned kCount = 0x100, kMemory = 0x110;  // addresses: overflows, arbitrary data
 
 /// Programs with all kinds of wait loops, including loops that no compiler would generate.
 class RandomProgram : public RandomCode {
@@ -67,13 +67,13 @@ class RandomProgram : public RandomCode {
     if (below(4) == 0) put(kEecr, 4), put(kEecr, 2);
     const unsigned head = here();
     if (below(2)) {
-      word(0xB77F);  // in r23, SREG: result of the last pass
+      word(0xB77F);  // in r23, SREG: the flags of the previous pass
       if (below(2)) sts(kMemory + 3, 23);
     }
-    // The loop ends after some interrupts, whatever else it waits for.
+    // The loop ends after some interrupts, even if its other conditions are never met.
     lds(25, kCount);
     immediate(kCpi, 25, 1 + below(6));
-    word(0xF000);  // brcs +0, set below
+    word(0xF000);  // a placeholder for the brcs and jmp below
     const unsigned over = here() - 1;
     word(0);
     word(0);
@@ -91,7 +91,7 @@ class RandomProgram : public RandomCode {
       word(0xC000 | ((head - here() - 1) & 0xFFF));
     }
     const unsigned end = here();
-    // brcs to the body, otherwise jmp to the end
+    // Continues the loop with brcs, or leaves the loop with jmp.
     set(over, 0xF000 | 2 << 3);
     set(over + 1, 0x940C);
     set(over + 2, end);

@@ -1,9 +1,9 @@
 // Runs random instructions on the processor and on avr8js, each from the same random state. Then compares
 // program counter, cycles, status, stack pointer, registers and memory.
 //
-// Skips deviations of avr8js 0.21 from the manual (docs/explanation/conformance.md lists them). Also skips
-// accesses at the ends of flash and memory, which avr8js does not support. Needs node, and avr8js in the
-// folder that ROBOSIM_AVR8JS names (`npm install avr8js` there).
+// Skips the instructions that avr8js 0.21 executes unlike the manual (docs/evidence/conformance.md lists
+// them). Also skips accesses at the ends of flash and memory, which avr8js does not support. Needs node, and
+// a folder in which `npm install avr8js` has been run. ROBOSIM_AVR8JS names this folder.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ constexpr std::size_t kPrograms = 5000;
 constexpr std::uint32_t kFurthestJump = 0x1000;  // words
 const std::set<std::string> kWrongThere{"CBI", "FMULSU", "NEG"};
 
-/// Formats the state, without H, because avr8js computes H from bit 0.
+/// Formats the state without flag H, because avr8js computes H wrongly, from bit 0.
 std::string state_of(const Cpu& cpu, std::uint64_t cycles) {
   std::string text = fmt::format("{} {} {} {}", cpu.pc(), cycles, cpu.sreg() & ~unsigned{Cpu::kH}, cpu.sp());
   for (std::size_t i = 0; i < 32; ++i) text += fmt::format(" {}", cpu.data[i]);

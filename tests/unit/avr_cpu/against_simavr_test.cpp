@@ -1,9 +1,10 @@
-// Runs random instructions on the processor and on libsimavr's, from the same random state. Then compares
-// program counter, cycles, status, stack pointer, registers and memory.
+// Runs random instructions on the processor and on libsimavr's processor, each from the same random state.
+// Then compares program counter, cycles, status, stack pointer, registers and memory.
 //
 // Skips instructions that libsimavr 1.6 lacks or does not execute as the chip does: SPM, SLEEP and BREAK.
-// Also skips I/O, which is outside of the processor, and jumps out of flash. LPM into its own pointer is
-// skipped, because the manual leaves the result undefined.
+// Also skips I/O instructions and WDR, whose effects are outside of the processor, and jumps out of flash.
+// Skips `LPM r30, Z+` and `LPM r31, Z+`, because the manual leaves their results undefined. Skips ELPM, EIJMP
+// and EICALL, which an ATmega328P does not have.
 extern "C" {
 #include <simavr/sim_avr.h>
 #include <simavr/sim_core.h>

@@ -1,5 +1,5 @@
-// Runs the stock sketches in lockstep on the chip and on libsimavr's processor. Compares program counter,
-// cycles, status, stack pointer and registers after each instruction, and occasionally all of memory.
+// Runs the stock sketches in lockstep on the emulated chip and on libsimavr's processor. Compares program
+// counter, cycles, status, stack pointer and registers after each instruction. Occasionally compares all RAM.
 //
 // libsimavr's peripherals are not used: the test sets the values of I/O registers and the times of
 // interrupts. tests/conformance compares the chip's peripherals with libsimavr.

@@ -1,6 +1,6 @@
 // A model of the processor, written only from the AVR Instruction Set Manual, DS40002198B: opcode patterns,
 // Boolean formulas of flags, and cycles of AVRe and AVRe+. It is slow, and shares no code with sim/mcu/avr.
-// sim/mcu/avr's instructions are compared with it.
+// Tests compare the processor of sim/mcu/avr with this model.
 //
 // All data memory is one array of 64 KB, which includes SREG, SP, RAMPZ and EIND. There are no peripherals
 // and no interrupts.
@@ -14,8 +14,8 @@
 
 namespace robosim::avr {
 
-/// A page of the manual. For "LDS Rd,k", the pattern is "1001 000d dddd 0000", and there are two words. The
-/// pages of SPM and BREAK are omitted.
+/// An instruction that a page of the manual describes. For "LDS Rd,k", `pattern` is "1001 000d dddd 0000",
+/// and `words` is 2. The model has no rows for SPM and BREAK.
 struct OpcodeRow {
   const char* name = nullptr;
   const char* pattern = nullptr;  ///< the first word's 16 digits and letters, as in the manual
@@ -41,8 +41,8 @@ class ManualModel {
   std::uint32_t pc = 0;  ///< in words
   std::uint64_t cycles = 0;
 
-  /// Returns all rows. `ran` and `jumped` count how often each row ran, and how often it did not continue at
-  /// the next word.
+  /// Returns all rows. For each row, `ran` counts its executions. `jumped` counts the executions after which
+  /// the program did not continue at the next word.
   static std::span<const OpcodeRow> rows();
   /// Returns the row of a word of flash, or nothing if the word is reserved.
   static std::optional<std::size_t> row_of(std::uint16_t word);
@@ -52,7 +52,7 @@ class ManualModel {
   struct Code;
   static const Code& code_of(std::size_t row);
 
-  /// Returns the field with this letter in the manual.
+  /// Returns the value of the opcode bits that the pattern marks with this letter.
   unsigned field(char letter) const;
   std::uint16_t word(std::uint16_t at) const {
     return static_cast<std::uint16_t>(data[at] | data[at + 1u] << 8);
@@ -82,7 +82,7 @@ class ManualModel {
   std::uint32_t relative(unsigned k, int bits) const;
 
   bool long_pc_;
-  // State of the running instruction:
+  // State of the instruction that is being executed:
   std::uint16_t opcode_ = 0, second_ = 0;
   const char* pattern_ = nullptr;
 };

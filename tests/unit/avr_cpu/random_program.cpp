@@ -42,13 +42,14 @@ unsigned moved_pointer(std::string_view name) {
   return name.find('X') != name.npos ? 26 : name.find('Y') != name.npos ? 28 : 30;
 }
 
-/// Returns whether the manual says "The result of these combinations is undefined": LD r26, X+ and similar.
+/// Returns whether the manual says "The result of these combinations is undefined", as for LD r26, X+.
 bool moves_its_own_register(std::string_view name, unsigned word) {
   const unsigned pointer = moved_pointer(name), d = word >> 4 & 31;
   return pointer != 0 && (d == pointer || d == pointer + 1);
 }
 
-/// Returns the name of an instruction that the processor may fuse with a preceding `name`, or `name` itself.
+/// Returns the name of an instruction that the processor may execute in one step with a preceding `name`.
+/// Sometimes returns `name` instead.
 std::string_view partner_of(std::string_view name, std::mt19937& random) {
   constexpr std::string_view kPartners[][2] = {
       {"ADD", "ADC"}, {"SUB", "SBC"},  {"SUBI", "SBCI"}, {"CP", "CPC"},   {"CPI", "CPC"},
@@ -58,7 +59,7 @@ std::string_view partner_of(std::string_view name, std::mt19937& random) {
   return name == first ? second : name;
 }
 
-/// Limits the high bits of a JMP's or CALL's target to the flash's address bits.
+/// Clears those high bits of a JMP's or CALL's target that exceed the address of the last word of flash.
 std::uint16_t within_flash(std::uint16_t word, bool long_pc) {
   return static_cast<std::uint16_t>(word & ~0x01F0u & (long_pc ? ~0u : ~1u));
 }

@@ -11,7 +11,7 @@
 
 namespace robosim::avr {
 
-/// The state at the start of a program. Other memory keeps its content from the previous program.
+/// The state at the start of a program. All other memory keeps the content from the previous program.
 struct Start {
   std::array<std::uint8_t, 32> registers{};
   std::uint8_t sreg = 0, rampz = 0, eind = 0;
@@ -19,28 +19,31 @@ struct Start {
   std::uint32_t pc = 0;
 };
 
-/// Returns flash full of random instructions that the manual defines, with targets in flash.
+/// Returns the content of a flash: random instructions that the manual defines. The targets of JMP and CALL
+/// are in flash.
 std::vector<std::uint16_t> random_flash(std::mt19937& random, bool long_pc);
 
-/// The processor and the model. Data memory has 64 KB: I/O registers without peripherals, and then RAM.
+/// The processor, and the model with which it is compared. The data memory of each has 64 KB: I/O registers
+/// without peripherals, followed by RAM.
 class Pair {
  public:
-  /// With `long_pc`, uses 22 bits and the largest ATmega's flash, otherwise 16 bits and 128 KB.
+  /// With `long_pc`, the program counter has 22 bits and the flash 256 KB; otherwise 16 bits and 128 KB.
   Pair(std::mt19937& random, bool long_pc);
 
   Start random_start(std::mt19937& random) const;
   void begin(const Start& start);
-  /// Runs the model for at most `instructions`, then the processor to the same cycle. Returns false if the
-  /// program cannot continue: the next instruction is reserved, undefined, or outside of flash.
+  /// Runs the model for at most `instructions`, and then runs the processor to the same cycle. Returns false
+  /// if the program cannot continue: the next instruction is reserved, undefined, or outside of flash.
   bool run(int instructions);
-  /// Describes the first difference, or returns "".
+  /// Describes the differences between processor and model, or returns "".
   std::string difference() const;
 
   ManualModel manual;
   Cpu cpu;
 
  private:
-  /// Returns whether the manual leaves the result undefined, including a stack that overwrites SP.
+  /// Returns whether the manual leaves the result of the next instruction undefined. This includes a stack
+  /// that overwrites SP, and an incremented or decremented pointer that points to X, Y or Z.
   bool is_undefined() const;
 
   bool long_pc_;

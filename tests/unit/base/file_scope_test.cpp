@@ -98,7 +98,8 @@ TEST_F(FileScope, RefusesEveryLinkOnTheWayWhereAFileIsToBeWritten) {
   EXPECT_TRUE(folder.open("team/robot.toml", O_RDONLY, HeldFolder::Links::refused).is_open());
 }
 
-/// Runs `holds` within a scope. Must run in a separate process, because a scope cannot be removed.
+/// Sets the file scope of this process to `folders`, and runs `holds`. Returns 0 if `holds` returns true,
+/// otherwise 1. Must run in a separate process, because a file scope cannot be removed.
 int in_scope(const std::vector<fs::path>& folders, const std::function<bool()>& holds) {
   const std::string variable = file_scope_variable(folders);
   ::setenv(kFileScope, variable.substr(variable.find('=') + 1).c_str(), 1);

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// More than the write buffer in memory.
+// A text that is longer than the write buffer in memory.
 const std::string kLong(300'000, 'x');
 
 std::vector<std::string> names_in(const fs::path& folder) {

@@ -1,4 +1,4 @@
-// Tests a batch against single robots: the same commands give bit-identical runs.
+// Compares a batch of robots with single robots: equal commands must give bit-identical runs.
 #include "sim/robot/batch/robots.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ class Chance {
 
 bool same(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// Returns an uno5 with random parameters.
+// Returns the stock robot uno5 with random parameters.
 robot::Description some_uno5(Chance& chance) {
   robot::Description robot = robot::load_description("uno5");
   const auto vary = [&](Parameter& number) { number = number.scaled(chance.within(0.7, 1.4)); };
@@ -47,7 +47,7 @@ robot::Description some_uno5(Chance& chance) {
   return robot;
 }
 
-// A robot::Robot, alone in a world of its own.
+// A robot::Robot that is alone in a world.
 struct Single {
   Single(const robot::Description& robot_, const map::Map& map, std::uint64_t seed, Profile profile,
          const Pose& start, std::uint32_t number)
@@ -59,7 +59,8 @@ struct Single {
     world.vary_floor(NoiseStream(7, 0, "floor", "test"), profile == Profile::ideal ? 0.0 : 0.05);
   }
 
-  // Drives one wheel by PWM `share`, -1 .. 1, or 2 to brake. Returns the driver's command.
+  // Drives one wheel with the duty cycle `share`, from -1 (backward) to 1; 2 brakes. Returns the command that
+  // the motor driver gives to the wheel.
   world::WheelCommand drive(world::Side side, double share, SimTime t) {
     const Pin en = side == left ? 5 : 6;
     const Pin in1 = side == left ? 7 : 9, in2 = side == left ? 8 : 10;
@@ -108,7 +109,8 @@ struct Counts {
   int slips = 0, skids = 0, contacts = 0, rests = 0;
 };
 
-// Compares `robots` robots on a map, with random commands and parameters, for a second.
+// Runs `robots` robots with random parameters and commands on a map, for a second. Runs them as a batch and
+// one by one. Expects equal states after each tick.
 void compare(const std::string& name, unsigned seed, std::size_t robots, Counts& counts) {
   SCOPED_TRACE(name + ", seed " + std::to_string(seed));
   Chance chance(seed);

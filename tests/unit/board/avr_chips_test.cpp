@@ -1,5 +1,5 @@
-// Tests AVR chips and their boards' pins against avr-libc's headers and Arduino's variants, as the compiler
-// evaluates them.
+// Compares the data of AVR chips with avr-libc's headers, and the data of their boards' pins with Arduino's
+// variants. avr-g++ evaluates these headers.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ std::vector<const BoardSpec*> avr_boards() {
   return boards;
 }
 
-/// The output and messages of avr-g++ for a source.
+/// The output of avr-g++ for a source, and the error messages.
 struct Compiled {
   std::string output, errors;
 };
@@ -45,7 +45,7 @@ Compiled compiled(const std::string& source, const std::string& arguments) {
   return {read_file(out), ok ? "" : read_file(err)};
 }
 
-/// Assertions about numbers, which the compiler checks.
+/// Collects static_asserts about numbers. The compiler checks them.
 class Statements {
  public:
   void equal(const std::string& name, long long ours) {
@@ -57,8 +57,8 @@ class Statements {
   std::string text_;
 };
 
-/// Adds assertions about a timer that shares registers. The names and bits of its registers differ from an
-/// ATmega's.
+/// Adds assertions about a timer that shares its registers with another timer. The names and bits of these
+/// registers differ from those of an ATmega's timer.
 void state_shared_timer(Statements& are, const TimerSpec& timer) {
   const std::string n = std::to_string(timer.number);
   are.equal("TCNT" + n, timer.count);
@@ -201,7 +201,7 @@ std::string statements_about(const ChipSpec& chip) {
   return are.text();
 }
 
-/// The bit of a register that stops a peripheral, as in <avr/power.h>.
+/// The power reduction bit that stops a peripheral, as in <avr/power.h>.
 struct Stop {
   std::string peripheral;
   std::uint16_t address;
@@ -221,7 +221,7 @@ std::vector<Stop> stops_of(const ChipSpec& chip) {
   return stops;
 }
 
-/// Returns each chip that a board uses, once.
+/// Returns the chips of all AVR boards, each chip once.
 std::vector<const ChipSpec*> avr_chips() {
   std::vector<const ChipSpec*> chips;
   for (const BoardSpec* board : avr_boards())
@@ -262,7 +262,7 @@ std::vector<int> array_of(const std::string& source, const std::string& name) {
   return numbers;
 }
 
-/// Returns the Arduino core's number for an output of a timer: TIMER0A and so on, in Arduino.h.
+/// Returns the name that Arduino.h gives to a pin's timer output, such as TIMER0A.
 std::string arduinos_timer(const BoardSpec& board, const PinSpec& pin) {
   if (!pin.pwm) return "NOT_ON_TIMER";
   return fmt::format("TIMER{}{}", board.chip->timers[pin.chip_pin.timer].number,

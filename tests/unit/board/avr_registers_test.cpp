@@ -18,7 +18,7 @@ using Top = Counting::Top;
 constexpr const AdcSpec& kAdc = kAtmega328p.adc;
 constexpr std::int64_t kClock_hz = 16'000'000;
 
-/// How a timer counts in a mode, given OCRnA = 100 and ICR1 = 5000.
+/// The way in which a timer counts in a mode. `top` applies to OCRnA = 100 and ICR1 = 5000.
 struct Mode {
   int number;  ///< value of the bits WGM
   Kind kind;
@@ -108,7 +108,7 @@ TEST(AvrTimer, AToggledPinHasTheFrequencyOfTheDataSheetsFormula) {
   const PinDrive tone = driven(2, 0x42, 4, 141, 0);
   EXPECT_EQ(tone.tone_hz, 16'000'000u / (2 * 64 * 142));
   EXPECT_EQ(tone.duty, 0.5);
-  // There is one match, at TOP, in 2 TOP ticks.
+  // In this mode, there is one compare match, at TOP, in 2 * TOP ticks.
   EXPECT_EQ(driven(2, 0x41, 0x0C, 100, 0).tone_hz, 16'000'000u / (2 * 64 * 200));
 }
 
@@ -162,7 +162,7 @@ TEST(AvrAdc, ACodeIsTheShareOfTheReferenceRoundedDown) {
   EXPECT_EQ(adc_data(0x00, 0x3FF), 0x03FF);
 }
 
-/// A board on which pin N has N tenths of a volt.
+/// A board whose pin N has a voltage of N * 0.1 V.
 class Volts final : public FirmwarePort {
  public:
   const BoardSpec& spec() const override { return *find_board("uno"); }
@@ -203,7 +203,7 @@ TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {
   EXPECT_FALSE(board.asked);
 }
 
-// A pin's volts are returned as if the supply had not dropped (FirmwarePort::supply_share).
+// read_volts() returns a pin's voltage as if the supply voltage had not dropped (FirmwarePort::supply_share).
 TEST(AvrAdc, ASupplyThatSinksIsSeenAgainstTheBandgapAndNotByIt) {
   Volts board;
   board.share = 0.8;

@@ -1,3 +1,4 @@
+// Tests building sketches for target host: images, sources and messages.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -53,7 +54,7 @@ TEST_F(SketchTest, AnImageExportsNothingButItsEntryAndNeedsLittleOfTheMachine) {
 #if defined(__arm__)  // the image calls raise() for a division by zero
   harmless.emplace_back("raise");
 #endif
-#if defined(__arm__) || defined(__aarch64__)  // a weak function without a definition
+#if defined(__arm__) || defined(__aarch64__)  // serialEvent(), a weak symbol without a definition
   harmless.emplace_back("_Z11serialEventv");
 #endif
   EXPECT_THAT(

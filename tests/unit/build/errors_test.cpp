@@ -1,3 +1,4 @@
+// Tests the messages for sketches that do not compile or link.
 #include <gmock/gmock.h>
 
 #include "tests/unit/build/fixture.h"

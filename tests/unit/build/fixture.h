@@ -1,4 +1,5 @@
-// Creates a folder for each test. All tests share one cache, so the core is compiled only once.
+// A test fixture that builds sketches. Each test has a temporary folder. All tests share one build cache, so
+// the Arduino core is compiled only once.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -120,7 +120,7 @@ TEST_F(HostLibrariesTest, ALibraryForAvrsAloneIsCompiledAsForOne) {
   EXPECT_EQ(
       run_with_libraries("#include <Ticks.h>\nvoid show() { begin(); delay(20); Serial.println(ticks); }\n" +
                          std::string(kWithSerial)),
-      "21\n");  // init()'s PWM has already set the first interrupt's flag, as on the chip
+      "21\n");  // 20 in 20 ms, and 1 because the PWM of init() had set the flag, as on the chip
 }
 
 TEST_F(HostLibrariesTest, AnErrorOfTheSketchIsToldAsWithoutLibraries) {

@@ -41,8 +41,8 @@ class HostileTest : public SketchTest {
  protected:
   void SetUp() override { write("Pupil/Pupil.ino", kEmptySketch); }
 
-  /// Builds a sketch for target avr. Returns the error message. Returns the expected messages if the AVR
-  /// compiler is missing.
+  /// Builds a sketch for target avr. Returns the error message. If the AVR compiler is missing, returns the
+  /// messages that the tests expect.
   std::string error_on_avr(const std::string& name) const {
     if (!missing_tool("avr").empty()) return "begin with '@', begin with '-'";
     try {
@@ -53,7 +53,8 @@ class HostileTest : public SketchTest {
     return "no error";
   }
 
-  /// Returns the line that `script` prints in the compiler's sandbox and environment.
+  /// Runs a shell script in the compiler's sandbox, with the compiler's environment. Returns the script's
+  /// output.
   std::string printed_within_walls(const std::string& script) const {
     fs::create_directories(folder_ / "scratch");
     return run_within({}, {{{"/bin/sh", "-c", script}, "/", {}, folder_ / "scratch"}})[0].output;
@@ -152,7 +153,7 @@ TEST_F(HostileTest, WhatACompilerLeavesRunningChangesNothingThatIsStored) {
   const Cache cache(folder_ / "cache");
   const fs::path made = write("made.o", "as it was");
   const Entry stored = cache.store("key", {}, read_made(made), "made.o", {}, {});
-  std::ofstream(made) << "as it is now";  // as by a program that still has the file open
+  std::ofstream(made) << "as it is now";  // simulates a program that still has the file open
   EXPECT_EQ(read_file(stored.result), "as it was");
 }
 
@@ -195,7 +196,8 @@ TEST_F(HostileTest, NoCompilerChangesWhatItIsGivenFromTheCacheOrReadsMore) {
 }
 
 TEST_F(HostileTest, FlagsThatReadAlikeAreNotTheSameKey) {
-  // Equal cache keys would also harm other sketches: all share the core, whose key has the same form.
+  // Equal cache keys would also harm other sketches: all sketches share the core, whose cache key has the
+  // same form.
   write("Pupil/Pupil.ino",
         "#ifdef B\nint b;\n#endif\nvoid setup() {\n#ifdef B\n  B();\n#endif\n}\nvoid loop() {}\n");
   Request request{folder_ / "Pupil", *find_board("uno")};
@@ -232,7 +234,7 @@ TEST_F(HostileTest, ANumberInAMessageMayBeTooLargeForOne) {
         "#line 1 \"a\\nb.c:99999999999999999999:1: fatal error: y.h: No such file or directory\"\nint x = ;",
         "asm(\".error \\\"b.c:99999999999999999999: Error: x\\\"\");"}) {
     write("Pupil/Pupil.ino", std::string(line) + "\n" + kEmptySketch);
-    EXPECT_NE(error_of("Pupil"), "no error") << line;  // a number that is too large throws no other exception
+    EXPECT_NE(error_of("Pupil"), "no error") << line;  // throws InputError only
   }
 }
 
@@ -245,7 +247,8 @@ TEST_F(HostileTest, NoSketchMakesItselfAFaultOfTheMachine) {
   EXPECT_THAT(error_of("Pupil"), HasSubstr("Pupil.ino:1:"));
 }
 
-/// Returns whether `work` takes at most 10 s of processor time. In linear time, it takes about 1 s.
+/// Returns whether `work` takes at most 10 s of processor time. An algorithm of linear complexity takes about
+/// 1 s.
 bool ends_soon(const std::function<void()>& work) {
   return Child([&] {
            const rlimit most{10, 10};

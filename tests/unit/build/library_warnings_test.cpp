@@ -1,3 +1,4 @@
+// Tests which compiler warnings about libraries are shown to the user.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

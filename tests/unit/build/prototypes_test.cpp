@@ -12,7 +12,8 @@ using testing::Not;
 
 class PrototypesTest : public SketchTest {
  protected:
-  /// Adds prototypes to a joined source that consists of `code`, the lines of X.ino.
+  /// Adds prototypes to the source that Robosim generates from a sketch. The sketch has one file, X.ino,
+  /// which contains `code`.
   std::string with_prototypes(const std::string& code) const {
     const std::string joined = "#include <Arduino.h>\n#line 1 \"X.ino\"\n" + code;
     return add_prototypes(joined, "# 1 \"Arduino.h\" 1\nvoid pinMode(int) {}\n# 1 \"X.ino\" 2\n" + code,

@@ -1,4 +1,5 @@
-// Compiles sketches and runs them on a board without a robot. Constant voltages are on its analog pins.
+// A test fixture that compiles sketches, and runs them on a board without a robot. The analog pins have a
+// constant voltage.
 #pragma once
 
 #include <memory>

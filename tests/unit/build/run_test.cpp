@@ -106,7 +106,7 @@ TEST_F(RunTest, ATimerInterruptCallsItsHandler) {
           "volatile int n;\nISR(TIMER1_COMPA_vect) { n++; }\n"
           "void setup() { Serial.begin(115200); OCR1A = 15999; TCCR1A = 0; TCCR1B = _BV(WGM12) | _BV(CS10);"
           " TCNT1 = 0; TIMSK1 = _BV(OCIE1A); while (n < 50) ; Serial.println(millis()); }\nvoid loop() {}\n"),
-      "48\n");  // init()'s PWM has set the first interrupt's flag; millis() counts overflows of 1.024 ms
+      "48\n");  // init()'s PWM had already set the flag; millis() counts overflows of 1.024 ms
 }
 
 TEST_F(RunTest, GainsInEepromSurviveAPowerCycle) {
@@ -158,7 +158,8 @@ TEST_F(RunTest, GlobalsNamedAsTheCLibrarysFunctionsAreTheSketchsOwn) {
   run_image(image, 100 * kMillisecond);
 }
 
-// On the chip, a function without its return statement returns, too. The returned value is meaningless.
+// As on the chip, a function that lacks its return statement returns to its caller. The returned value is
+// meaningless.
 TEST_F(RunTest, AFunctionThatShouldGiveAValueAndHasNoReturnReturns) {
   EXPECT_EQ(run_code("int a;\nvoid never() { Serial.println(\"never called\"); }\n"
                      "bool __attribute__((noinline)) set_up(int& b) { b = 1; }\n"

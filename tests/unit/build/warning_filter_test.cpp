@@ -15,7 +15,8 @@ using ::testing::Not;
 
 class Slips : public SketchTest {
  protected:
-  /// Returns the compiler's messages for a sketch whose loop() has this body. The body begins at line 6.
+  /// Returns the compiler's messages for a sketch whose loop() has this body. The body begins at the sketch's
+  /// line 6.
   std::string said_of(const std::string& body) {
     write("My/My.ino",
           "#define LOG(x)\nint x, y, z;\nvoid f() {}\nvoid setup() {}\nvoid loop() {\n" + body + "\n}\n");

@@ -1,4 +1,5 @@
-// Tests invalid logs and stopwatch files: each causes one message with the file's name and usually the line.
+// Tests invalid calibration logs and stopwatch files. Each error must cause one message, which contains the
+// file's name and usually the line number.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Generates logs for tests, as a robot's calibration sketch would print them.
+// Generates calibration logs for tests, as the calibration sketch of a robot would print them.
 #pragma once
 
 #include <fmt/format.h>
@@ -53,7 +53,7 @@ pins = { a = 3 }
 periods = 150
 )";
 
-/// A sensor with a footprint of 4 mm that passes a 19 mm tape every second, at 100 mm/s.
+/// A sensor that passes a 19 mm tape every second, at 100 mm/s. Its footprint is 4 mm long.
 struct Eye {
   int floor = 100, tape = 900;
   double first_s = 0.5, last_s = 6.0;  ///< time of the first and last passage

@@ -1,3 +1,4 @@
+// Tests how `robosim hunt` draws test cases, and compares the output of two runs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -211,7 +212,8 @@ TEST(TestCase, OfAFamilyGoOnOnAChipFromOneMoment) {
     EXPECT_EQ(test_case.family, test_cases.back().family);
     EXPECT_NE(space.builds[test_case.build].target, "host");
     EXPECT_EQ(test_case.branch_point.at_ms, 30000);
-    // The branch at 30 s appends its stimulus at the end, although the second stimulus comes later, at 40 s.
+    // The test case branches off at 30 s. Its new stimulus is the last in the list, although the second
+    // stimulus takes effect later, at 40 s.
     ASSERT_EQ(test_case.stimuli.size(), 3U);
     EXPECT_TRUE(
         std::equal(at.test_case.stimuli.begin(), at.test_case.stimuli.end(), test_case.stimuli.begin()));
@@ -340,8 +342,8 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
           << "a power cut splits a text at another byte";
     const TestCase differential = counterpart_of(test_case, space);
     if (test_case.differential == Differential::clock) {
-      // The counterpart's clock starts after a sketch's one-time actions. It starts before the test case's
-      // clock, so it does not wrap.
+      // The counterpart starts with an earlier clock value than the test case, so its clock does not wrap.
+      // This value is still so late that a sketch has finished its one-time actions.
       EXPECT_GE(differential.clock_ms, kPast_ms);
       EXPECT_LT(differential.clock_ms, test_case.clock_ms);
       EXPECT_TRUE(differential.clock_ms == kPast_ms ||

@@ -1,4 +1,5 @@
-// Tests that fast walks, which do not call a watcher, equal walks that call a watcher after each move.
+// Tests the fast walks of robots without a watcher. They must equal the walks of robots that call a watcher
+// after each move.
 #include "sim/map/cells/quick.h"
 
 #include <gtest/gtest.h>

@@ -16,7 +16,7 @@ using ::testing::ElementsAre;
 
 map::Map drawn(const std::string& rows) { return map::parse_map(rows, "drawn.map"); }
 
-// A survey of a map. `from` is the start, as "X,Y,DIR"; if it is empty, the map's default start is used.
+// A survey of a map. `from` is the start, as "X,Y,DIR"; an empty `from` stands for the map's default start.
 struct Surveyed {
   map::Map map;
   map::Start start;

@@ -1,4 +1,4 @@
-// Compares the cell engine, move for move, with a simple re-implementation of Robosim v1.
+// Compares the simulation of a robot on cells, move for move, with a simple re-implementation of Robosim v1.
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// The fixture provides an image as a build returns it, but the image's file is not an ELF file.
+// A fixture with an image like the result of a build. However, the image's file is not an ELF file.
 class BuildReport : public ::testing::Test {
  protected:
   BuildReport() {

@@ -1,3 +1,4 @@
+// Tests the JSON of graphs and of `robosim classic`, with names that contain special characters.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// Tests help texts, manual pages and shell completion: all have one source, and contain the facts on which
-// readers rely.
+// Tests help texts, manual pages and shell completion, which are generated from one source. Also tests that
+// they name facts such as the exit statuses.
 #include "sim/cli/help.h"
 
 #include <gmock/gmock.h>
@@ -24,7 +24,7 @@ std::string printed(const std::vector<std::string>& words) {
   return std::get<PrintText>(parse_arguments(words)).text;
 }
 
-/// Returns all commands and actions, each with its own options.
+/// Returns all commands without actions, and the actions of all other commands.
 std::vector<CommandHelp> leaves() {
   std::vector<CommandHelp> all;
   for (const CommandGroup& group : command_groups())
@@ -98,8 +98,9 @@ TEST(Help, FitsInEightyColumns) {
   }
 }
 
-/// Returns whether a line seems to depend on the line above it. An independent line begins with a verb in the
-/// imperative; this function only checks that it begins in lower case and not with one of these words.
+/// Returns whether a help text seems to be incomplete without the line above it. A complete text begins with
+/// a verb in the imperative. This function only checks that the text begins in lower case, but not with one
+/// of these words. The text must not be a sentence with a full stop.
 bool leans_on_others(const std::string& text) {
   for (const char* word : {"of ", "the ", "a ", "as ", "is ", "that ", "with ", "for ", "where ", "which ",
                            "what ", "how ", "file", "folder", "default", "if ", "name,"})

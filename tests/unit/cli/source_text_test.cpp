@@ -44,7 +44,8 @@ class SourceTextTest : public ::testing::Test {
  protected:
   SourceTextTest() { write_file(folder_.path() / "My.ino", kSketch); }
 
-  /// Returns the texts and lines that explain() adds to a chain with one cause, which has these lines.
+  /// Calls explain() for a chain of causes. The chain consists of one cause at `lines` of My.ino. Returns the
+  /// texts and line numbers of the causes that explain() adds to the chain.
   std::vector<std::pair<std::string, std::vector<int>>> added_to(std::vector<int> lines) {
     SourceText source({folder_.path()});
     result::Cause cause{0.0, "in loop()", {}};
@@ -62,7 +63,7 @@ class SourceTextTest : public ::testing::Test {
   }
 
   test::TemporaryFolder folder_;
-  std::vector<int> left_;  ///< lines of that cause after explain()
+  std::vector<int> left_;  ///< lines of the chain's first cause after explain()
 };
 
 using Link = std::pair<std::string, std::vector<int>>;

@@ -14,7 +14,8 @@ namespace pool_test {
 
 using ::testing::ElementsAre;
 
-/// Returns a task for the fake worker (fake_worker.cpp). `image` is the verdict or command for the worker.
+/// Returns a task for the fake worker (fake_worker.cpp). `image` is a command for the worker, or the verdict
+/// that the worker returns.
 Task task_of(const std::string& image) {
   Task task{"host", {}};
   task.request.image = image;
@@ -128,7 +129,7 @@ TEST(Pool, RunsThatFinishedBehindAMissingOneAreKeptWhenItIsInterrupted) {
   work.count = 3;
   work.task = [&](std::size_t i) {
     Task task = task_of(i == 0 ? "never" : "reached");
-    if (i == 2) pool.interrupt();  // the pool requests task 2 after the answer of run 1
+    if (i == 2) pool.interrupt();  // the pool calls task(2) after the answer of run 1
     return task;
   };
   work.answered = [&](std::size_t i, Answer) { handed.push_back(i); };

@@ -39,7 +39,7 @@ class RunnerTest : public ::testing::Test {
   ~RunnerTest() override { fs::remove_all(folder_); }
 
   std::string program(std::string play) {
-    // Joins the lines of a message that are wrapped only in this source file.
+    // Joins the lines of each message: a message is one line, but is wrapped in this source file.
     std::string::size_type at = 0;
     while ((at = play.find(",\n", at)) != std::string::npos) play.replace(at, 2, ", ");
     const fs::path path = folder_ / "fake";
@@ -187,7 +187,7 @@ TEST_F(RunnerTest, WhatTheCallbackThrowsPassesThroughAndEndsTheRunner) {
 }
 
 TEST_F(RunnerTest, ARunnerThatStopsListeningDoesNotHoldUpItsEnd) {
-  { Runner r = runner(kHello + std::string("!interrupt\n")); }  // never reads a request, so it is killed
+  { Runner r = runner(kHello + std::string("!interrupt\n")); }  // does not read its input, so it is killed
   expect_no_children();
 }
 

@@ -18,7 +18,7 @@ namespace import_test {
 using ::testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
-// The tolerance in metres: the rounding of written values adds up to a few micrometres over a course.
+// The tolerance in metres: the rounding errors of written values add up to a few micrometres over a course.
 constexpr double kRounding = 1e-5;
 
 map::Map import(const std::string& text) { return import_course(text, "course.txt", "course").map; }
@@ -132,7 +132,8 @@ TEST(ImportMaze, PassagesBecomeLines) {
   const map::Map map = import(kMaze);
   ASSERT_TRUE(map.start);
   const map::Network network = map::trace_network(map, *map.start);
-  // The stations are the passage's two ends. The goal and the cell below the goal are unreachable from there.
+  // The stations are the passage's two ends. The goal and the cell below the goal are unreachable from the
+  // passage.
   EXPECT_EQ(network.stations.size(), 2u);
   EXPECT_EQ(network.unreachable.size(), 2u);
   const map::Map crlf = import([] {
@@ -203,7 +204,7 @@ TEST(Import, WhatIsNoCourseIsRefusedWithAReason) {
   }
 }
 
-// The posts are "+" here, so the first line could be mistaken for numbers.
+// The posts of this maze are "+". A wrong import would mistake the first line for a row of numbers.
 constexpr const char* kPlusMaze =
     "+---+---+---+\n"
     "|       |   |\n"
@@ -257,7 +258,7 @@ TEST(Import, DepthAndLengthAreNoHarm) {
   EXPECT_THAT(message_of(std::string(100'000, 'o')), HasSubstr("the maze is too large"));
 }
 
-// --- RoboCupJunior's rcj-rescue-cms ---
+// --- courses of rcj-rescue-cms, the course editor of RoboCupJunior ---
 
 std::string rescue_tile(int x, int y, int rot, const std::string& id, const std::string& more = "") {
   return fmt::format(R"({{"x":{},"y":{},"z":0,"rot":{},"tileType":"{}"{}}})", x, y, rot, id, more);
@@ -303,7 +304,8 @@ TEST(ImportRescue, ItsGoalIsTheCompetitionsWithTheCheckpointsAlongTheWay) {
   EXPECT_FALSE(map.course.rescue->to_zone);
 }
 
-// An arc of 150 mm radius leads down. A second arc, turned by 90 degrees, leads back to the left.
+// The first arc has a radius of 150 mm and leads down. The second arc is turned by 90 degrees and leads back
+// to the left.
 TEST(ImportRescue, TilesAreTurnedClockwise) {
   const map::Map map =
       import(rescue(rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kArc) + "," +
@@ -314,7 +316,8 @@ TEST(ImportRescue, TilesAreTurnedClockwise) {
   EXPECT_NEAR(path.end().position.y, 0.3 + 0.15, kRounding);
 }
 
-// The intersection is entered from the left. The green square is beyond it, so the route goes straight on.
+// The robot enters the intersection from the left. The green square is beyond the intersection, so the route
+// goes straight on.
 TEST(ImportRescue, AtAnIntersectionTheWayTurnsAsTheGreensSayAndTheOtherArmsStay) {
   const std::string to_the_right = rescue_tile(0, 0, 0, kStraight) + "," + rescue_tile(1, 0, 0, kPlus) + "," +
                                    rescue_tile(2, 0, 0, kStraight);
@@ -348,7 +351,7 @@ TEST(ImportRescue, TheWayGoesOnBehindTheEvacuationZone) {
   ASSERT_EQ(imported.map.course.areas.size(), 2u);
   EXPECT_EQ(imported.map.course.areas[0].colour.hue, map::Hue::silver);
   ASSERT_EQ(imported.remarks.size(), 2u);
-  EXPECT_THAT(imported.remarks[0], HasSubstr("so the map has no goal"));  // a goal requires a second tile
+  EXPECT_THAT(imported.remarks[0], HasSubstr("so the map has no goal"));  // a goal requires two tiles
   EXPECT_THAT(imported.remarks[1], HasSubstr("2 tiles of the evacuation zone"));
 }
 
@@ -367,7 +370,7 @@ TEST(ImportRescue, WhatAMapCannotHoldIsSaid) {
   EXPECT_EQ(imported.map.at({3 + 3 + 1, 3 + 1}), map::Cell::wall);
 }
 
-// Each tile is in the middle of four straight tiles, and is entered from each of these in turn.
+// Puts each kind of tile between four straight tiles, and starts on each of these straight tiles once.
 TEST(ImportRescue, EveryTileLeadsFromOneSideToAnotherHoweverItIsTurned) {
   for (const TileKind& kind : rescue_tiles()) {
     for (const int rot : {0, 90, 180, 270}) {

@@ -13,8 +13,8 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Drives straight on, and reads a sensor once per `looks_every`. With `plans`, drives at half power in the
-/// second half of each of these intervals.
+/// Firmware that drives straight on, and reads a sensor once per `looks_every`. With `plans`, it drives at
+/// half power in the second half of each interval.
 class Distracted : public exec::Executor {
  public:
   Distracted(SimTime looks_every, bool plans) : looks_every_(looks_every), plans_(plans) {}
@@ -53,8 +53,8 @@ class Distracted : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Reads a sensor every millisecond, and starts to drive after two seconds. The last reading is `later`
-/// before the start.
+/// Firmware that reads a sensor every millisecond, and starts to drive after two seconds. It reads the sensor
+/// for the last time `later` nanoseconds before it starts to drive.
 class Starts final : public Distracted {
  public:
   explicit Starts(SimTime later) : Distracted(kSecond, false), later_(later) {}

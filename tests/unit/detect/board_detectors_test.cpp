@@ -15,7 +15,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Writes its LED and a byte of its EEPROM every tenth of a second.
+/// Firmware that writes to the LED pin and to a byte of the EEPROM every tenth of a second.
 class Blinker final : public exec::Executor {
  public:
   enum class Led { forgotten, high_first };

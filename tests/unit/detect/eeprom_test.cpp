@@ -1,5 +1,5 @@
-// Tests findings about a sketch's EEPROM: wear, records that a power cut can tear, and records of which all
-// bytes were written to one address.
+// Tests the detectors of EEPROM bugs: wear, records that a power cut can tear, and records whose bytes were
+// all written to one address.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// An executor whose source line the test sets.
+/// An executor that does nothing, but reports the source line `line`, which the test sets.
 class Told final : public exec::Executor {
  public:
   RobotPort& board() override { return board_; }

@@ -81,7 +81,8 @@ std::vector<result::Detected> seen(Driven::Step step, SimTime limit = 10 * kSeco
   return run::simulate(setup).front().detected;
 }
 
-/// Returns a step that turns right until the line is out of sight on the left, and then calls `after`.
+/// Returns a step that steers to the right until no sensor sees the line, and then calls `after`. The line is
+/// then to the left of the sensors.
 Driven::Step leaves_to_the_right(std::function<void(Driven&, SimTime since)> after) {
   SimTime lost_at = -1;
   return [after, lost_at](Driven& robot, SimTime t) mutable {

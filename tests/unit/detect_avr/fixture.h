@@ -1,4 +1,4 @@
-// Runs a sketch on an AVR that all detectors observe.
+// A test fixture that runs a sketch on an emulated AVR. All detectors of target avr observe the sketch.
 #pragma once
 
 #include <string>
@@ -27,7 +27,7 @@ class AvrDetectorTest : public exec::AvrTest {
   }
 
   bool watched_ = true;
-  std::vector<Pin> counted_;  ///< pins on which every edge matters
+  std::vector<Pin> counted_;  ///< pins on which every edge matters, such as those of an encoder
 };
 
 }  // namespace robosim::detect

@@ -1,5 +1,5 @@
-// Tests the detection of torn reads, torn writes and lost updates. An image with checks (--sanitize) crashes
-// at each of them. In the image that is flashed, a detector finds them.
+// Tests the detection of torn reads, torn writes and lost updates. An image that is built with --sanitize
+// crashes at these accesses. In the image for the real robot, a detector finds them.
 
 #include <array>
 
@@ -110,7 +110,7 @@ TEST_P(TearingTest, AByteThatNoHandlersWriteIsUndoneOfIsNone) {
   }
 }
 
-// Tests correct ways to share `ticks` with the handler, which runs as often as in the tests above.
+// Tests correct ways to share `ticks` with the handler. The handler runs as often as in the tests above.
 TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
   const std::string kHandsOver = "if (!ready) { ticks = ticks + 777; ready = true; }";
   const std::array<std::string, 2> right[] = {
@@ -126,13 +126,13 @@ TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
       {"seen = ticks;", "ready = !ready;"}};
   for (const auto& [line, handler] : right) {
     start(pluralize(line, handler));
-    run(20 * kMillisecond);  // the handler runs 400 times; 60 reveal the torn read above
+    run(20 * kMillisecond);  // 400 runs of the handler; 60 reveal the torn read above
     EXPECT_EQ(torn().text, "") << line;
   }
 }
 
-// tone() writes a 4-byte number of pin changes, which a handler may still be counting down for the previous
-// tone.
+// tone() writes the number of pin changes, which has 4 bytes. Meanwhile, an interrupt handler of the core may
+// still decrement this number for the previous tone.
 TEST_P(TearingTest, WhatTheCoreDoesWithItsOwnNumbersIsNotTheSketchs) {
   start("void setup() {}\nvoid loop() { tone(11, 4000, 512); delayMicroseconds(random(1000)); }\n");
   run(500 * kMillisecond);

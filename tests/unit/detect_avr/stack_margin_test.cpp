@@ -12,9 +12,9 @@ using testing::SizeIs;
 
 class StackMarginTest : public AvrDetectorTest {
  protected:
-  /// Returns the findings for a sketch. The variables (`taken` bytes and a few more) and loop()'s deepest
-  /// stack leave 1832 - `taken` bytes free. The stack is at its deepest for about 10 µs of each 5 ms. Timer
-  /// 2's handler uses 108 bytes of stack, and runs once per ms, but not during these 10 µs.
+  /// Returns the findings for a sketch whose variables have `taken` bytes and a few more. When loop()'s stack
+  /// is deepest, 1832 - `taken` bytes of RAM are free. This is the case for about 10 µs of each 5 ms. Timer
+  /// 2's handler uses 108 bytes of stack. It runs once per ms, but not during these 10 µs.
   std::vector<Detected> seen(int taken, const std::string& loop = "deep();", const char* attribute = "") {
     start("volatile byte all[" + std::to_string(taken) + "], sum;\nISR(TIMER2_COMPA_vect" + attribute +
           ") {\n"

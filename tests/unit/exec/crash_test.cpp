@@ -1,3 +1,4 @@
+// Tests that crashes of a sketch on the host are reported with their reason and line.
 #include <fmt/format.h>
 
 #include "sim/base/error.h"
@@ -48,7 +49,7 @@ TEST_F(CrashTest, DeepRecursion) {
 TEST_F(CrashTest, AWildPointer) {
 #if defined(__x86_64__)
   const char* const reason = "wild pointer";
-#else  // other processors also report an address that is not canonical
+#else  // unlike x86-64, these processors report a non-canonical address
   const char* const reason = "of address 0x";
 #endif
   expect(crash("void faulty() { *(volatile char*)0x123456789ABCDEFull = 1; }"), reason, "faulty", 2);
@@ -63,7 +64,7 @@ TEST_F(CrashTest, InsideALibraryFunctionTheSketchsLineIsNamed) {
          "faulty", 2);
 }
 
-// The sketch overwrites a pointer of the executor. A write past the end of an array might do the same.
+// The sketch overwrites a pointer of the executor. A write past the end of an array can have the same effect.
 TEST_F(CrashTest, InTheExecutorWhereTheSketchHasSpoiltWhatItIsCalledWith) {
 #ifdef ROBOSIM_ASAN
   GTEST_SKIP() << "the sanitizers of Robosim itself end the process first";

@@ -1,4 +1,5 @@
-// Runs a sketch, given as text, tick by tick on a host executor, and records its actions.
+// A test fixture that builds a sketch from a text, and runs it tick by tick on a host executor. Records the
+// sketch's actions.
 #pragma once
 
 #include <gmock/gmock.h>

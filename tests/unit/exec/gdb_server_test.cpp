@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// A processor with two registers of two bytes, and sixteen bytes of memory at 0x100.
+/// A fake processor with two registers of two bytes, and sixteen bytes of memory at 0x100.
 class Fake final : public Processor {
  public:
   std::string registers() const override { return registers_[0] + registers_[1]; }

@@ -1,3 +1,4 @@
+// Tests interrupts on the host: attachInterrupt(), pin changes, flags and cli().
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

@@ -1,3 +1,4 @@
+// Tests the heap of a sketch on the host, and writes beyond the heap.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

@@ -166,7 +166,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(25, 49, 0, 30, 0, 1));
 }
 
-// The 16-bit timer counts edges of pin 5, and the 8-bit timer edges of pin 4.
+// Timer 1 can count edges of pin 5, and timer 0 edges of pin 4.
 TEST_F(OwnOutputs, ATimerCountsEdgesOfItsPin) {
   start(R"(volatile int full;
 ISR(TIMER1_COMPA_vect) { ++full; }
@@ -198,7 +198,7 @@ void loop() {})");
   run(510 * kMillisecond);
   for (int i = 0; i < 7; ++i) board().schedule_edge(5, i % 2 == 0, now_ + i * kMillisecond);
   run(60 * kMillisecond);
-  EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // init()'s PWM has set the first interrupt's flag
+  EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // `full` is 3: the PWM of init() adds one
 }
 
 }  // namespace own_outputs_test

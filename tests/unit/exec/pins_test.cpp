@@ -1,3 +1,4 @@
+// Tests digital and analog pins on the host, by functions and by registers.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

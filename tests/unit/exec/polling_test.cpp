@@ -1,5 +1,5 @@
-// Tests that skipping the waiting loops of firmware is not observable: later actions and all reports stay the
-// same.
+// Tests that skipping the waiting loops of firmware is not observable: skipping changes neither the later
+// actions of the firmware nor any report.
 #include <fmt/format.h>
 
 #include "tests/unit/exec/fixture.h"
@@ -131,7 +131,8 @@ TEST_F(Polling, OfAFlagThatATimerSets) {
       "void loop() { uint8_t before = ticks; while (ticks == before); digitalWrite(13, ticks & 1); }\n");
 }
 
-// While the loop waits, timer 0 overflows repeatedly. Its handler delays the loop at any point of a round.
+// While the loop waits, timer 0 overflows repeatedly. Its handler delays the loop at any point of an
+// iteration.
 TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   const std::string begin =
       "volatile bool flag, other; volatile uint8_t rounds; bool on;\n"

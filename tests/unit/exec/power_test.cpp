@@ -1,3 +1,4 @@
+// Tests power cycles, the EEPROM and the start of a sketch on the host.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -93,7 +94,7 @@ void loop() {})");
   EXPECT_FALSE(pins_[2].drive.level);
 }
 
-// AFMotor's motors are static objects whose constructors connect their pins to timer 2.
+// In the library AFMotor, motors are static objects whose constructors connect their pins to timer 2.
 TEST_F(PowerTest, InitLeavesTheBitsOfTimersThatConstructorsHaveSet) {
   output(R"(struct Shield {
   Shield() { TCCR1A = 0x80; TCCR1B = 0x10; TCCR2A |= _BV(COM2A1) | _BV(WGM21) | _BV(WGM20); 

@@ -254,7 +254,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(0x50, 0, 0x40, 0x80, 0x50, 0));
 }
 
-// The first conversion takes 25 ADC clocks of 8 us, and a later one takes 13 (DS40002061B, table 24-1).
+// The first conversion takes 25 ADC clocks of 8 us, and later conversions take 13 (DS40002061B, table 24-1).
 TEST_F(Registers, TheFirstConversionBehindAdenTakes25Clocks) {
   output(R"(void convert() {
   const unsigned long start = micros();

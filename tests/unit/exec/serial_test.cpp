@@ -1,3 +1,4 @@
+// Tests Serial on the host: formatting, buffers and timing.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

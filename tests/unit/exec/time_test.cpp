@@ -1,3 +1,4 @@
+// Tests millis(), micros(), delay() and the other functions of time on the host.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

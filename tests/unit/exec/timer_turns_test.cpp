@@ -1,5 +1,5 @@
-// Tests moments at which a timer leaves its regular period. The expected values are those that the same
-// sketch prints on target avr.
+// Tests writes to the registers of timer 2 that disturb its regular period. The expected values are those
+// that the same sketch prints on target avr.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {
@@ -9,13 +9,14 @@ using testing::ElementsAre;
 using testing::SizeIs;
 
 struct Step {
-  int tick;  ///< ticks of 64 us since timer 2 started at 0, with all its registers 0
+  int tick;  ///< when to execute `statement`: in ticks of 64 us since timer 2 started
   const char* statement;
 };
 
 class TimerTurns : public HostTest {
  protected:
-  /// Returns "TCNT2 TIFR2 pins" after each statement. In pins, bit 0 is OC2B and bit 1 is OC2A.
+  /// Starts timer 2 with all its registers 0, and executes `steps`. Returns "TCNT2 TIFR2 pins" after each
+  /// statement. In "pins", bit 0 is OC2B and bit 1 is OC2A.
   std::string after(const std::vector<Step>& steps) {
     std::string sketch = R"(unsigned long t0;
 int noted;

@@ -1,3 +1,4 @@
+// Tests the registers, flags and interrupts of timers on the host.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

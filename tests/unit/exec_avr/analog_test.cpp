@@ -1,3 +1,4 @@
+// Tests the emulated AVR's ADC with sketches that run on a board.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {

@@ -1,3 +1,4 @@
+// Tests tracing the level of a pin back to the lines of the sketch that caused it.
 #include <map>
 
 #include "tests/unit/exec_avr/fixture.h"
@@ -38,7 +39,7 @@ class CausesTest : public AvrTest {
     causes_ = avr_->find_causes();
     ASSERT_NE(causes_, nullptr);
   }
-  /// Returns the causes of the final level of pin 5. The keys are lines of the sketch.
+  /// Returns the causes of the final level of pin 5. The keys are line numbers of the sketch.
   std::map<int, CauseStep> lines_behind_pin_5() {
     causes_->end();
     causes_->ask({5}, now_);
@@ -46,8 +47,8 @@ class CausesTest : public AvrTest {
     causes_->close();
     return by_line();
   }
-  /// Returns the steps, with their lines as keys. If a line has several steps, a step that reads has
-  /// priority.
+  /// Returns the steps of the causal chain, with their line numbers as keys. If a line has several steps, a
+  /// step of kind `reads` has priority.
   std::map<int, CauseStep> by_line() const {
     std::map<int, CauseStep> lines;
     for (const CauseStep& step : causes_->steps()) {
@@ -95,7 +96,8 @@ TEST_F(CausesTest, LeadToAVariableThatHasWhatItBeganWith) {
   EXPECT_EQ(lines.at(1).kind, CauseStep::Kind::keeps);
 }
 
-// Records the second half of a run, then repeats the first half from a snapshot, and follows causes into it.
+// Records the second half of a run, and follows the causes back to the beginning of this half. Then repeats
+// and records the first half from a snapshot, and follows the causes further back.
 TEST_F(CausesTest, AreFollowedThroughWhatWasNotedApart) {
   FixedSource sensor(3.0);
   start(R"(volatile int gain;

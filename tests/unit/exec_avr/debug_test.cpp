@@ -1,5 +1,5 @@
-// Tests an emulated AVR under a debugger. One thread suffices, because the tests send the debugger's packets
-// in advance.
+// Tests an emulated AVR under gdb. One thread suffices, because the tests send gdb's packets before the AVR
+// runs.
 
 #include <fmt/format.h>
 
@@ -40,7 +40,7 @@ class DebugTest : public AvrTest {
     avr_->debug_with(*server_);
   }
 
-  /// Sends a packet, which has one reply. replies() returns all replies.
+  /// Sends a packet that gets one reply. replies() returns the replies to all packets.
   void ask(const std::string& packet) {
     gdb_->say(packet);
     ++asked_;

@@ -1,3 +1,4 @@
+// Tests digital pins and their interrupts on an emulated AVR.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {

@@ -1,3 +1,4 @@
+// Tests that the executor finds the line of the sketch that has changed the drive of a pin.
 #include <map>
 #include <set>
 
@@ -60,8 +61,8 @@ void loop() {})");
   EXPECT_THAT(lines_[13], ElementsAre(3, 4, 5, 6, 8));
 }
 
-// A new duty takes effect at the end of a PWM period, up to 2 ms after the analogWrite(). Another line is
-// running then.
+// A new duty cycle takes effect at the end of a PWM period, up to 2 ms after the analogWrite(). By that time,
+// the sketch executes another line.
 TEST_F(DrivenLinesTest, AreThoseThatWroteADutyWhichIsTakenOverLater) {
   start(R"(void setup() {
   analogWrite(9, 50);

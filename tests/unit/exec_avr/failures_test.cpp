@@ -26,7 +26,7 @@ class FailuresTest : public AvrTest {
     run(duration);
     return avr_->crash();
   }
-  /// Returns the address `offset` bytes after the start of a variable of the last sketch, such as "0x9D56".
+  /// Returns an address such as "0x9D56": `offset` bytes after the start of a variable of the last sketch.
   std::string address(const char* variable, int offset) const {
     const auto found = avr::Firmware::read(built_.image, *find_board(board_name_)).find_variable(variable);
     return found ? fmt::format("0x{:04X}", *found + offset) : "no variable";
@@ -138,8 +138,8 @@ TEST_F(FailuresTest, ACallIsTheOneThatTheSketchMakesNotOneOfTheCore) {
   EXPECT_EQ(avr_->activity().call, "delay()");
 }
 
-// Returns a sketch with two coroutines, whose stacks are variables. The second coroutine executes `body` each
-// time it runs.
+// Returns a sketch with two coroutines, whose stacks are variables. The second coroutine executes `body`
+// whenever it is resumed.
 std::string coroutines(const std::string& body) {
   return R"(uint8_t stack_a[120], stack_b[120];
 uint8_t *sp_main, *sp_a, *sp_b;
@@ -217,7 +217,7 @@ TEST_F(FailuresTest, ASketchMayHaveStacksOfItsOwn) {
   EXPECT_GT(numbers().size(), 7u);
 }
 
-// As in ChibiOS, one register first saves the old stack pointer, then loads the new one.
+// As in ChibiOS, the sketch saves the old stack pointer and loads the new one through the same register.
 TEST_F(FailuresTest, StacksOfItsOwnMayBeSwitchedThroughOneRegister) {
   std::string sketch = coroutines("");
   const auto from = sketch.find("\"lds r30, from"), to = sketch.find("\".irp r,29,28");
@@ -279,12 +279,12 @@ TEST_F(FailuresTest, AStackInTheLastVariableOutgrowsIt) {
   EXPECT_THAT(avr_->crash()->reason, HasSubstr("bytes of RAM that the variables leave free"));
 }
 
-// If a stack begins at `stack + sizeof stack`, its first byte is after the variable. The other bytes are
-// inside.
+// If a stack begins at `stack + sizeof stack`, its first byte is after the variable. All other bytes of the
+// stack are inside the variable.
 TEST_F(FailuresTest, AStackOfItsOwnMayBeginRightBehindItsVariable) {
   const auto with = [](const char* body) {
-    // no_reorder prevents the compiler from reordering the variables. The byte after the stack is therefore
-    // unused.
+    // no_reorder prevents the compiler from reordering the variables. The byte after stack_b is therefore
+    // after[0], which the sketch does not use.
     return std::string(
                "__attribute__((no_reorder)) volatile uint8_t before[4], stack_b[200], after[4];\n"
                "int deep(int n) { volatile char room[20]; room[n] = n;"

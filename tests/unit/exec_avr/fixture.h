@@ -1,5 +1,5 @@
-// Builds a sketch, given as text, with Arduino's own core. Runs the sketch tick by tick on an AVR executor,
-// and records its actions.
+// A test fixture that builds a sketch from a text, with the original Arduino core. Runs the sketch tick by
+// tick on an AVR executor, and records the sketch's actions.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -97,7 +97,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
 
   const char* board_name_ = "uno";
   bool sanitize_ = false;
-  MakeChipDetectors make_detectors_;  ///< for detect(); see sim/detect
+  MakeChipDetectors make_detectors_;  ///< creates the detectors that detect() turns on
   std::filesystem::path folder_;
   build::Image built_;
   std::unique_ptr<AvrExecutor> avr_;

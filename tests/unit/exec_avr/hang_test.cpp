@@ -1,4 +1,4 @@
-// Tests which sketches without output hang, and which of them wait for an interrupt that may still come.
+// Tests the decision whether a sketch without output hangs, or waits for an interrupt that may still come.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
@@ -8,7 +8,8 @@ constexpr SimTime kLong = 2100 * kMillisecond;
 
 class HangTest : public AvrTest {
  protected:
-  /// Runs a sketch whose setup() executes `before` and then waits for `awaited`. Returns whether it hangs.
+  /// Runs a sketch whose setup() executes `before` and then waits for `awaited`. Returns whether the sketch
+  /// hangs.
   bool hangs(const std::string& handlers, const std::string& before, const std::string& awaited = "go") {
     start("#include <avr/wdt.h>\nvolatile byte go, other; volatile long count;\n" + handlers +
           "\nvoid setup() { Serial.begin(9600); " + before + " while (!(" + awaited +

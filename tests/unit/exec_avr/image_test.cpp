@@ -1,3 +1,4 @@
+// Tests loading images for an AVR: ELF and Intel HEX files, valid and invalid.
 #include <algorithm>
 #include <cstdio>
 

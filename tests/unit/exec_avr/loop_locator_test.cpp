@@ -1,5 +1,6 @@
-// Compares the rounds of loop() that the executor reports with the true rounds. The sketches toggle pin 13
-// once per round.
+// Tests that the executor counts and times the rounds of loop() correctly. A round is one call of loop(), or
+// one iteration of the endless loop in the sketch's main(). The sketches toggle pin 13 once per round. The
+// tests compare the edges of pin 13 with the reported rounds.
 
 #include <algorithm>
 
@@ -17,7 +18,8 @@ class AvrLoopTest : public AvrTest {
     return avr_->resources().value_or(Resources{});
   }
 
-  /// Expects that the executor reports the rounds of the sketch `text`, which toggles pin 13 once per round.
+  /// Runs the sketch `text`, which toggles pin 13 once per round. Expects that the executor reports these
+  /// rounds.
   void expect_true_rounds(const std::string& text, SimTime duration = 300 * kMillisecond) {
     const Resources r = run_for(text, duration);
     const std::vector<SimTime> times = changes(13);  // the first change makes the pin an output
@@ -120,7 +122,8 @@ TEST_F(AvrLoopTest, WhatCannotBeToldIsNotSaid) {
 }
 
 TEST_F(AvrLoopTest, TheShareOfHandlersIsWhatTheLoopLoses) {
-  // Timer 1 counts all cycles: the constant number that the delay loop takes, and the cycles of handlers.
+  // Timer 1 counts the cycles of the delay loop, which are always the same, and the cycles of interrupt
+  // handlers.
   const std::string text = R"(#include <util/delay_basic.h>
 volatile byte table[8];
 ISR(TIMER2_COMPA_vect) { for (byte i = 0; i < 8; ++i) table[i] = i; }

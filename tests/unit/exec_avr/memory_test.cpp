@@ -1,3 +1,4 @@
+// Tests the measurements of RAM, stack, loop() and interrupt handlers on an emulated AVR.
 #include "sim/exec/avr/firmware.h"
 #include "tests/unit/exec_avr/fixture.h"
 

@@ -1,3 +1,4 @@
+// Tests power cycles, resets, sleep and the EEPROM of an emulated AVR.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {

@@ -1,4 +1,5 @@
-// Tests both Pro Minis in the emulator. They differ only in their clock and supply, which are board data.
+// Tests both versions of the Pro Mini in the emulator. They differ only in clock and supply voltage, which
+// are data of the board.
 #include "tests/support/clock_sketch.h"
 #include "tests/unit/exec_avr/fixture.h"
 

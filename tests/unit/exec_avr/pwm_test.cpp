@@ -1,3 +1,4 @@
+// Tests PWM, tones and pulses of an emulated AVR.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {

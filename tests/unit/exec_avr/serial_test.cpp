@@ -1,3 +1,4 @@
+// Tests the serial port of an emulated AVR.
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {

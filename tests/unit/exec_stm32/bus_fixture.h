@@ -1,4 +1,5 @@
-// Drives the Blue Pill's peripherals without its processor: reads and writes registers, and advances time.
+// A test fixture for the peripherals of the Blue Pill, without a processor. The test reads and writes
+// registers, and advances time.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -29,7 +30,7 @@ class BusFixture : public testing::Test {
   }
   void TearDown() override { EXPECT_FALSE(bus_.unmodelled()) << bus_.unmodelled()->what; }
   void enable(robosim::stm32::Irq irq) { store(robosim::stm32::kNvicIser + irq / 32u * 4u, 1u << irq % 32u); }
-  /// Serves the interrupt, which must be enabled. Returns whether it was pending.
+  /// Returns whether the interrupt is pending, and serves a pending interrupt. The interrupt must be enabled.
   bool takes(robosim::stm32::Irq irq) {
     if (bus_.link().nvic.wakes() != kFirstIrq + irq) return false;
     bus_.link().nvic.enter(kFirstIrq + irq);

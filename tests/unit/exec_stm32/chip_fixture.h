@@ -1,4 +1,5 @@
-// Builds a sketch, given as text, with Robosim's core for the Blue Pill. Runs it tick by tick on an executor.
+// A test fixture that builds a sketch from a text, with Robosim's core for the Blue Pill. Runs the sketch
+// tick by tick on an STM32 executor.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -53,7 +54,8 @@ class Stm32ChipTest : public testing::Test, protected SerialWatcher {
     EXPECT_FALSE(chip_->crash()) << chip_->crash()->reason;
     return serial_;
   }
-  /// Returns the crash of a sketch whose setup() calls a function that executes `statement`, on line 2.
+  /// Returns the crash of a sketch. The sketch executes `statement` on line 2, in a function that setup()
+  /// calls.
   const std::optional<Crash>& crash_of(const std::string& statement, SimTime duration = kSecond) {
     start("volatile int n;\nvoid __attribute__((noinline)) work() { " + statement +
           " }\nvoid setup() { work(); }\nvoid loop() {}\n");

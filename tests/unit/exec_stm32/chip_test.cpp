@@ -40,7 +40,8 @@ TEST_F(Stm32ChipTest, ASketchMayHaveAMainOfItsOwn) {
 }
 
 TEST_F(Stm32ChipTest, DelaysLastTheirTimeAtBothClocks) {
-  // The calls lengthen the periods. A call takes nine times as long at 8 MHz as at 72 MHz.
+  // The function calls make the period longer than the sum of the delays. A call takes nine times as long at
+  // 8 MHz as at 72 MHz.
   for (const auto& [board, calls_ns] : {std::pair{"bluepill", 10e3}, std::pair{"bluepill8", 80e3}}) {
     board_name_ = board;
     start(
@@ -80,8 +81,8 @@ TEST_F(Stm32ChipTest, AnInterruptPreemptsAndReturnsToTheVeryInstruction) {
   EXPECT_GT(quiet.size(), 3u);
 }
 
-// The code defines three exception handlers, which log that they run. busy() takes enough time for them to
-// run.
+// Defines three exception handlers, which log that they run. busy() takes so long that the handlers can run
+// meanwhile.
 const char* const kHandlers =
     "#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\nString log_;\n"
     "void busy() { for (volatile int i = 0; i < 50; ++i); }\n"

@@ -1,4 +1,4 @@
-// Tests which line of the sketch drives a pin.
+// Tests that the executor finds the line of the sketch that has changed the drive of a pin.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -42,8 +42,8 @@ void loop() {})");
   EXPECT_THAT(lines_["D22"], ElementsAre(8));
 }
 
-// A new duty takes effect at the timer's next update, up to 2 ms after the analogWrite(). Another line is
-// running then.
+// A new duty cycle takes effect at the timer's next update, up to 2 ms after the analogWrite(). By that time,
+// the sketch executes another line.
 TEST_F(Stm32DrivenLinesTest, AreThoseThatWroteADutyWhichIsTakenOverLater) {
   start(R"(void setup() {
   analogWrite(12, 50);

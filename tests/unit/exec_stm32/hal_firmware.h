@@ -1,5 +1,5 @@
-// Declares functions of hal/stm32 for tests. Tests cannot include Arduino.h, because of its macros and its
-// libc.
+// Declares functions of hal/stm32 for tests. Tests cannot include Arduino.h, whose macros and C library
+// conflict with those of this machine.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // Tests every function of hal/stm32 that accesses registers, with the model of the chip. hal/stm32 is
-// compiled for this machine, and its loads and stores go to the emulated processor's bus.
+// compiled for this machine. Its loads and stores of registers access the bus of the emulated chip.
 
 #include <gmock/gmock.h>
 
@@ -16,7 +16,8 @@ namespace hal_test {
 
 using testing::ElementsAre;
 
-/// Replaces the processor. Time passes with every register access, and handlers of due interrupts run.
+/// Replaces the processor: advances time with every register access, and calls the handlers of pending
+/// interrupts.
 class Chip {
  public:
   Chip(BoardState& state, FlashMemory& flash) : board(state), bus(board, flash, 0) {}
@@ -380,7 +381,7 @@ TEST_F(HalTest, TheEepromKeepsWhatIsWrittenThroughItsChangesOfBanks) {
 TEST_F(HalTest, AWriteThatPowerOffInterruptsLeavesTheValueBefore) {
   robosim_eeprom_write(5, 50);
   robosim_eeprom_write(5, 51);
-  // Erases the second halfword of the record, which is the address, as if it had not been written yet.
+  // Erases the second halfword of the record, which is the address, as if power had failed before its write.
   for (std::uint8_t* half = flash_.data(); half < flash_.data() + robosim::stm32::kFlashBytes; half += 4)
     if (half[0] == 51 && half[1] == 0xA5) half[2] = half[3] = 0xFF;
   EXPECT_EQ(robosim_eeprom_read(5), 50);

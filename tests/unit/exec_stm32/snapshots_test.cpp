@@ -1,5 +1,5 @@
-// Tests that a chip continues unchanged from a snapshot. The snapshots are taken during every operation that
-// takes time.
+// Tests that a chip that is restored from a snapshot continues like the original chip. The test saves
+// snapshots during every operation that takes time.
 #include <algorithm>
 #include <random>
 
@@ -10,7 +10,8 @@
 namespace robosim::exec {
 namespace snapshots_test {
 
-// The code lets a sketch access registers, and install handlers for 60 interrupts in a vector table in RAM.
+// The first lines of each sketch. They let the sketch access registers, and install handlers for 60
+// interrupts in a vector table in RAM.
 const std::string kBegins = R"(#define R(address) (*(volatile unsigned*)(address))
 static unsigned vectors[76] __attribute__((aligned(512)));
 volatile unsigned counts[8];

@@ -88,7 +88,8 @@ std::vector<std::uint16_t> random_code(std::mt19937& random) {
   return code;
 }
 
-/// Sets the registers of most loads and stores so that their addresses are in RAM, but not always aligned.
+/// Sets the address registers of most loads and stores so that the addresses are in RAM, but not always
+/// aligned.
 void find_ram(const Thumb& thumb, std::mt19937& random, Chip& ours, Chip& referee) {
   if (thumb.op < Op::ldr || thumb.op > Op::stm || random() % 200 == 0) return;
   const std::uint32_t base = kRam + 0x1000 + random() % 0x2000, offset = random() % 0x100;
@@ -130,7 +131,8 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
       const Cycle began = ours.now(), referee_began = referee.now();
       ours.step();
       referee.step();
-      // After a block with skipped instructions, one emulator may be ahead, so the other emulator catches up.
+      // After an IT block with skipped instructions, one emulator may be ahead. The other emulator then
+      // catches up.
       for (int i = 0; i < 16 && (ours.cpu.fault().has_value() != referee.cpu.fault().has_value() ||
                                  ours.cpu.next_pc() != referee.cpu.next_pc());
            ++i) {
@@ -143,7 +145,7 @@ TEST(Thumb, DoesWhatLibunicornDoes) {
       for (std::uint32_t at = pc; at <= ours.cpu.pc() + 2; at += 2) text << " " << firmware.half(at);
       const std::string where = text.str();
       ASSERT_EQ(ours.cpu.fault().has_value(), referee.cpu.fault().has_value()) << where;
-      // After a fault within a block, libunicorn executes further instructions, so nothing more is compared.
+      // After a fault within an IT block, libunicorn executes further instructions. The comparison ends here.
       went_wrong_in_block = ours.cpu.fault() && is_block;
       if (went_wrong_in_block) break;
       for (int number = 0; number < Cpu::kPc; ++number)

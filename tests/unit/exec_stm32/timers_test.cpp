@@ -25,7 +25,7 @@ class TimersTest : public BusFixture, protected PinWatcher {
     const int shift = 4 * (bit % 8);
     store(at, (load(at) & ~(15u << shift)) | kAlternate << shift);
   }
-  /// Schedules an edge in `in` cycles of 8 MHz, and runs until one cycle after the edge.
+  /// Schedules an edge after `in` cycles of the 8 MHz clock, and runs until one cycle after the edge.
   void edge(Pin pin, bool level, Cycle in) {
     levels_[pin] = level;
     board_.schedule_edge(pin, level, bus_.link().clock.time_of(now() + in));

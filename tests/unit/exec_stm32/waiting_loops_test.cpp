@@ -1,5 +1,5 @@
-// Tests that skipping busy-wait loops is not observable. Runs the same program on two emulated chips, of
-// which one skips loops, and compares the chips repeatedly.
+// Tests that skipping busy-wait loops is not observable. Runs the same program on two emulated chips, and
+// compares the chips repeatedly. Only one of the chips skips loops.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -100,7 +100,7 @@ class RandomProgram : public Program {
     made.globals_end = kRam + 0x100;
     return made;
   }
-  /// Returns the address at which a round of loop() begins.
+  /// Returns the address at which each iteration of the main loop begins.
   LoopMarks rounds() const {
     LoopMarks rounds;
     rounds.each = {round_};
@@ -150,7 +150,7 @@ class RandomProgram : public Program {
       case 4:
         if (below(6) == 0) return load(reg, pick({kStkVal, kStkCtrl, kUsartDr, kAdcDr}));
         return junk(2);
-      case 5:  // seldom counts iterations
+      case 5:  // counts iterations, in one of three cases
         if (below(3)) return junk(1);
         load(reg, kMemory + 12);
         half(0x3001 | reg << 8);

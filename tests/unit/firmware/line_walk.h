@@ -1,4 +1,4 @@
-// Runs LineWalker on a simulated floor, and records the landmarks that it reports.
+// Runs the line follower LineWalker on a simulated floor, and records the landmarks that LineWalker reports.
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,8 @@ class FloorSensors : public LineSensors {
   const Robot& robot_;
 };
 
-/// A LineWalker on a floor. Records its pauses, and each landmark with the time and the axle's position.
+/// A LineWalker on a floor. Records the pauses of LineWalker, and each landmark with the time and the axle's
+/// position.
 struct Walk {
   explicit Walk(std::vector<Line> lines) : robot(std::move(lines)) {
     said.clear();
@@ -53,7 +54,8 @@ struct Walk {
         std::lround(10 * robot.y) / 10.0, robot.angle, static_cast<unsigned>(fake::board.now_us / 1000));
     said += text;
   }
-  /// Finds the line and follows it. At each landmark, takes the next of `turns` and follows the line again.
+  /// Finds the line and follows it to a landmark. At each landmark, makes the next of `turns`, and follows
+  /// the line to the next landmark.
   void go(const std::vector<nav::Turn>& turns) {
     tell(walker.begin());
     tell(walker.follow());

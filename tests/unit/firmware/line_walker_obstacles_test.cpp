@@ -114,7 +114,7 @@ junction 1110, heading 2 at 198,1, cost 21; axle at 197.2,2.8, 9.47 rad, 10070 m
 
 // The bumper may still touch the obstacle while the robot turns away from it.
 TEST(LineWalkerTest, DoesNotWaitForAnObstacleFromWhichItTurnsAway) {
-  for (const int wall : {310, 395}) {  // near the junction and beyond it
+  for (const int wall : {310, 395}) {  // an obstacle near the junction, and one beyond it
     Walk walk({kTrunk, {200, 0, 200, 300}});
     walk.robot.wall_x = wall;
     walk.go({kOn});

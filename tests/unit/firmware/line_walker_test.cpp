@@ -11,8 +11,7 @@ namespace line_walker_test {
 
 using namespace walked;
 
-// The expected values of each trip are exact, because the navigator builds its map from such values. If the
-// robot drove differently, it would measure other places, costs and times.
+// The tests compare exact positions, costs and times, because the navigator builds its map from these values.
 TEST(LineWalkerTest, ComesToBothEndsOfALine) {
   Walk walk({{-300, 0, 300, 0}});
   walk.go({kBack, kBack});

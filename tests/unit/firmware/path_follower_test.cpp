@@ -15,14 +15,14 @@ struct Seen {
   bool near, middle, far;
 };
 constexpr Seen kLine{false, true, false};
-constexpr Seen kOffTheEdge{false, false, false};  // just next to the edge, or no line at all
-constexpr Seen kFarOnly{false, false, true};      // next to the line, which only the far sensor reads
+constexpr Seen kOffTheEdge{false, false, false};  // just outside the line's edge, or without a line
+constexpr Seen kFarOnly{false, false, true};      // next to the line, which only the far sensor sees
 constexpr Seen kBranch{true, true, false};
 constexpr Seen kTee{true, true, true};
 
 class PathFollowerTest : public ::testing::TestWithParam<Side> {
  protected:
-  // Updates the follower with the readings `seen` for `ms`, every 2 ms.
+  // Updates the follower with the readings `seen` every 2 ms, for `ms` milliseconds.
   void see(Seen seen, int ms) {
     for (int i = 0; i < ms; i += 2) {
       now += 2;
@@ -137,7 +137,7 @@ TEST_P(PathFollowerTest, TurnsToTheOtherSideWhereTheLineEnds) {
 
 TEST_P(PathFollowerTest, DoesNotTakeTheFloorBesideTheEdgeForTheEndOfTheLine) {
   see(kLine, 300);
-  see(kOffTheEdge, 76);  // the widest part of a zigzag takes slightly more than the 70 ms of a line's width
+  see(kOffTheEdge, 76);  // as in a wide zigzag: slightly longer than the initial width of 70 ms
   EXPECT_EQ(path.state(), State::following);
 }
 
@@ -199,7 +199,7 @@ TEST_P(PathFollowerTest, KeepsItsMeasureWhereABranchCannotHaveBeenOneWidth) {
   EXPECT_EQ(path.widthMs(), PathFollower::Settings().width_ms);
 }
 
-// Checks at which millisecond each output changes, with the settings of a real robot.
+// Tests the millisecond at which each output changes, with the settings of a real robot.
 TEST_P(PathFollowerTest, KeepsToItsTimetable) {
   static const char* const states[] = {"following", "crossing", "rolling", "stopping", "turning", "settling"};
   std::string said = "\n", before;
@@ -216,14 +216,14 @@ TEST_P(PathFollowerTest, KeepsToItsTimetable) {
   };
   look(kLine, 100);
   look(kBranch, 50);  // a branch, slightly narrower than the initial width
-  look(kLine, 430);   // the old line, while turning away
+  look(kLine, 430);   // the old line, while the robot turns away
   look(kOffTheEdge, 60);
   look(kLine, 200);  // the branch, at which the turn ends
   look(kOffTheEdge, 40);
   look(kFarOnly, 10);
   look(kOffTheEdge, 300);  // the end of the line
   look(kLine, 100);
-  look(kBranch, 154);  // the line itself, after moving sideways
+  look(kBranch, 154);  // the line itself, after the robot has moved sideways
   look(kOffTheEdge, 63);
   look(kLine, 10);  // not an end: the line reappears while the robot rolls on
   EXPECT_EQ(said, R"(

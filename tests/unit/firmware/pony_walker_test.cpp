@@ -18,7 +18,8 @@ using testing::ElementsAre;
 constexpr std::uint8_t kPonyBumper = 7;
 constexpr std::uint8_t kSensors[] = {A0, A1, A2};
 
-/// A pony whose motors follow register 0 with a time constant of 50 ms. Its sensors read HIGH on the line.
+/// A simulated Pony, the robot of the sketch PonyNavigator. Its motors follow the bits of shift register 0
+/// with a time constant of 50 ms. Its sensors read HIGH on the line.
 class PonyBody : public walked::Body {
  public:
   explicit PonyBody(std::vector<walked::Line> lines) : Body(std::move(lines), kPonyBumper) { look(); }
@@ -42,7 +43,7 @@ class PonyBody : public walked::Body {
   double left_ = 0, right_ = 0;
 };
 
-/// A pony on a floor. Records each landmark with the time, the pony's lights and the axle's position.
+/// A Pony on a floor. Records each landmark with the time, the Pony's lights and the axle's position.
 struct Ride {
   explicit Ride(std::vector<walked::Line> lines) : body(std::move(lines)) { pony.begin(); }
 
@@ -323,7 +324,8 @@ class PonyTest : public testing::Test {
   ~PonyTest() override { fake::board = fake::Board{}; }
 
   static int bits(int reg) { return fake::board.shifted[fake::board.shifted.size() - 1 - reg]; }
-  /// Makes `count` steps. Returns the number of steps after which all bits of `mask` are set in register 0.
+  /// Calls Pony::step() `count` times. Returns the number of calls after which all bits of `mask` are set in
+  /// shift register 0.
   int steps(int mask, int left, int right, int count = 15) {
     int set = 0;
     for (int i = 0; i < count; ++i) {
@@ -359,7 +361,7 @@ TEST_F(PonyTest, StepsEveryTwoMilliseconds) {
   const auto start = fake::board.now_us;
   steps(0, 10, 10, 100);
   EXPECT_NEAR(static_cast<double>(fake::board.now_us - start), 200'000, 30);
-  fake::board.now_us += 50'000;  // the caller is late; the following steps are not shortened
+  fake::board.now_us += 50'000;  // a late caller does not shorten the following steps
   const auto late = fake::board.now_us;
   steps(0, 10, 10, 100);
   EXPECT_NEAR(static_cast<double>(fake::board.now_us - late), 198'000, 100);

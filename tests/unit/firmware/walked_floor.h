@@ -1,7 +1,6 @@
 // Simulates a floor with lines, and bodies that move on it. Robot is an ideal robot for LineWalker: its
-// motors reach the commanded speed immediately, and its encoders never miss a count. Its sensors return the
-// darkness below them. x is the distance ahead of the start and y to the right, both in mm. Angles are
-// clockwise.
+// motors reach the commanded speed immediately, and its encoders never miss a count. x is the distance ahead
+// of the start, and y the distance to the right, both in mm. Angles are clockwise, in radians.
 #pragma once
 
 #include <algorithm>
@@ -43,12 +42,13 @@ class Body {
   virtual ~Body() { fake::board = fake::Board{}; }
 
   double x = 0, y = 0, angle = 0;
-  /// The x of a wall. While the robot's front is at this x or beyond, the bumper is pressed, for at most
-  /// `wall_ms`.
+  /// The x of a wall, in mm. The bumper is pressed while the robot's front is at this x or beyond, at most
+  /// for `wall_ms`.
   double wall_x = 1e9;
   std::uint32_t wall_ms = 1000000;
 
-  /// Returns the reading of a sensor at this position relative to the axle: 0 (floor) to 1000 (line).
+  /// Returns the reading of a sensor, from 0 (floor) to 1000 (line). The sensor is `ahead` mm ahead of the
+  /// axle, and `aside` mm to the right.
   int darkness(double ahead, double aside) const {
     const double at_x = x + ahead * std::cos(angle) - aside * std::sin(angle);
     const double at_y = y + ahead * std::sin(angle) + aside * std::cos(angle);
@@ -68,7 +68,8 @@ class Body {
   static constexpr std::uint32_t kPieceUs = 1000;
   static constexpr double kPieceS = 1e-6 * kPieceUs;
 
-  /// Calls go() with the wheels' speeds to move the body for the next kPieceUs.
+  /// Calls go() with the speeds of the wheels, in mm/s. go() moves the body for the next kPieceUs
+  /// microseconds.
   virtual void drive() = 0;
   void go(double left, double right) {
     const double ds = (left + right) / 2 * kPieceS;

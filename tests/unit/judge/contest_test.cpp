@@ -1,4 +1,5 @@
-// Tests drag races and Rescue Line. The tests move a robot of 60 mm radius along paths.
+// Tests the scoring of drag races and of RoboCupJunior Rescue Line. The tests move a robot of 60 mm radius
+// manually.
 #include "sim/judge/contest.h"
 
 #include <gmock/gmock.h>
@@ -76,8 +77,8 @@ TEST(DragRace, WhoLeavesBeforeTheSignalIsOut) {
   EXPECT_EQ(race.summary(), "the robot left before the starting signal and is disqualified");
 }
 
-// Returns a map with six tiles in a row: start, gap, checkpoint, intersection, obstacle and end. A cell has
-// 100 mm, and a tile has 3 x 3 cells.
+// Returns a map with six tiles in a row: start, gap, checkpoint, intersection, obstacle and end. A cell is
+// 100 mm wide, and a tile has 3 x 3 cells.
 std::string rescue(const char* league = "line") {
   const std::string empty(18, '_');
   std::string text = std::string("+++\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") + league + R"("
@@ -128,8 +129,8 @@ TEST(RescueLine, EntryCountsItsOwnHazardsOnlyAndLessForAnObstacle) {
   EXPECT_TRUE(run.progress.contest().over(360 * kSecond));
 }
 
-// Returns a map. After the first tile come a bump, a ramp of two tiles, the ramp's top and a seesaw. Then
-// come a tile that is 3 mm high, and a tile with two bumps and two gaps.
+// Returns a map with tiles in a row. The first tiles are a flat tile, a bump, a ramp of two tiles, the ramp's
+// top and a seesaw. The last ones are a tile that is 3 mm high, and a tile with two bumps and two gaps.
 std::string hills(const char* league) {
   std::string text =
       std::string("+++\nsize = [\"3 m\", \"300 mm\"]\ngoal = \"rescue-line\"\n[rescue]\nleague = \"") +
@@ -191,7 +192,7 @@ TEST(RescueLine, ALackOfProgressBringsItBackAndCostsPoints) {
   EXPECT_FALSE(run.progress.contest().take_hand());
   run.put(hand->position);
   EXPECT_EQ(run.lacks(), 1);
-  EXPECT_TRUE(run.progress.contest().give_up(run.events));  // as if the robot is completely lost
+  EXPECT_TRUE(run.progress.contest().give_up(run.events));  // as if the robot had left the line for good
   run.put(run.progress.contest().take_hand()->position);
   run.follow(0.6, 1.1);
   run.push({1.2, 0.7});

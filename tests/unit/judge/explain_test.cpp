@@ -12,8 +12,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-/// Provides the evidence of a run on a fork with three stations. The robot has a button on pin 4 and a motor
-/// on pins 5 and 7.
+/// Provides the evidence of a run for explain(). The map is a fork with three stations. The robot has a
+/// button on pin 4 and a motor on pins 5 and 7.
 class Explain : public ::testing::Test {
  protected:
   Explain() {
@@ -407,7 +407,7 @@ TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
 TEST_F(Explain, MotorPinsThatWereNeverMadeOutputsAreNamedThoughPullUpsMoveThem) {
   lose_the_line();
   e.was_pulled_up.assign(20, false);
-  e.was_pulled_up[5] = e.was_pulled_up[4] = true;  // pin 4 is the button's
+  e.was_pulled_up[5] = e.was_pulled_up[4] = true;  // pin 4 belongs to the button
   EXPECT_EQ(next(Verdict::lost), "motor pin 5 was written HIGH, but never set to OUTPUT: pinMode(5, OUTPUT)");
   e.was_output[5] = true;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));

@@ -13,7 +13,7 @@ namespace goal_test {
 
 struct Course : HandMoved {
   explicit Course(const char* text, const char* goal) : HandMoved(text, goal ? goal : "") {}
-  // Puts the robot on a cell for 10 ms. Like wait(), returns whether the goal is reached.
+  // Puts the robot on a cell for 10 ms. Returns whether the goal is reached, as wait() does.
   bool visit(int x, int y) {
     put(map.centre({x, y}));
     for (int i = 0; i < 9; ++i) look();
@@ -82,7 +82,8 @@ TEST(Goal, LapsCountEitherWayRoundButOnlyInOrder) {
   EXPECT_EQ(clockwise.progress.laps_s().size(), 2u);
 }
 
-/// Drives a robot over cells of kRing. 0 is the start, and 8 is the start after a lap.
+/// Drives a robot over the cells of kRing, which are numbered from 0. 0 is the start, and 8 is the start
+/// after a lap.
 struct Ring : Course {
   Ring() : Course(kRing, "laps:9") { visit(1, 1); }
   /// Drives to a cell, forwards or backwards. Returns the number of laps so far.

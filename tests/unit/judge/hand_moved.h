@@ -1,4 +1,4 @@
-// Moves a robot of 60 mm radius over a map manually, and evaluates its goal.
+// A test fixture that moves a robot of 60 mm radius over a map manually, and evaluates the map's goal.
 #pragma once
 
 #include <string>

@@ -13,8 +13,8 @@ struct Driver {
     now.pose = &pose;
     now.sees_line = true;
   }
-  // Runs for `duration`, or to a verdict, and returns the verdict. Calls `each` before every tick to change
-  // the situation.
+  // Runs for `duration`, or until the judge returns a verdict. Returns the verdict. Calls `each` before every
+  // tick to change the situation.
   template <typename Each>
   std::optional<Verdict> run(SimTime duration, Each each) {
     const SimTime end = now.t + duration;
@@ -65,7 +65,7 @@ TEST(Judge, CallsARobotStuckThatCreepsAlongWhatItPushesAgainst) {
       d.pose.position.y += mm_per_s * 1e-6;
       angle += degrees_per_s * 1e-3 * 0.0174532925;
       d.pose.heading = {std::cos(angle), std::sin(angle)};
-      d.now.driven = driven && d.now.t % (100 * kMillisecond) < 50 * kMillisecond;  // pulses
+      d.now.driven = driven && d.now.t % (100 * kMillisecond) < 50 * kMillisecond;  // pulsed motors
     });
   };
   EXPECT_EQ(ends(10.0, 2.0, true, true), Verdict::stuck);

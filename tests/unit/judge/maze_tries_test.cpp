@@ -31,7 +31,7 @@ struct Maze : HandMoved {
 TEST(LineMaze, TheBetterOfTwoTriesCountsAndStoppingOnTheDiscTakesTenSecondsOff) {
   Maze maze;
   maze.wait(3 * kSecond);
-  maze.push(1.1);  // moves over the disc, which ends at 1.1 m
+  maze.push(1.1);  // moves over the goal's disc, which ends at 1.1 m
   EXPECT_TRUE(std::isnan(maze.score().score));
   EXPECT_EQ(maze.score().score_unit, "s");
   maze.push(1.25);
@@ -57,7 +57,7 @@ TEST(LineMaze, TheBetterOfTwoTriesCountsAndStoppingOnTheDiscTakesTenSecondsOff) 
 TEST(LineMaze, ATryThatAHandEndsIsLost) {
   Maze maze;
   maze.push(0.6);
-  maze.put(0.9);  // a manual move towards the disc
+  maze.put(0.9);  // moves the robot manually to the disc
   maze.push(1.0);
   maze.wait(2 * kSecond);
   EXPECT_TRUE(std::isnan(maze.score().score));

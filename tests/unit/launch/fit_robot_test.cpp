@@ -7,7 +7,8 @@
 namespace robosim::launch {
 namespace fit_robot_test {
 
-/// Returns the description of a robot whose file names the board uno.
+/// Returns the description of a robot file with the board uno. In a name such as "my.toml@nano", the board
+/// after "@" has priority.
 wire::RobotInfo describe(const std::string& robot) {
   const std::string board = parse_robot_name(robot).board;
   wire::RobotInfo info;

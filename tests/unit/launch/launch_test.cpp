@@ -15,7 +15,7 @@ namespace launch_test {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// Provides image files for both chips, so that no test compiles a sketch.
+/// Provides image files for both emulated chips, so that no test compiles a sketch.
 class LaunchTest : public ::testing::Test {
  protected:
   LaunchTest() {

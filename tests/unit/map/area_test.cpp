@@ -1,3 +1,4 @@
+// Tests the coloured areas of a map, and the rules of competitions in a map.
 #include <gmock/gmock.h>
 
 #include "sim/map/map.h"

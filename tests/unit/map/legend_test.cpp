@@ -1,4 +1,5 @@
-// Tests surfaces in a map's legend: the cells that they apply to, writing them, and invalid legends.
+// Tests surfaces in a map's legend: the cells to which the surfaces apply, writing and reading legends, and
+// invalid legends.
 #include "sim/map/legend.h"
 
 #include <gmock/gmock.h>
@@ -56,7 +57,7 @@ TEST(ALegend, DrawsItsSpreadsByTheSeed) {
   EXPECT_NEAR(drawn, 0.5, 0.1);
 }
 
-// The start and the goal are on cells with surfaces, which the characters S and G cannot describe.
+// The start and the goal are on cells with surfaces. The characters S and G cannot describe these surfaces.
 TEST(ALegend, IsReadBackAsItWasWritten) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const NoiseStream noise(seed, 0, "map", "legend");

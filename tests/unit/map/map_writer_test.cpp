@@ -7,7 +7,7 @@
 namespace robosim::map {
 namespace map_writer_test {
 
-// Compares everything that affects a driving robot.
+// Expects that both maps are equal in everything that affects a driving robot.
 void expect_same(const Map& a, const Map& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.width, b.width);

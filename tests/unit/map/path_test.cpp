@@ -118,7 +118,7 @@ segments = [{ length = "400 mm" }, { radius = "150 mm", angle = "250 deg" }, { l
   }
 }
 
-// The points include those where an arc extends beyond the bounding box of its ends.
+// The tested points include those where the arc is outside the bounding box of its two ends.
 TEST(Path, StripesAreNearEachPointBesideIt) {
   const Map map = map_of(R"([[path]]
 from = ["1357 mm", "226 mm"]

@@ -188,7 +188,8 @@ TEST(AHillWithASpread, IsAsItsFileInIdealAndDrawnByTheSeedElse) {
   EXPECT_LT(most, 0.6 * std::sin(std::numbers::pi / 9));
 }
 
-// The floor has 2 x 1 m, and a straight path along y = 500 mm. Draws places and sizes with 40 seeds.
+// The floor is 2 m x 1 m large, and has a straight path along y = 500 mm. The test draws places and sizes
+// with 40 seeds.
 TEST(APlaceWithASpread, IsAsItsFileInIdealAndDrawnByTheSeedElse) {
   const std::string text =
       "+++\nsize = [\"2 m\", \"1 m\"]\n"

@@ -179,8 +179,8 @@ TEST(Stripes, AGapWithinAnArcLeavesTheRestOfItPainted) {
     EXPECT_NEAR(nearest(stripes, stripes.point_of(cell), true), 0.0, 1e-12);
 }
 
-// Tests random lines with random corners. A query by cell must find every stripe within reach that a search
-// of all stripes finds. The centre line must be unbroken.
+// Tests random lines with random corners. A query by cell must find every stripe that is within reach. The
+// centre line must be unbroken.
 TEST(Stripes, AQueryByCellFindsEveryStripeWithinReach) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const NoiseStream noise(seed, 0, "map", "test");

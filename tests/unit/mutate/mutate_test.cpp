@@ -1,3 +1,4 @@
+// Tests finding the mutations of a sketch in clang's syntax tree, and editing the sketch.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,8 +32,8 @@ TEST(Edits, AreMadeFromTheLastToTheFirst) {
   EXPECT_EQ(changed("int a = a + b;", {{"", 4, 5, "other"}, {"", 8, 9, "other"}}), "int other = other + b;");
 }
 
-// In clang's tree, a place has a file only if its file differs from the previous place's. The declarations in
-// other files come from included code.
+// In clang's syntax tree, a location names its file only if the previous location has another file. The
+// declarations in other files come from included code.
 TEST(SyntaxTree, NamesTheFileOfEachPlaceAndLeavesOutDeclarationsOfOthers) {
   const auto tree = read_tree(
       R"({"kind": "TranslationUnitDecl", "loc": {}, "inner": [

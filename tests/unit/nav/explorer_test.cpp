@@ -21,8 +21,8 @@ typedef nav::FixedTree<> Tree;
 FloorWalker& floorWalker(SeeingWalker& walker) { return walker; }
 FloorWalker& floorWalker(BlindWalker& walker) { return walker.walker; }
 
-/// Scans a floor. Expects a correct map of everything that can be reached. Also expects at most one run along
-/// each line from each of its ends.
+/// Scans a floor. Expects a correct map of everything that can be reached. Also expects that the robot starts
+/// along each line at most once from each end.
 template <class Walker, class Network>
 void expectScan(Floor& floor, Stand start, Network& network, int32_t drift = 0) {
   Walker walker(floor, start);
@@ -193,7 +193,7 @@ TEST(Explorer, GoesToTheNodeItLeftWhenItsWayBackIsCutOff) {
   const int last = floor.join({1, kS}, {3, kN});
   SeeingWalker walker(floor, {{0, kE}});
   walker.block_line = last;
-  walker.block_before = 2;  // cuts off the way back after 0, 1, 3
+  walker.block_before = 2;  // cuts off the way back after the nodes 0, 1 and 3
   Map map;
   nav::Explorer<SeeingWalker, Map> explorer(walker, map);
   while (explorer.step()) {
@@ -214,7 +214,7 @@ TEST(Explorer, GoesOnToTheJunctionItKnowsIfAnObstacleCutsItOffBehindACycle) {
   const int round = floor.join({1, kN}, {2, kN});
   SeeingWalker walker(floor, {{0, kE}});
   walker.block_line = round;
-  walker.block_before = 5;  // cuts off the way back after 0, 1, 2, 3, 2, 1
+  walker.block_before = 5;  // cuts off the way back after the nodes 0, 1, 2, 3, 2 and 1
   Map map;
   nav::Explorer<SeeingWalker, Map> explorer(walker, map);
   while (explorer.step()) {

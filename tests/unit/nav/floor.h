@@ -1,5 +1,5 @@
-// Simulates an abstract floor, which is a network of lines, and a robot on it that meets nav's Walker
-// contract. Any two arms may be joined, because lines bend as needed.
+// Simulates an abstract floor, which is a network of lines. Any two arms may be joined, because lines bend as
+// needed. Also simulates a robot on this floor, with the Walker interface of firmware/src/nav.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct Arm {
   friend bool operator==(const Arm&, const Arm&) = default;
 };
 
-/// A network of lines. Headings and places are in the floor's own frame, not in the robot's.
+/// A network of lines. Headings and places are in the floor's frame, not in the robot's frame.
 class Floor {
  public:
   struct Node {
@@ -50,8 +50,8 @@ class Floor {
   std::vector<Line> lines;
 };
 
-/// The start of a robot: on a node, with the arm's heading. With `on_line`, the robot has left the node
-/// through the arm, and is on the line.
+/// The start of a robot: on the arm's node, with the arm's heading. With `on_line`, the robot has already
+/// left the node through the arm, and is on the line.
 struct Stand {
   Arm arm;
   bool on_line = false;
@@ -66,21 +66,22 @@ class FloorWalker {
   void leave(nav::Turn turn);
   void relocate(const nav::Place& at);
 
-  /// Returns the rotation of the walker's frame relative to the floor's frame.
+  /// Returns the rotation of the walker's frame relative to the floor's frame, in quarter turns.
   int frame() const { return frame_; }
   /// Returns whether the robot is on a node. at() returns the node, and the heading in the floor's frame.
   bool onNode() const { return line_ < 0; }
   Arm at() const { return at_; }
 
-  /// Number of starts along each line from each of its ends.
+  /// The number of times that the robot started along a line, by line and by the end of the start.
   std::vector<std::array<int, 2>> runs;
   int follows = 0;
   /// Number of invalid commands: to follow a missing line, to turn where turning is impossible, or to
   /// relocate to a wrong place.
   int errors = 0;
-  /// The error of odometry at each landmark, in the unit of places. The error does not accumulate.
+  /// The error of odometry at each landmark, in the unit of nav::Place. The error does not accumulate.
   int32_t drift = 0;
-  /// If the robot did not start at the origin, the first relocate() may set any place.
+  /// True if the robot does not know where it started, as after a power cycle. The first relocate() may then
+  /// set any place.
   bool strange = false;
   /// An obstacle appears on line `block_line` before follow() number `block_before`, counted from 0.
   int block_before = -1, block_line = -1;

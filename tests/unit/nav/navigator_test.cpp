@@ -25,7 +25,7 @@ typedef nav::FixedTree<200, 40> Tree;
 FloorWalker& floorWalker(SeeingWalker& walker) { return walker; }
 FloorWalker& floorWalker(BlindWalker& walker) { return walker.walker; }
 
-/// A robot that has scanned a floor. `where` contains the floor's node for each node of the robot's network.
+/// A robot that has scanned a floor. For each node of the robot's network, `where` contains the floor's node.
 template <class Walker, class Network>
 struct Scanned {
   Walker walker;
@@ -124,7 +124,7 @@ TEST(Navigator, TakesTheCheapestWay) {
     Dice dice(seed);
     Floor floor = randomNet(dice, 2 + dice.below(20), 10);
     for (Floor::Line& line : floor.lines)
-      if (floor.isStation(line.a.node) || floor.isStation(line.b.node)) line.cost = 1;  // as networks assume
+      if (floor.isStation(line.a.node) || floor.isStation(line.b.node)) line.cost = 1;  // as networks do
     Scanned<SeeingWalker, Map> robot(floor, randomStand(dice, floor));
     nav::Navigator<SeeingWalker, Map, nav::TreeOrDijkstra<>> navigator(robot.walker, robot.network);
     navigator.start(0, robot.heading);

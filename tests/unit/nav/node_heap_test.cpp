@@ -1,3 +1,4 @@
+// Tests the heap of Dijkstra's algorithm.
 #include <gtest/gtest.h>
 
 #include <algorithm>

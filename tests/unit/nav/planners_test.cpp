@@ -1,3 +1,4 @@
+// Compares all path planners of firmware/src/nav with a reference, on random networks.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -118,8 +119,8 @@ void expectWay(const char* name, const Network& network, const Planned& planned,
   EXPECT_EQ(std::set<int>(planned.way.begin(), planned.way.end()).size(), planned.way.size());
 }
 
-/// Drives from node to node as `next` chooses, until `to` is reached. Returns the cost of the way, or a
-/// negative number if `next` does not lead to `to`.
+/// Starts at `from`, and moves from node to node: next(node) returns the next node. Returns the cost of the
+/// way to `to`, or a negative number if `next` does not lead to `to`.
 template <class Network>
 int drive(const Network& network, int from, int to, const std::function<int(int)>& next) {
   Way way{from};
@@ -132,7 +133,7 @@ int drive(const Network& network, int from, int to, const std::function<int(int)
   return length(network, way, true);
 }
 
-/// Checks the planners that work on any network, from one node to another.
+/// Checks the planners that work on any network: each plans a path from node `from` to node `to`.
 template <class Network>
 void expectSearches(const Network& network, int from, int to, const std::vector<int>& lines,
                     const std::vector<int>& costs) {

@@ -1,4 +1,5 @@
-// Tests when a robot left the line and found it again, and which sensor last saw the line.
+// Tests finding the times at which a robot left the line and returned. Also tests finding the sensor that
+// last saw the line.
 #include "sim/record/line_left.h"
 
 #include <gmock/gmock.h>

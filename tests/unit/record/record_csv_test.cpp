@@ -106,7 +106,8 @@ TEST(CsvRecorder, HasTheReadingsOfAllRobotsInTheHeaderThoughOneBeginsBehindTheOt
             "0,A,0,0,0,0,0,0,0,0.5,\n0,B,0,0,0,0,0,0,0,,1\n");
 }
 
-// Only a faulty runner sends samples of a robot that has not started. They must not crash the command.
+// Only a faulty runner sends samples of a robot that has not started. These samples must not crash the
+// command.
 TEST(CsvRecorder, ARobotThatHasNotBegunHasNoReadingsAndOneThatCannotBeNoRow) {
   CsvRecorder record(path());
   wire::Sample sample;

@@ -154,7 +154,7 @@ TEST_F(ARecording, GivesBackEverySampleAsFineAsItIsDrawn) {
 
 TEST_F(ARecording, KeepsTimesOfPinsToTheNanosecond) {
   columns.add_pin(kD5, 3'599'999'999'937, wire::PinLevel::pulsing, 0.25, 0);
-  gatherer.add(columns.take());  // later changes are relative to this one
+  gatherer.add(columns.take());  // later times are stored relative to this change
   columns.add_pin(kD5, 3'600'000'000'000, wire::PinLevel::high, 1.0, 0);
   const auto pin = written().stream("pin D5");
   ASSERT_THAT(pin, SizeIs(4));

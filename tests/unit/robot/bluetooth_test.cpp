@@ -1,3 +1,4 @@
+// Tests the Bluetooth module, which a serial line connects to the board.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

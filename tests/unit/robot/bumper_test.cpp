@@ -1,3 +1,4 @@
+// Tests bumper switches, which obstacles and manual moves press.
 #include <gtest/gtest.h>
 
 #include "tests/unit/robot/bench_robot.h"

@@ -1,3 +1,4 @@
+// Tests push buttons: levels, pull-ups, bouncing and faults.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// Tests the table [electronics] of a robot file: supply voltage, emitters and noise of the ADC.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Tests wheel encoders: levels, edges and faults.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

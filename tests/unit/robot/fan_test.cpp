@@ -1,3 +1,4 @@
+// Tests fans that press the robot to the floor.
 #include <gtest/gtest.h>
 
 #include <cmath>

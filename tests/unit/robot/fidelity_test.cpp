@@ -48,8 +48,8 @@ class Sweep {
                               "bench.toml"),
             profile, seed, "+++\nline = \"15 mm\"\n+++\n") {}
 
-  /// Returns the sensor's reading at `beside` m from the line's middle, without noise: 1 without light, and 0
-  /// with the light that white reflects at the best height.
+  /// Returns the sensor's reading at `beside` m from the line's middle, without noise. The reading is 1
+  /// without light. It is 0 with the light that white reflects at the sensor's best height.
   double blackness(double beside) {
     bench_.body().place({bench_.line() + Vec2{0.0, beside}, {1.0, 0.0}});
     return bench_.robot.readings().front().value;
@@ -88,7 +88,7 @@ double half_depth_mm(double height_mm, Profile profile, std::uint64_t seed) {
   return 2e3 * Sweep(height_mm, profile, seed).reads(0.5);
 }
 
-// Returns the light that white reflects at this height, as a share of its light at the best height.
+// Returns the light that a sensor gets from white at this height, divided by the light at the best height.
 double light(double height_mm, Profile profile) { return 1.0 - Sweep(height_mm, profile, 1).blackness(0.06); }
 
 double floor_variation(Profile profile, std::uint64_t seed) {
@@ -123,7 +123,7 @@ class Drive {
   BenchRobot bench_;
 };
 
-// Returns the time in s in which an uno5 at half the supply reaches 63 % of its final speed.
+// Returns the time in s after which an uno5 at half the supply voltage has reached 63 % of its final speed.
 double time_constant(Profile profile, std::uint64_t seed) {
   std::vector<double> speeds;
   Drive drive(profile, seed, 0.5);
@@ -133,7 +133,7 @@ double time_constant(Profile profile, std::uint64_t seed) {
   return static_cast<double>(risen - speeds.begin() + 1) * 1e-3;
 }
 
-// Returns the voltage that overcomes friction. Below this voltage of its motor, a wheel does not turn.
+// Returns the motor voltage that overcomes friction. At a lower voltage, the wheel does not turn.
 double bias(Profile profile, std::uint64_t seed) {
   const world::WheelParams wheel = body_params(load_description("uno5"), seed, profile).wheel[0];
   return wheel.no_load_current * wheel.nominal_volts / wheel.stall_current;
@@ -208,7 +208,7 @@ double aside(Profile profile, std::uint64_t seed) {
   return 0.5 * wheel_mismatch(profile, seed) / body_params(load_description("uno5"), seed, profile).track_m;
 }
 
-// Returns the distance that the wheels measure divided by the true distance, at this duty cycle.
+// Returns the ratio of the distance that the wheels measure to the true distance, at this duty cycle.
 double way_by_wheels(Profile profile, std::uint64_t seed, double duty) {
   Drive drive(profile, seed, duty);
   double travel = 0.0, distance = 0.0;

@@ -1,3 +1,4 @@
+// Tests infra-red receivers of remote controls.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

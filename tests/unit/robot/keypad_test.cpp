@@ -1,3 +1,4 @@
+// Tests keypads whose keys join rows and columns.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// Tests motor drivers and motors: PWM, braking, coasting and energy.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -104,8 +105,8 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
     EXPECT_LT(left, 0.6);
     EXPECT_GT(back, 0.005);
   }
-  // With fast decay, the robot rolls on. A pulse drives the robot only if the pulse's current is larger than
-  // the diodes can stop.
+  // With fast decay, the robot rolls on. Between the pulses, the diodes stop the current, so the motor does
+  // not brake.
   for (const auto& [left, back] : {slowed("l298n", 0.3, 1, 0), slowed("drv8833", 1, 0.3, 0)}) {
     EXPECT_GT(left, 0.8);
     EXPECT_LT(back, 1e-4);

@@ -1,3 +1,4 @@
+// Tests radio receivers with pins for clock, data and enable.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// Tests reflectance sensors with an analog output.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// Tests servos, including servos that turn continuously and drive wheels.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// Tests seven-segment displays.
 #include <gtest/gtest.h>
 
 #include "tests/unit/robot/bench_robot.h"

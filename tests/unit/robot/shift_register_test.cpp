@@ -1,3 +1,4 @@
+// Tests chains of 74HC595 shift registers, and parts on their outputs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

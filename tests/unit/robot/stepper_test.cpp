@@ -19,8 +19,8 @@ class Stepper : public testing::Test {
             "}\n" +
             keys) {}
 
-  /// Switches these coils on and the others off, then waits `ms`. As in a sketch, one pin changes after
-  /// another.
+  /// Switches these coils on and the other coils off, and then waits `ms`. As in a sketch, the pins change
+  /// one after another.
   void coils(unsigned in1_to_in4, int ms = 2) {
     for (int i = 0; i < 4; ++i)
       bench.board.output(static_cast<Pin>(8 + i), in1_to_in4 >> (3 - i) & 1,

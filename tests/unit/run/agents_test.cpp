@@ -24,7 +24,7 @@ struct Witness final : Listener {
   std::vector<result::RunEvent> events;
 };
 
-/// Firmware that only waits, so its robot stays in place.
+/// Firmware that only waits, so that its robot stays in place.
 class Parked final : public exec::Executor {
  public:
   RobotPort& board() override { return board_; }

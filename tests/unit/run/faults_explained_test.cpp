@@ -1,4 +1,4 @@
-// Tests that the explanation of a verdict names a fault that the script caused before.
+// Tests that the explanation of a verdict names a fault that the script caused before the verdict.
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-// Tests that simulating distant robots independently does not change a run. The robots' motion, readings,
-// output and events must be equal, and also the order of all events.
+// Tests an optimisation: robots that are far apart are simulated independently of each other. Their motion,
+// readings, output and events must not change, and neither must the order of all events.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -71,7 +71,7 @@ class Roaming final : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Records one robot's events. All robots append to one text.
+/// Records one robot's samples and events. All robots append to one text.
 struct NotingTurns final : Listener {
   explicit NotingTurns(std::string& text) : all(text) {}
   void sampled(const Sample& s) override {
@@ -96,7 +96,8 @@ robot::Description seeing_robot() {
 
 class Turns : public testing::TestWithParam<unsigned> {};
 
-// Runs two robots in each of three streets. The robots may leave their streets.
+// Runs six robots on the map city: two robots start in each of three streets, and may leave their streets.
+// Returns the text of all samples, events and results.
 std::string turning_run_of(unsigned seed, bool takes_turns) {
   std::mt19937 random(seed);
   const map::Map map = map::read_map(map::find_map("city"));
@@ -145,7 +146,7 @@ TEST_P(Turns, LeaveNoTrace) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Turns, testing::Range(0u, 4u));
 
-/// Counts how often this firmware ran directly after another robot's firmware.
+/// Firmware that counts how often it ran directly after the firmware of another robot.
 class Counting final : public exec::Executor {
  public:
   explicit Counting(const void*& last) : last_(last) {}

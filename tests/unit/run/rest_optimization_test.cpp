@@ -1,5 +1,5 @@
 // Tests that skipping ticks of resting robots and sleeping firmware does not change a run. Firmware, scripts,
-// goals and neighbours are random.
+// goals and neighbouring robots are random.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 namespace robosim::run {
 namespace rest_optimization_test {
 
-/// Firmware that is an executor, so that no sketch must be compiled.
+/// An executor that acts as the firmware, so that no sketch needs to be compiled.
 class OnBoard : public exec::Executor {
  public:
   explicit OnBoard(const BoardSpec& board) : board_(board) {}

@@ -1,4 +1,4 @@
-// Tests conditions at which a run stops that a controller advances step by step.
+// Tests a run that a StepController advances step by step: the conditions at which each step ends.
 
 #include <gmock/gmock.h>
 
@@ -11,7 +11,7 @@ namespace stop_conditions_test {
 
 using testing::HasSubstr;
 
-/// The built-in driver, which also sends `text`: one byte per millisecond, beginning at the start.
+/// The built-in driver, which also sends `text`: one byte per millisecond from the start of the run.
 class Talker final : public exec::Executor {
  public:
   explicit Talker(std::string text) : text_(std::move(text)) {}
@@ -33,7 +33,7 @@ class Talker final : public exec::Executor {
   test::BuiltInDriver driver_;
 };
 
-/// Continues the run once, until a stop of `leg` or until `leg.until`. Then ends the run.
+/// Continues the run once: until a stop condition of `leg` is met, or until `leg.until`. Then ends the run.
 struct OneLeg final : StepController {
   Leg next(Standstill& standstill) override {
     if (went_on) {

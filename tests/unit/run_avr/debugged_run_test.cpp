@@ -1,3 +1,4 @@
+// Runs the tests of debugged_run.h on target avr.
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/exec/avr/firmware.h"
 

@@ -1,3 +1,4 @@
+// Runs the tests of snapshots.h on target avr.
 #include "sim/exec/avr/avr_executor.h"
 
 namespace robosim::run {

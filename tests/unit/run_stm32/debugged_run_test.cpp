@@ -1,3 +1,4 @@
+// Runs the tests of debugged_run.h on target stm32.
 #include "sim/exec/stm32/firmware.h"
 #include "sim/exec/stm32/stm32_executor.h"
 

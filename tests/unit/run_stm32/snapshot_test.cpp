@@ -1,3 +1,4 @@
+// Runs the tests of snapshots.h on target stm32.
 #include "sim/exec/stm32/stm32_executor.h"
 
 namespace robosim::run {

@@ -13,7 +13,7 @@ namespace waiting_test {
 using exec::stm32::Machine;
 
 struct PillRun : StockRun {
-  bool waits;  ///< whether the sketch waits in loops, and not asleep as in delay()
+  bool waits;  ///< whether the sketch waits in loops, instead of sleeping as delay() does
 };
 
 class WaitingLoopsOfPills : public testing::TestWithParam<PillRun> {

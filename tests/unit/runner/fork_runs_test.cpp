@@ -1,5 +1,5 @@
-// Tests that each branch of a forked run equals a separate run. The firmware is an executor, so that no
-// sketch must be compiled.
+// Tests that each branch of a forked run equals a separate run. An executor acts as the firmware, so that no
+// sketch needs to be compiled.
 #include "sim/runner/fork_runs.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,8 @@ namespace fork_runs_test {
 
 using ::testing::HasSubstr;
 
-/// The built-in driver, which also prints "hello" at 1.5 s. It counts its ticks as firmware counts lines.
+/// The built-in driver, which also prints "hello" at 1.5 s. Its number of ticks replaces the line counters of
+/// real firmware.
 class Talker final : public exec::Executor {
  public:
   RobotPort& board() override { return driver_.board(); }
@@ -72,7 +73,7 @@ class WaysTest : public ::testing::Test {
       return error.what();
     }
   }
-  /// Returns the result of a run from power-on, with the complete script of one branch.
+  /// Returns the result of a separate run from power-on, with the complete script of one branch.
   std::string whole(const std::string& way) const {
     wire::RunRequest request = request_;
     request.ways.reset();

@@ -63,7 +63,8 @@ TEST_F(ReadingAhead, NorIsARobotForItsDescriptionUnlessItHasChanged) {
   EXPECT_THROW(known_robot(request_.robot, {{request_.robot, robot}}), InputError);
 }
 
-// The times of a recently written file do not prove that the file is unchanged. Only its bytes do.
+// The times of a recently written file do not prove that the file is unchanged. Only the bytes of the file
+// prove this.
 TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
   for (const char* content : {"one", "two", "tw", "", "three"}) {
     write_file(image_, content);

@@ -1,4 +1,5 @@
-// Tests when a runner ends a run. It decides by the process's times, and by what the process itself reports.
+// Tests when a runner ends a run that hangs. The runner decides by the times of the run's process, and by the
+// simulated time that the process reports.
 #include "sim/runner/run_watch.h"
 
 #include <gtest/gtest.h>
@@ -101,7 +102,7 @@ TEST_F(Watching, BelievesNoRunThatSaysAgainThatItHasNotBegun) {
 
 TEST_F(Watching, LimitsARunWhoseFirmwareNeverLetsItSayThatItHasBegun) {
   EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "a large map";
-  // The child acts as a run's process, which records that firmware runs next. Firmware cannot undo this
+  // The child acts as a run's process. It records that firmware runs next, and firmware cannot undo this
   // record.
   Child([&] {
     watch_.close();

@@ -1,5 +1,5 @@
-// Tests a runner's session with its client. The firmware is an executor, so that no sketch must be compiled.
-// A fork of this test serves the session, because a session uses its process's standard input and output.
+// Tests a runner's session with its client. An executor acts as the firmware, so that no sketch needs to be
+// compiled. A fork of this test serves the session, because a session uses standard input and output.
 #include "sim/runner/session.h"
 
 #include <gmock/gmock.h>
@@ -36,8 +36,8 @@ using ::testing::StartsWith;
 class Session {
  public:
   explicit Session(const ExecutorFactory& factory) : Session([] {}, factory) {}
-  /// Starts the runner's process, which calls `first` and then serves. It uses only the descriptors 0, 1 and
-  /// 2.
+  /// Starts the runner's process, which calls `first` and then serves. The process uses only the descriptors
+  /// 0, 1 and 2.
   Session(const std::function<void()>& first, const ExecutorFactory& factory)
       : runner_([&] {
           ::dup2(input_.read.get(), STDIN_FILENO);
@@ -115,10 +115,11 @@ class Session {
   }
 
   void interrupt() const { runner_.send(SIGINT); }
-  /// Waits until the run's process and its runner both wait. Returns false if one of them ends first.
+  /// Waits until the runner's process and the run's process are both blocked. Returns false if one of them
+  /// ends first.
   bool comes_to_wait() const {
     const std::string runner = "/proc/" + std::to_string(runner_.pid());
-    // Requires that both processes wait at many checks in a row, because they may briefly wait for each
+    // Requires that many checks in a row find both processes blocked, because they may briefly wait for each
     // other.
     constexpr int kOften = 2000;
     for (int times = 0; times < kOften; ++times, ::sched_yield()) {
@@ -200,7 +201,7 @@ class SessionTest : public ::testing::Test {
     request_.for_ns = 20 * kSecond;
   }
 
-  /// Returns a runner's error for a request that it cannot carry out.
+  /// Sends a request that the runner cannot execute. Returns the runner's error.
   static wire::ErrorAnswer refusal(const wire::RunRequest& request) {
     Session session(drivers());
     session.line();

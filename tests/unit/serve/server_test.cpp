@@ -208,7 +208,8 @@ std::string read_all(const Descriptor& socket) {
   return all;
 }
 
-// Otherwise, a page of another site could hide any request in the body of a refused request.
+// A page of another site could hide a request in the body of a refused request. The server must not read this
+// body as a request.
 TEST_F(Serving, TakesNoRequestFromTheBodyOfARefusedOne) {
   serve("echo ran\n");
   std::string body;
@@ -496,8 +497,8 @@ TEST_F(Serving, WritesNothingElseAndNowhereElse) {
   EXPECT_EQ(before(), all);
 }
 
-// The shell script replaces robosim. It prints an event, repeats the line that it reads, and ends with status
-// 4.
+// The shell script replaces robosim. The script prints an event, repeats the first line that it reads, and
+// ends with status 4.
 TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
   serve("echo warned >&2; echo '{\"event\": 1}'; while read -r line; do echo \"$line\"; exit 4; done\n");
   EXPECT_EQ(http_->Post("/api/live/1", R"({"do": "play"})", "application/json")->status, 409)
@@ -529,7 +530,7 @@ TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
   EXPECT_EQ(http_->Get("/api/live/1234567890")->status, 404);
 }
 
-// The test notices the end of the program by a pipe, which the program keeps open until then.
+// The program keeps a pipe open until it ends. The test reads the end of the pipe when the program has ended.
 TEST_F(Serving, EndsARunWhosePageHasGone) {
   const fs::path pipe = outside_.path() / "alive";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

@@ -1,5 +1,5 @@
-// Tests that boards and chips are only data. Code that named a board or chip would have to change for every
-// new board.
+// Tests that only data files name boards and chips. Code that named a board or chip would have to change for
+// every new board.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -12,7 +12,7 @@
 namespace robosim::structure {
 namespace boards_test {
 
-/// Returns whether, by its path, a file is about one chip or board.
+/// Returns whether the path of a file shows that the file is about one chip or board.
 bool is_about_a_chip(const std::string& file) {
   for (const char* place : {"hal/board/", "hal/host/chip.h", "hal/stm32/", "sim/exec/stm32/"})
     if (file.starts_with(place)) return true;

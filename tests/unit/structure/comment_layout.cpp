@@ -97,7 +97,8 @@ bool ends_with_operator(const std::string& text) {
   return text.back() == ',' || word.find_first_not_of("+-*/=<>|&") == word.npos;
 }
 
-/// Returns whether `line` continues the full row before it, although it starts at that row's label.
+/// Returns whether `line`, which starts at the column of the row's label, seems to be the rest of `row`.
+/// `row` is the preceding line, and is full. `after` is the line after `line`, or null.
 bool is_cut_off(const Line& row, const Line& line, const Line* after) {
   if (row.gaps.empty()) {
     // A line of prose in an indented paragraph may leave a bracket open, but code and drawings do not.
@@ -115,8 +116,8 @@ bool is_cut_off(const Line& row, const Line& line, const Line* after) {
     return ends_table && !is_statement &&
            std::islower(static_cast<unsigned char>(line.text[line.indent])) != 0;
   }
-  // The line may be the rest of the row, joined with the next row. Without the rest's words, the line's cell
-  // would then be at the column of the row's cell.
+  // `line` may consist of the rest of `row` and of the next row, which a tool has joined. Without the words
+  // of the rest, the first cells of `line` and `row` would then have the same column.
   const auto [gap_from, gap_to] = line.gaps.front();
   if (row.has_cell_at(gap_to)) return false;
   for (std::size_t word = line.indent; (word = end_of_word(line, word)) < gap_from;) {
@@ -126,8 +127,8 @@ bool is_cut_off(const Line& row, const Line& line, const Line* after) {
   return false;
 }
 
-/// Returns whether `line` starts before the last cell of `row`, the line above, and continues below that
-/// cell.
+/// Returns whether `line` starts before the last cell of `row`, and continues below this cell. `row` is the
+/// preceding line.
 bool starts_in_last_gap(const Line& row, const Line& line) {
   if (row.gaps.empty() || !line.gaps.empty()) return false;
   const auto [from, to] = row.gaps.back();

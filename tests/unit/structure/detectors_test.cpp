@@ -1,4 +1,4 @@
-// Tests that each detector's name has a test.
+// Tests that a test exists for each detector: some test file contains the detector's name.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Checks #include directives by may_include.txt, which lists the folders that each folder may include.
+// Checks #include directives against may_include.txt, which lists the folders that each folder may include.
 #pragma once
 
 #include <map>
@@ -24,9 +24,9 @@ IncludeTable read_include_table(const std::string& file, std::string_view text);
 /// Returns a message for each include that the table does not allow: file, line, and the allowed folders.
 std::vector<std::string> broken_rules(const IncludeTable& table, const Files& files);
 
-/// Returns a message for each file that opens a namespace (to declare or define something in it) which
-/// belongs to a folder that the file may not include. A namespace below robosim belongs to the folder with
-/// most files of it.
+/// Returns a message for each file that declares or defines something in a foreign namespace. A namespace
+/// below robosim belongs to the folder in which most files open it. It is foreign to a file that may not
+/// include this folder.
 std::vector<std::string> foreign_namespaces(const IncludeTable& table, const Files& files);
 
 /// Returns each cycle of files that include each other, as "a.h > b.h > a.h".

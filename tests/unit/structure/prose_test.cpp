@@ -1,4 +1,5 @@
-// Checks the English of documents, comments, messages, file names and commits by the rules of prose_rules.h.
+// Checks the English of documents, comments, messages, file names and commits with the rules of
+// prose_rules.h.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -96,7 +97,7 @@ TEST(Prose, SubjectsOfCommitsHaveAnAreaAndAnImperative) {
     for (const std::string& finding : odd_subject(subject)) ADD_FAILURE() << finding;
 }
 
-/// Returns the texts of passages, each after the number of its kind and its line.
+/// Returns the passages as texts: the number of the kind, the line, and the text of the passage.
 std::vector<std::string> texts(const std::vector<Passage>& passages) {
   std::vector<std::string> all;
   for (const Passage& passage : passages)
@@ -104,7 +105,7 @@ std::vector<std::string> texts(const std::vector<Passage>& passages) {
   return all;
 }
 
-/// Returns the passage that a document's paragraph gives.
+/// Returns a passage that consists of a paragraph of a document.
 Passage paragraph(const std::string& text) { return {"a.md", 1, Passage::Kind::document, true, text}; }
 
 Passage comment(const std::string& text) { return {"a.h", 1, Passage::Kind::comment, true, text}; }

@@ -177,7 +177,7 @@ class SourceReader {
   void line_comment() {
     const std::size_t end = std::min(source_.find('\n', at_), source_.size());
     std::string_view text = source_.substr(at_, end - at_);
-    // Such a comment is "///< …", or continues the comment that follows code on the previous line.
+    // True if the comment is "///< …", or continues the comment that follows code on the previous line.
     const std::size_t column = at_ - (source_.rfind('\n', at_) + 1);
     const bool continues = (text.find('<') != text.npos && text.find('<') == text.find_first_not_of('/')) ||
                            (column == remark_column_ && line_ == remark_line_ + 1);

@@ -45,7 +45,7 @@ MembersTable read_members_table(const std::string& text) {
   return table;
 }
 
-/// Returns whether a member of this type never changes: it is const, a reference, or the id of a chip's
+/// Returns whether a member of this type never changes: the type is const, a reference, or the id of a chip's
 /// event.
 bool never_changes(const std::string& type) {
   return (type.starts_with("const ") && !type.ends_with("*")) || type.ends_with("&") ||

@@ -98,8 +98,8 @@ TEST_F(FailedTests, OfPowerCutsTellOfTheRobotToo) {
   EXPECT_THAT(text("kept/" + test + "/script.txt"), HasSubstr("after eeprom 1 power off"));
 }
 
-// A script's step is reported at the end of its tick. The sketch may respond within this tick, and its
-// response is then reported first.
+// A run reports a script's step at the end of its tick. If the sketch responds within this tick, the run
+// reports the response first. RunLog corrects this order.
 TEST(RunLog, HasACauseBeforeItsEffect) {
   testing::RunLog log;
   log.add({1'000'400'000, "the sketch says \"refused\""});

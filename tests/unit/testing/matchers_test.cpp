@@ -1,3 +1,4 @@
+// Tests the matchers of the GoogleTest harness, and the messages of failed requirements.
 #include <gtest/gtest-spi.h>
 #include <robosim/testing.h>
 #include <stdlib.h>

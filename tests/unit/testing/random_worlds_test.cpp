@@ -1,5 +1,5 @@
-// Tests random worlds: generated worlds are valid, shrunk worlds are valid and smaller, and a search ends
-// with the smallest world that fails.
+// Tests random worlds. Generated worlds must be valid, and shrunk worlds must be valid and smaller. A search
+// must end with the smallest world that fails.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/Random.h>

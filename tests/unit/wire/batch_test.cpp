@@ -17,7 +17,8 @@ using ::testing::SizeIs;
 
 std::string line_of(const Event& event) { return to_line(Id(std::int64_t{1}), Answer(event)); }
 
-/// Returns the bytes of a batch, which follow its line. Expects that the line contains their number.
+/// Returns the bytes of a batch, which follow the batch's line. Expects that the line contains the number of
+/// bytes.
 std::string bytes_in(const std::string& said) {
   const std::size_t end = said.find('\n') + 1;
   const Line line = parse_line(said.substr(0, end));
@@ -182,7 +183,7 @@ TEST(Batches, AreReadFromMemoryThatOutlivesWhoWroteThem) {
   const std::vector<std::string> meant = add_all(*std::make_unique<BatchWriter>(&memory));
   BatchReader reader(of_all());
   EXPECT_EQ(told(reader, BatchWriter(&memory).take().bytes), meant);
-  memory.used = 4'000'000'000;  // as if firmware had overwritten this member
+  memory.used = 4'000'000'000;  // simulates firmware that has overwritten this member
   EXPECT_THAT(BatchWriter(&memory).take().bytes, SizeIs(BatchMemory::kRoom_bytes));
 }
 

@@ -1,3 +1,4 @@
+// Tests how the floor reflects light where a map has coloured areas.
 #include <gtest/gtest.h>
 
 #include "sim/world/floor.h"

@@ -1,3 +1,4 @@
+// Tests contacts of bodies with walls, obstacles and other bodies.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,8 +24,8 @@ Vec2 direction(double degrees) {
   return {std::cos(a), std::sin(a)};
 }
 
-// Returns parameters with motors whose rate is `rate_factor` times as high, and whose torque is three times
-// as high.
+// Returns the default parameters with stronger motors: the rate is `rate_factor` times as high, and the
+// torque is three times as high.
 BodyParams fast(double rate_factor) {
   BodyParams p = default_body_params();
   for (WheelParams& w : p.wheel) {

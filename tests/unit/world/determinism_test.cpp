@@ -1,3 +1,4 @@
+// Tests that the physics gives the same bits in every build.
 #include <gtest/gtest.h>
 
 #include <bit>

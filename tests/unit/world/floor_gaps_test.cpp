@@ -1,5 +1,5 @@
-// Compares gaps between boards with the closed forms of floor_gaps.h: the depth to which a wheel sinks, and
-// the loss of energy.
+// Tests gaps between floor boards. Compares the depth to which a wheel sinks, and the loss of energy, with
+// the closed forms of floor_gaps.h.
 #include "sim/world/floor_gaps.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ class JointsTest : public testing::Test {
   void run(int ticks) {
     for (int i = 0; i < ticks; ++i) world_->step();
   }
-  /// Returns the share of its kinetic energy that a robot loses at `gaps` gaps, which are 100 mm apart. The
+  /// Returns the share of the kinetic energy that a robot loses at `gaps` gaps, which are 100 mm apart. The
   /// robot coasts, initially at `speed`.
   double lost(double gap, double speed, int gaps) {
     const double share = speed / top_speed();
@@ -63,8 +63,8 @@ class JointsTest : public testing::Test {
     run(3000);
     return body.speed();
   }
-  /// Returns this share by the closed form. At an impact, rotating masses keep their speed, and then return a
-  /// part of it to the robot.
+  /// Returns the share of lost() by the closed form. At an impact, rotating masses keep their speed, and then
+  /// return a part of this speed to the robot.
   double expected(double gap, double speed, int gaps) const {
     const WheelParams& w = params_.wheel[left];
     const double turns = 2.0 * (w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio) /

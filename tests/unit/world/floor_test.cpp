@@ -106,8 +106,8 @@ TEST(Floor, DistanceAndCoverageAreExactOverRoundedBends) {
   }
 }
 
-// Walks with strides of all lengths, also beyond the map's edge. Results with and without a remembered stripe
-// must be bit-identical.
+// Moves a point with steps of all lengths, also beyond the map's edge. Results with and without a remembered
+// stripe must be bit-identical.
 TEST(Floor, WhoRemembersTheNearestStripeFindsTheSame) {
   Random random;
   for (int i = 0; i < 24; ++i) {

@@ -1,5 +1,5 @@
-// Compares hills and surfaces with closed forms, within 2 %. The formulas are from ground.h, body_ground.cpp
-// and physics textbooks.
+// Compares bodies on hills and surfaces with closed forms, within 2 %. The formulas are from ground.h,
+// body_ground.cpp and physics textbooks.
 #include "sim/world/ground.h"
 
 #include <gtest/gtest.h>
@@ -181,7 +181,8 @@ TEST_F(GroundTest, LoadsShiftToTheRearAsItSpeedsUp) {
   EXPECT_NEAR((body.speed() - before) / 0.1, expected, kWithin * expected);
 }
 
-// This holds even if the centre of mass is close to the axle.
+// A robot trips only if its centre of mass is above the hubs. This also holds if the centre of mass is close
+// to the axle.
 TEST_F(GroundTest, TripsOverAStepOnlyWhereItsMassIsAboveItsHubs) {
   BodyParams p = default_body_params();
   p.caster_m = -0.06;

@@ -1,4 +1,4 @@
-// Tests many bodies on one floor. Their contacts are found without examining every pair.
+// Tests many bodies on one floor. The world finds their contacts without examining every pair.
 #include <gtest/gtest.h>
 
 #include <algorithm>

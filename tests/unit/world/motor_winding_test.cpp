@@ -174,8 +174,8 @@ class WoundBody : public testing::Test {
   std::unique_ptr<World> world_;
 };
 
-// A motor that its wheel turns has the torque k_e per ampere, so the loss of speed determines the charge. The
-// charge flows into the battery for half of the time.
+// If the wheel turns the motor, the motor has the torque k_e per ampere. The loss of speed therefore
+// determines the charge. The charge flows into the battery for half of the time.
 TEST_F(WoundBody, GivesBackWhatASlowerDutyTakesOffItsSpeed) {
   const BodyParams p = wound();
   const WheelParams& w = p.wheel[left];

@@ -1,3 +1,4 @@
+// Tests lines whose segments have their own width, darkness or wear.
 #include <gtest/gtest.h>
 
 #include <cmath>

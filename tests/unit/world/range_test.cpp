@@ -1,3 +1,4 @@
+// Tests the distances that range sensors measure in the world.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Compares bodies that turn by skidding, or that a fan presses down, with closed forms, within 2 %.
+// Tests bodies that turn by skidding, and bodies that a fan presses down. Compares them with closed forms,
+// within 2 %.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Tests the wrapper `robosim` in a separate checkout. Scripts replace the tools that it calls, and record
-// calls.
+// Tests the wrapper script `robosim` in a separate checkout. Test scripts replace the tools that the wrapper
+// calls, and record these calls.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-// Waits for a flag that a timer's interrupt sets, every 10 ms.
+// Waits for a flag that a timer's interrupt sets every 10 ms.
 volatile bool flag;
 
 ISR(TIMER1_COMPA_vect) { flag = true; }

@@ -1,4 +1,4 @@
-// A keypad, a remote control or Bluetooth selects a mode. A display shows it; a buzzer beeps. No libraries.
+// Selects a mode by keypad, remote control or Bluetooth, displays the mode, and beeps. Uses no libraries.
 const int ROWS[4] = {6, 7, 8, 9};
 const int COLUMNS[3] = {10, A0, A1};
 const char KEYS[4][4] = {"123", "456", "789", "*0#"};

@@ -1,4 +1,4 @@
-// Counts its starts in two bytes of EEPROM, and echoes received bytes; "t" requests the time.
+// Counts its starts in two bytes of EEPROM, and echoes received bytes. Answers "t" with millis().
 #include <EEPROM.h>
 
 void setup() {

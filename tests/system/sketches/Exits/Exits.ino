@@ -1,4 +1,4 @@
-// Ends itself.
+// Ends its own process by exit().
 void setup() { exit(3); }
 
 void loop() {}

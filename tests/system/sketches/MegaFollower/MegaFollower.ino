@@ -1,5 +1,5 @@
 // Follows a line with pins that an Uno does not have: motors and sensors above pin 19 and A7, encoders on 20
-// and 21, and a second serial line for its diary.
+// and 21, and a second serial port for a log.
 
 #include <LineKit.h>
 

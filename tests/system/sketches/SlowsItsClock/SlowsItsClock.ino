@@ -1,4 +1,4 @@
-// Sets the clock divisor. The host has none, so a difference on the host says nothing about the sketch.
+// Sets the clock divisor. The host has no divisor, so a difference on the host does not reveal a bug.
 #include <avr/power.h>
 
 void setup() {

@@ -1,4 +1,4 @@
-// Prints the time in half seconds. It depends on a tick of millis(), and on the duration of printing.
+// Prints the time in half seconds. The number depends on a tick of millis(), and on the duration of printing.
 void setup() { Serial.begin(9600); }
 
 void loop() {

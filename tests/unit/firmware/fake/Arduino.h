@@ -1,4 +1,5 @@
-// Declares the part of Arduino's core that the library uses. Tests set and read its clock and pins.
+// A fake of the Arduino core: declares the functions that the library in firmware/ uses. Tests set and read
+// the clock and the pins of this fake.
 #pragma once
 
 #include <cstdint>
@@ -26,9 +27,9 @@ struct Pin {
   int duty = -1;                  ///< the last analogWrite(); -1 = none since the last digitalWrite()
   int reads = LOW;                ///< result of digitalRead()
   int analog = 0;                 ///< result of analogRead()
-  std::uint32_t drains_us = 0;    ///< time for which an input stays HIGH after it was an output
-  std::uint32_t released_us = 0;  ///< when the pin became an input
-  int rises = 0;                  ///< how often the firmware changed the pin from LOW to HIGH
+  std::uint32_t drains_us = 0;    ///< time for which an input reads HIGH after it was an output
+  std::uint32_t released_us = 0;  ///< the time at which the pin became an input
+  int rises = 0;                  ///< number of times that the firmware changed the pin from LOW to HIGH
   void (*handler)() = nullptr;    ///< the function passed to attachInterrupt()
   int handler_mode = 0;
 };
