@@ -46,12 +46,13 @@ bool Judge::stuck_in_contact(const Situation& now) {
   const bool drives = now.driven || now.t - last_driven_ <= kPulsePause;
   const bool goes_on = touches_ && drives && !now.lifted && dot(moved, moved) < kSamePlace * kSamePlace &&
                        dot(now.pose->heading, pushed_from_.heading) > kPushedTurnCosine;
-  touches_ = true;
+  if (now.in_contact) contact_at_ = now.t;
+  touches_ = now.t - contact_at_ <= kTouchPause;
   if (!goes_on) {
     pushed_from_ = *now.pose;
     pushed_at_ = now.t;
   }
-  return pushes_ = now.t - pushed_at_ >= kPushedAfter;
+  return pushes_ = touches_ && now.t - pushed_at_ >= kPushedAfter;
 }
 
 std::optional<Verdict> Judge::verdict(Situation now, bool is_lost, bool is_stuck) {

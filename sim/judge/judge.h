@@ -22,6 +22,8 @@ constexpr double kSamePlace = 0.1;  ///< m, radius within which a robot counts a
 constexpr SimTime kSilentAfter = 2 * kSecond;  ///< duration without an API call
 /// A motor still counts as driven during pauses of up to this length between pulses.
 constexpr SimTime kPulsePause = 200 * kMillisecond;
+/// A robot still touches an obstruction during pauses of up to this length: it bounces off and returns.
+constexpr SimTime kTouchPause = 200 * kMillisecond;
 constexpr SimTime kDrivePause = kSecond;           ///< a robot still drives during shorter pauses
 constexpr SimTime kInOnePlaceAfter = 5 * kSecond;  ///< a robot that stays this long is reported as staying
 
@@ -89,7 +91,7 @@ class Judge {
   SimTime anchored_at_ = 0;
   Pose anchor_;
   bool touches_ = false, pushes_ = false;
-  SimTime pushed_at_ = 0;
+  SimTime contact_at_ = 0, pushed_at_ = 0;
   Pose pushed_from_;
   SimTime place_since_ = 0;
   Vec2 place_;
@@ -124,9 +126,9 @@ class Judge {
     place_since_ = now.t;
   }
   if (now.t - anchored_at_ >= kStuckAfter) return true;
-  if (now.in_contact) [[unlikely]]
+  if (now.in_contact || touches_) [[unlikely]]
     return stuck_in_contact(now);
-  return touches_ = false;
+  return false;
 }
 
 }  // namespace robosim::judge

@@ -57,7 +57,6 @@ TEST(Judge, CallsItLostAfterOneMetreOfWheelTravelWithoutALine) {
 TEST(Judge, CallsARobotStuckThatCreepsAlongWhatItPushesAgainst) {
   const auto ends = [](double mm_per_s, double degrees_per_s, bool touches, bool driven) {
     Driver d;
-    d.now.in_contact = touches;
     d.now.driven = driven;
     double angle = 0.0;
     return d.run(20 * kSecond, [&] {
@@ -65,7 +64,8 @@ TEST(Judge, CallsARobotStuckThatCreepsAlongWhatItPushesAgainst) {
       d.pose.position.y += mm_per_s * 1e-6;
       angle += degrees_per_s * 1e-3 * 0.0174532925;
       d.pose.heading = {std::cos(angle), std::sin(angle)};
-      d.now.driven = driven && d.now.t % (100 * kMillisecond) < 50 * kMillisecond;  // pulsed motors
+      d.now.driven = driven && d.now.t % (100 * kMillisecond) < 50 * kMillisecond;       // pulsed motors
+      d.now.in_contact = touches && d.now.t % (100 * kMillisecond) < 20 * kMillisecond;  // bounces
     });
   };
   EXPECT_EQ(ends(10.0, 2.0, true, true), Verdict::stuck);
