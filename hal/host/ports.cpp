@@ -36,8 +36,6 @@ void place_on_chip(Pin pin, const ChipPin& at) {
   place.digital = true;
   place.port = static_cast<Port>(at.port);
   place.mask = static_cast<uint8_t>(1 << at.bit);
-  place.timer.timer = at.timer;
-  place.timer.channel = static_cast<int8_t>(at.output);
   place.external = at.external;
   place.counted_by = at.counted_by;
   place.captured_by = at.captured_by;
@@ -50,8 +48,24 @@ void place_on_chip(Pin pin, const ChipPin& at) {
     place.change_mask = static_cast<uint8_t>(1 << at.change % 8);
   }
   port_pins[at.port][at.bit] = pin;
-  if (at.timer >= 0) timer_pins[at.timer][at.output] = pin;
   if (at.external >= 0) external_pins[at.external] = pin;
+}
+
+/// Gives the pin its output of a timer. A board with a substitute has the substitute's timers of the same
+/// number and width, at its own pins: OC2A is pin 10 of a Mega, and pin 11 of an Uno.
+void place_timer(Pin pin, const BoardSpec& board) {
+  const bool is_avr = is_same(board.chip->target, kChip.target);
+  const BoardSpec& source = is_avr ? board : host_model(board);
+  if (pin >= source.pin_count) return;
+  const ChipPin& at = source.pins[pin].chip_pin;
+  if (at.timer < 0) return;
+  const TimerSpec& own = source.chip->timers[at.timer];
+  for (int8_t i = 0; i < kTimers; ++i) {
+    if (kChip.timers[i].number != own.number || kChip.timers[i].bits != own.bits || at.output > 1) continue;
+    places[pin].timer.timer = i;
+    places[pin].timer.channel = static_cast<int8_t>(at.output);
+    timer_pins[i][at.output] = pin;
+  }
 }
 
 PinDrive drive_of(Pin pin) {
@@ -120,6 +134,7 @@ void place_pins() {
         (as_pin ? pin >= spec.analog_pin_0 + kChip.adc.pins : pin >= ROBOSIM_ANALOG_INPUTS);
   }
   for (Pin pin = 0; pin < kPins && pin < spec.pin_count; ++pin) {
+    place_timer(pin, spec);
     if (pin < model.pin_count) {
       place_on_chip(pin, model.pins[pin].chip_pin);
       continue;

@@ -49,7 +49,9 @@ bool is_of_uart(const BoardSpec& board, Pin pin) { return pin < 2 && board.analo
 // Returns whether the firmware has read the pin on purpose. Edges awaited on a timer's capture input do not
 // count. A timer awaits edges as soon as firmware reads the timer's flags, as the Servo library does.
 bool is_read_on_purpose(const BoardSpec& board, Pin pin, const exec::PinUse& use) {
-  const bool captures = board.pins[pin].chip_pin.captured_by >= 0;
+  const BoardSpec& model = host_model(board);  // has the registers on the host
+  const bool captures = board.pins[pin].chip_pin.captured_by >= 0 ||
+                        (pin < model.pin_count && model.pins[pin].chip_pin.captured_by >= 0);
   return use.looked_at || use.measured || (use.awaited && !captures) || (use.read && use.pulled_up);
 }
 

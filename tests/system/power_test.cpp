@@ -43,7 +43,9 @@ std::string alkaline(const char* charge) {
 
 // By the curve in sim/robot/battery.h, 54.4 % charge gives 7.4 V at rest, and 4.3 % gives 6.6 V.
 TEST_F(Power, OfAnEmptierBatteryMakesATurnByTimeTooShort) {
-  EXPECT_EQ(run("t", lithium("0.544"), 15.0).verdict, "reached");
+  const result::RunResult full = run("t", lithium("0.544"), 15.0);
+  EXPECT_EQ(full.verdict, "reached");
+  EXPECT_GT(full.metrics.distance_m, 3.0) << "to and fro";
   EXPECT_EQ(run("s", lithium("0.544"), 15.0).verdict, "reached");
   const result::RunResult low = run("t", lithium("0.043"), 15.0);
   EXPECT_EQ(low.verdict, "stuck");

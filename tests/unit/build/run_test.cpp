@@ -92,6 +92,21 @@ TEST_F(RunTest, ABluePillsFurtherPinsReadWriteAndInterrupt) {
   EXPECT_EQ(pins.drive(31).mode, PinMode::input_pullup);
 }
 
+TEST_F(RunTest, AMegasPinsHaveTheTimersOfItsOwnChip) {
+  board_ = *find_board("mega");
+  write("Run/Run.ino",
+        "void setup() {\n"
+        "  analogWrite(9, 150); analogWrite(10, 150); analogWrite(11, 150); analogWrite(46, 150);\n"
+        "  TCCR1A = 0; TCCR1B = _BV(CS11);\n"
+        "}\n"
+        "void loop() {}\n");
+  executor_ = std::make_unique<exec::HostExecutor>(board_, build({folder_ / "Run", board_}).image);
+  executor_->power_on(0);
+  executor_->run_until(10 * kMillisecond);
+  for (const Pin pin : {9, 10, 46}) EXPECT_TRUE(executor_->board().drive(pin).pwm) << int{pin};
+  EXPECT_FALSE(executor_->board().drive(11).pwm) << "OC1A, whose timer the sketch has taken";
+}
+
 TEST_F(RunTest, TablesInFlashAreRead) {
   EXPECT_EQ(run_sketch("FlashTables"), "in flash\n160\n-100\n60000\n1.50\nright\nleft\n-100\n5\n");
 }

@@ -55,6 +55,12 @@ TEST_F(UsageTest, ATimerThatListensToItsUnwiredCaptureInputDoesNotMeanThatTheSke
   EXPECT_THAT(told(usage().unwired), ElementsAre("D9 read"));
   board.read_level(8, 0);
   EXPECT_THAT(told(usage().unwired), ElementsAre("D8 read", "D9 read"));
+
+  const BoardSpec& mega = *find_board("mega");
+  exec::BoardState with_registers_of_uno{mega};
+  with_registers_of_uno.set_wants_edges(8, true, 0);
+  EXPECT_THAT(told(usage_of(mega, wiring, std::vector<bool>(mega.pin_count), with_registers_of_uno).unwired),
+              testing::IsEmpty());
 }
 
 TEST_F(UsageTest, AnUnwiredCaptureInputWithAPullUpOrAsAnOutputIsNamed) {

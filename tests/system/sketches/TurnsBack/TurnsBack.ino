@@ -2,7 +2,7 @@
 //   t  turns for a time that was measured at 7.4 V        s  turns until it sees the line again
 //   h  starts with full power immediately                 r  raises its power to full within half a second
 const byte PIN[3] = {A1, A2, A3};
-const int DARK = 500, TURN_MS = 252;
+const int DARK = 500, TURN_MS = 400;
 int level[3];
 char way;
 
