@@ -46,7 +46,7 @@ void settle() {
 
 void will_write(robosim_register address, int bytes, const void* place) {
   begin_access(address, bytes, place);
-  settle_registers();  // ends a look that began in begin_access() (polling.h)
+  settle_registers();  // ends a search for idle polling (polling.h) that begin_access() has begun
   unsettled = settle;
   written = address;
   written_bytes = bytes;

@@ -73,7 +73,7 @@ struct Simulation::Impl final : Standstill {
   SimTime rests_until = 0;  // in ticks that begin before this time, only firmware acts
   bool rested = false;      // the last tick was a tick of rest, without any event
   bool takes_turns;
-  SimTime turns_from = 0;      // no turns are tried before this time
+  SimTime turns_from = 0;      // before this time, take_turns() is not called
   std::vector<double> sights;  // ranges of the agents' sight
   std::vector<std::size_t> together;
   std::vector<Agent::Untold> untold;

@@ -21,7 +21,8 @@ class RunnerError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reports that an interrupted run did not answer within seconds, or was killed. There is no result.
+/// Reports that a run was interrupted, and that its runner then sent nothing for two seconds and was killed,
+/// or died. There is no result.
 class Unstoppable : public RunnerError {
  public:
   using RunnerError::RunnerError;
@@ -30,7 +31,7 @@ class Unstoppable : public RunnerError {
 // The client's functions.
 
 std::string to_line(long long id, const Request& request);
-/// Converts a request for a paused run.
+/// Converts a request to a run that is driven step by step. The run serves it during a pause.
 std::string to_line(long long id, const DrivenRequest& request);
 /// Converts a request for a run in step with the wall clock.
 std::string to_line(long long id, const LiveRequest& request);
@@ -54,7 +55,7 @@ Hello parse_hello(std::string_view text, const std::string& program);
 /// The number that a client has chosen for a request; monostate = none.
 using Id = std::variant<std::monostate, std::int64_t, std::uint64_t, double>;
 
-/// A client's line: a request, or one sentence on the error.
+/// A parsed line of a client: the request, or a sentence that says why the line is invalid.
 template <class Any>
 struct Asked {
   Id id;

@@ -10,7 +10,8 @@ namespace {
 
 using namespace robosim;
 
-// Returns a map with a line along a rounded rectangle, 3 m x 2 m, on an open floor.
+// Returns a map with a line along a rectangle, 3 m x 2 m, on an open floor. Its corners have the radius
+// `corner_m`.
 map::Map loop_map(double corner_m) {
   map::Map map;
   map.width = 40;
@@ -83,9 +84,9 @@ void floor_coverage_square(benchmark::State& state) { coverage(state, 0.0, false
 BENCHMARK(floor_coverage_square);
 void floor_coverage_round(benchmark::State& state) { coverage(state, 0.15, false); }
 BENCHMARK(floor_coverage_round);
-// Measures reading the floor of a 3.2 m x 2.2 m loop that the map describes as a path. `paint` contains
-// additional TOML keys (width, colour, wear) for one long side and two bends. `marks` is the number of marks
-// next to the line.
+// Measures one reading of a floor with a loop of 3.2 m x 2.2 m, which the map describes as a path. `paint`
+// contains additional TOML keys (width, colour, wear) for one long side and two bends. `marks` is the number
+// of marks next to the line.
 void read_path(benchmark::State& state, const std::string& paint, int marks = 0) {
   const std::string bend = "{ radius = \"150 mm\", angle = \"90 deg\"";
   std::string beside;

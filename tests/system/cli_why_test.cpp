@@ -166,7 +166,8 @@ TEST_F(CliWhy, NamesTheLinesFromTheMotorsToTheReading) {
 TEST_F(CliWhy, NamesWhatLeftAValueAsItWas) {
   folder_.write("Leaves/Leaves.ino", kLeavesAsItWas);
   const Ended why = robosim_command({"why", "./Leaves", "--map", "oval"}, folder_.path());
-  EXPECT_THAT(why.out, AllOf(StartsWith("stuck: "), HasSubstr("Leaves.ino:11 "), HasSubstr("Leaves.ino:16 ")));
+  EXPECT_THAT(why.out,
+              AllOf(StartsWith("stuck: "), HasSubstr("Leaves.ino:11 "), HasSubstr("Leaves.ino:16 ")));
 }
 
 TEST_F(CliWhy, NamesWhatStoppedItAndWhyItDidNotDriveOn) {

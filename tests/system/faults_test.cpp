@@ -1,4 +1,4 @@
-// Tests faults between board and world, as they affect a sketch, on each target.
+// Tests how faults of EEPROM, power, serial port and clock affect a sketch.
 #include "tests/support/require_target.h"
 #include "tests/system/system_test.h"
 
@@ -93,7 +93,7 @@ TEST_P(Faults, AreTheSameInEveryRun) {
   EXPECT_THAT(text, testing::Not(HasSubstr("<a><b><c><d><e><f><g><h>")));
 }
 
-/// Tests how a drifting clock affects firmware and its actions, for every executor.
+/// Tests that a drifting clock makes millis() run fast or slow, on every target.
 class ClockFaults : public Faults {
  protected:
   /// Returns millis() 1.1 s after power-on. For 1 s the clock runs too fast by `drift`.

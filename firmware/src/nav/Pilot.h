@@ -51,7 +51,7 @@ class Pilot {
     return true;
   }
 
-  /// Sets the junction on which the robot stands.
+  /// Tells the walker that it is at the place of the junction `node`.
   void placeOn(Id node) {
     walker_.relocate(rotated(network_.place(node), static_cast<uint8_t>(4 - frame_)));
     placed_ = true;
@@ -61,8 +61,8 @@ class Pilot {
   Network& network_;
   Id here_ = Network::kNone;
   Heading heading_ = 0;
-  // The walker measures headings and places from its initial pose. After a power cycle that pose differs from
-  // the initial pose of the scan.
+  // The walker measures headings and places from its initial pose. After a power cycle, that pose can differ
+  // from the initial pose of the Explorer, in whose frame the network is stored.
   Heading frame_ = 0;   ///< heading 0 of the walker, as a heading of the network
   bool placed_ = true;  ///< whether the walker's places, rotated by frame_, are those of the network
 };

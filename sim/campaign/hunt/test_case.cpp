@@ -24,10 +24,11 @@ constexpr std::uint64_t kPairEvery = 6;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
-constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;  // in this period the robot is blocked
+// The clock of a blocked robot wraps in this period, or in the middle of the run if that is earlier.
+constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;
 
-/// Returns the smallest width of a track's squares, in cells, that leaves room for bends like those of the
-/// map.
+/// A random track is the outline of joined squares. Returns the smallest width of such a square, in cells:
+/// at least 4, and twice the radius of the map's bends.
 int apart(const HuntSpace::Map& map) {
   return std::max(4, static_cast<int>(std::ceil(2.0 * map.corner_mm / map.cell_mm)));
 }
@@ -57,7 +58,8 @@ void hold_a_button_at_power_on(TestCase& test_case, const HuntSpace& space, cons
   test_case.stimuli.insert(test_case.stimuli.begin(), {0, kind + fmt::format(" {}ms", kHeldFor_ms), kind});
 }
 
-/// Draws the clock's start, shortly before a variable with its milliseconds or microseconds overflows.
+/// Draws the clock's initial value, so that millis(), micros(), or a variable that holds millis() overflows
+/// during the run.
 void draw_clock(TestCase& test_case, const HuntSpace& space, const RandomSource& rng) {
   const std::int64_t wrap =
       pick<std::int64_t>(rng, {kMillisWrap_ms, kMillisWrap_ms, kMillisWrap_ms / 2, kMicrosWrap_ms,
@@ -92,7 +94,7 @@ TestCase pair(const HuntSpace& space, const RandomSource& rng) {
     if (hears(space) && chance(rng, 80)) draw_talk(test_case, space, rng);
     if (test_case.differential == Differential::host && chance(rng, hears(space) ? 15 : 60))
       draw_late_stimuli(test_case, space, rng);
-    // Removes power cuts: on the host and on a chip, a cut splits a text at different places.
+    // Removes power cuts. A cut ends the sketch's output on the host at another character than on a chip.
     if (test_case.differential == Differential::host)
       std::erase_if(test_case.stimuli, [](const Stimulus& stimulus) { return stimulus.kind == kPowerOff; });
     if (test_case.differential == Differential::clock) draw_clock(test_case, space, rng);
@@ -163,8 +165,8 @@ TestCase like(const Noted& noted, const HuntSpace& space, const RandomSource& rn
   return test_case;
 }
 
-/// Draws a build. Most test cases run on the host, which is many times as fast as a chip. The robot's
-/// behaviour is judged only in builds without checks.
+/// Draws a build. Most test cases run on the host, which is many times as fast as a chip. Builds without
+/// checks (sanitizers) are more frequent, because only their runs tell the robot's behaviour.
 std::size_t draw_build(const HuntSpace& space, std::uint64_t run, const RandomSource& rng) {
   if (!space.host_counterpart)
     return static_cast<std::size_t>(run % 2 == 0 ? 0 : run / 2 % drawn_builds(space));
@@ -201,7 +203,8 @@ TestCase draw_world(const HuntSpace& space, const std::vector<Noted>& noted, std
   return test_case;
 }
 
-/// Turns the last test cases of a round into a family. Requires a chip, and a moment to branch from.
+/// Replaces the last test cases of a round by copies of one noted test case. The copies are equal up to the
+/// noted moment, and then differ in one stimulus. Changes nothing without a chip or a noted moment.
 void draw_family(std::vector<TestCase>& test_cases, const HuntSpace& space, const std::vector<Noted>& noted,
                  std::uint64_t seed, const std::vector<std::uint64_t>& runs) {
   std::vector<std::size_t> chips;

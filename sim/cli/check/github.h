@@ -19,7 +19,7 @@ std::string github_notes(const std::vector<campaign::SketchResult>& sketches);
 std::string github_summary(const std::vector<campaign::SketchResult>& sketches);
 
 /// Appends the summary to the file that the variable GITHUB_STEP_SUMMARY names, if it is set. Throws
-/// InputError.
+/// InputError if the file cannot be written.
 void add_github_summary(const std::vector<campaign::SketchResult>& sketches);
 
 }  // namespace robosim::cli

@@ -15,8 +15,8 @@ struct Sweep {
   Pose at(SimTime t) const;
 };
 
-/// Lifts a robot and tilts it at constant speed. The tilt takes the time `way`. The robot is levelled again
-/// at the same speed, in the time `way` before `end`.
+/// Lifts a robot and tilts it at constant speed. The tilt takes the time `way`. From `end` - `way` to
+/// `end`, the robot is levelled at the same speed.
 struct Tilt {
   SimTime began, way, end;
   double angle;  ///< rad

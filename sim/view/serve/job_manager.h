@@ -1,5 +1,5 @@
-// Runs the requests of a page. Each request starts its own `robosim run`, whose result page is stored for the
-// browser. A run that is watched live is a `robosim run --live`.
+// Runs the simulations that the web page of `robosim serve` requests. Each one is a `robosim run` of its own,
+// whose replay page is stored for the browser. A run that is watched live is a `robosim run --live`.
 #pragma once
 
 #include <atomic>
@@ -24,10 +24,10 @@ struct RunForm {
   std::string sketch, robot, map;  ///< from Choices; "" for robot and map: the defaults of `robosim run`
   std::string target = "host";     ///< host, avr or stm32
   std::uint64_t seed = 1;
-  double for_s = 60.0;                         ///< simulated time, 0.001 to 3600
-  std::string goal;                            ///< "" = the map's
-  std::string script;                          ///< the robot's script; of several robots, see `scripts`
-  std::map<std::string, std::string> scripts;  ///< of several robots: scripts by name; default = `script`
+  double for_s = 60.0;  ///< simulated time, 0.001 to 3600
+  std::string goal;     ///< "" = the map's
+  std::string script;   ///< script of the robot, or of each robot that is not in `scripts`
+  std::map<std::string, std::string> scripts;  ///< of several robots: scripts by the robots' names
 };
 
 /// Parses the JSON of a request. Throws InputError if it is invalid, has other keys, or names anything
@@ -74,14 +74,14 @@ class JobManager {
   int prepare(const RunForm& form);
   enum class Said { lines, text };  ///< lines: whole lines of JSON from the run; text: output for the user
   using Tell = std::function<bool(Said, const std::string&)>;
-  /// Runs a prepared run like run(), but in step with the clock, and accepts requests. Returns nullopt if the
-  /// run was not prepared, or was already watched.
+  /// Starts a prepared run and follows it. Unlike run(), keeps pace with the wall clock, and obeys the
+  /// requests of ask(). Returns nullopt if the run was not prepared, or was already watched.
   std::optional<Done> watch(int number, const Tell& tell);
   /// Sends a request, a line of JSON (sim/wire/live.h), to a watched run. Returns false if the run does not
   /// accept the request.
   bool ask(int number, const std::string& line);
 
-  /// Stops all runs permanently, because the server ends.
+  /// Stops all present and later runs, because the server is shutting down.
   void end() { ending_ = true; }
   bool ending() const { return ending_; }
 

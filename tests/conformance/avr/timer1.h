@@ -6,8 +6,8 @@
 
 #define CLOCK_BY_64 (_BV(CS12) | _BV(CS11) | _BV(CS10))
 
-/// Sets the prescaler to 0 and TCNT1 to `count`. Returns the register `from`, read slightly more than
-/// `cycles` cycles later.
+/// Resets the prescaler's counter (PSR1), and sets TCNT1 to `count`. Returns the register `from`, read
+/// slightly more than `cycles` cycles later.
 #define AFTER_CYCLES(count, cycles, from) \
   ({                                      \
     GTCCR |= _BV(PSR1);                   \

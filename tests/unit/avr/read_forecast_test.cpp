@@ -13,8 +13,8 @@ constexpr Address kTifr0 = 0x35, kTifr1 = 0x36, kTifr2 = 0x37, kTcnt0 = 0x46, kT
 
 class OutlookTest : public testing::Test, protected IdleChip {
  protected:
-  /// Returns the value of a read at `cycle` if nothing accesses the chip before `cycle`. Then restores the
-  /// chip's current state.
+  /// Skips to `cycle` without another access, reads the register there, and restores the chip's state before
+  /// the call. Returns the value.
   std::uint8_t read_at(Address address, Cycle cycle) {
     const auto before = bench.chip.save();
     bench.chip.cpu().skip_to(cycle);
@@ -30,8 +30,8 @@ TEST_F(OutlookTest, OfTimersHolds) {
   const auto below = [&](unsigned count) { return static_cast<unsigned>(engine() % count); };
   int counted = 0, known = 0;
   for (int trial = 0; trial < 3000; ++trial) {
-    // Sets random modes, prescalers, compare values, counters and flags. Interrupts are off, so that no code
-    // runs.
+    // Sets random modes, prescalers, compare values and counters, and sometimes clears flags. Interrupts are
+    // off, so that the processor stays in its waiting loop.
     write(0x44, static_cast<std::uint8_t>(below(4)));
     write(0x45, static_cast<std::uint8_t>(below(6) | (below(4) == 0) << 3));
     write(0x80, static_cast<std::uint8_t>(below(4)));

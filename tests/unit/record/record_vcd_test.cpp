@@ -89,7 +89,7 @@ TEST(VcdOfSeveral, HasAScopeForEachRobotAndKeepsTheirPinsApart) {
   record.add(up);
   up.agent = 2;
   up.t_ns = 2000;
-  record.add(up);  // there is no robot 2, so this change is ignored
+  record.add(up);  // agents are numbered from 0, so there is no agent 2
   const std::string vcd = text_of(record);
   const std::size_t second = vcd.find("$scope module B $end\n");
   ASSERT_NE(second, std::string::npos);

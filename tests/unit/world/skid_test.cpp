@@ -76,7 +76,8 @@ TEST_F(SkidTest, TurnsOnlyWhereItsMotorsOvercomeTheSidewaysSlide) {
   for (WheelParams& wheel : p.wheel) wheel.no_load_current = 0.0;
   p.rolling_resistance = p.driver_drop_volts = p.driver_ohms = 0.0;
   const WheelParams& w = p.wheel[right];
-  // Each side must push with the force M / B. M is the moment of the sideways slide, and B the track width.
+  // Each side must push with the force M / B. M is the moment of the ground's friction on the
+  // sliding wheels, which opposes the turn, and B is the track width.
   const double slant = std::sqrt(1.0 + p.wheelbase_m * p.wheelbase_m / (p.track_m * p.track_m));
   const double moment = p.grip * p.mass_kg * kGravity * 0.5 * p.wheelbase_m / slant;
   const double share = moment / p.track_m * w.radius_m / (w.stall_torque * p.supply_volts / w.nominal_volts);
@@ -105,7 +106,8 @@ TEST_F(SkidTest, AFanPressesItDown) {
     body.block(right, true);
     run(3.0);
     const double drag = p.grip * (kGravity + force / p.mass_kg);
-    // In the tick in which the wheels are blocked, the body still moves at full speed.
+    // Each tick moves the body at the speed that the body had when the tick began. So the distance is half a
+    // tick of full speed longer than the closed form.
     const double expected = speed * speed / (2.0 * drag) + 0.5 * speed * 0.001;
     EXPECT_NEAR(body.distance() - from, expected, kTwoPercent * expected) << force;
   }
