@@ -65,6 +65,7 @@ struct Outcome {
   std::optional<exec::Crash> crash;
   std::vector<exec::DivisionByZero> divisions_by_zero;
   std::vector<exec::Lack> lacks;
+  int watchdog_resets = 0;
   std::vector<exec::Detected> detected;
   std::optional<exec::Resources> resources;  ///< used on a chip target
   result::Usage usage;

@@ -36,8 +36,8 @@ Json object_of(const RunInputs& in, const result::RunResult& r, const std::optio
   take("metrics");
   take("crash");
   if (finding) json["finding"] = wire::to_json(*finding);
-  for (const char* key :
-       {"divisions_by_zero", "lacks", "detected", "resources", "usage", "serial", "trace_hash"})
+  for (const char* key : {"divisions_by_zero", "lacks", "watchdog_resets", "detected", "resources", "usage",
+                          "serial", "trace_hash"})
     take(key);
   if (wall_s) json["host"] = {{"wall_s", *wall_s}};
   return json;

@@ -296,6 +296,7 @@ struct RunResult {
   std::optional<Crash> crash;
   std::vector<DivisionByZero> divisions_by_zero;
   std::vector<Lack> lacks;
+  int watchdog_resets = 0;             ///< how often the watchdog reset the chip
   std::vector<Detected> detected;      ///< only if the request turned on detectors
   std::optional<Resources> resources;  ///< only on a chip
   Usage usage;
@@ -343,6 +344,8 @@ void fields(V& v, Same<V, RunResult>& r) {
     "on the host: chip features that the firmware used and the host lacks; from then on it may do what the "
     "chip does not",
     {.presence = when(!r.lacks.empty())});
+  v("watchdog_resets", r.watchdog_resets, "how often the watchdog reset the chip; absent if never",
+    {.presence = when(r.watchdog_resets > 0)});
   v("detected", r.detected, "what [detectors](../howto/sanitizers.md#detectors) have seen; absent if nothing",
     {.presence = when(!r.detected.empty())});
   v("resources", r.resources, "resources of the chip that the firmware used; absent on the host");

@@ -371,6 +371,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   outcome.time = t;
   outcome.crash = e.crash;
   outcome.divisions_by_zero = e.divisions_by_zero;
+  outcome.watchdog_resets = executor_.watchdog_resets();
   if (const exec::HostAccess* const host = executor_.host_access()) outcome.lacks = host->lacks();
   if (detectors_) outcome.detected = detectors_->found(t);
   outcome.resources = resources_of(executor_);

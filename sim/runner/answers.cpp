@@ -95,6 +95,7 @@ result::RunResult to_wire(const judge::Outcome& outcome) {
   result.crash = outcome.crash;
   result.divisions_by_zero = outcome.divisions_by_zero;
   result.lacks = outcome.lacks;
+  result.watchdog_resets = outcome.watchdog_resets;
   result.detected = outcome.detected;
   result.resources = outcome.resources;
   result.usage = outcome.usage;

@@ -55,6 +55,7 @@ class AvrExecutor::Running final : public RunningChip {
   bool has_crashed() const override { return machine_.chip().fault().has_value(); }
   Crash crash() const override { return diagnosis().crash(*machine_.chip().fault()); }
   Resources resources() const override { return machine_.resources(); }
+  int watchdog_resets() const override { return machine_.chip().watchdog_resets(); }
   bool is_asleep() const override { return machine_.chip().is_asleep(); }
   SimTime last_io() const override { return machine_.clock_map().time_of(machine_.chip().last_io()); }
   bool hangs() const override { return avr::hangs(machine_.chip(), image_.firmware); }

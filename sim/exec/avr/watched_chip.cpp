@@ -1,9 +1,9 @@
 #include "sim/exec/avr/watched_chip.h"
-#include "sim/exec/core/watchdog_resets.h"
 
 #include <algorithm>
 #include <utility>
 
+#include "hal/board/cycle_time.h"
 #include "sim/base/elf/avr_addresses.h"
 #include "sim/mcu/avr/instruction_table.h"
 
@@ -160,12 +160,8 @@ void WatchedChip::look_at_code(std::uint32_t pc) {
 }
 
 void WatchedChip::was_reset() {
-  const Cycle now = cycle();
-  state_.watchdog_resets =
-      state_.watchdog_resets > 0 && now - state_.last_bite < WatchdogResets::kRow / kSecond * clock_hz_
-          ? state_.watchdog_resets + 1
-          : 1;
-  state_.last_bite = now;
+  const bool too_many = state_.watchdog_resets.add(CycleTime(clock_hz_).of(cycle()));
+  state_.last_bite = cycle();
   const std::uint32_t bitten_at = 2 * cpu().last_pc();
   if (has_boot_loader_) {
     chip_.core().at(reg::kMcusr) = 0;
@@ -176,7 +172,7 @@ void WatchedChip::was_reset() {
   state_.handlers_of_stacks.clear();
   chip_.cpu().state.sp_watch = state_.lowest_sp;
   start();
-  if (state_.watchdog_resets >= WatchdogResets::kTooMany) fail(Fault::Kind::watchdog, bitten_at, 0);
+  if (too_many) fail(Fault::Kind::watchdog, bitten_at, 0);
 }
 
 std::vector<std::uint8_t> WatchedChip::ram() const {

@@ -17,6 +17,7 @@
 #include "sim/exec/avr/clock_map.h"
 #include "sim/exec/avr/firmware.h"
 #include "sim/exec/avr/race_analysis.h"
+#include "sim/exec/core/watchdog_resets.h"
 #include "sim/exec/elf/line_counts.h"
 #include "sim/exec/elf/loop_timer.h"
 #include "sim/mcu/avr/chip.h"
@@ -140,7 +141,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     std::uint16_t pointer_before = 0;                 ///< stack pointer before its first half was written
     std::map<std::uint16_t, int> handlers_of_stacks;  ///< running handlers of each suspended task, by SP
     Cycle pointer_written = 0;  ///< cycle at which only the first half was written; 0 = pointer is complete
-    int watchdog_resets = 0;
+    WatchdogResets watchdog_resets;
     Cycle last_bite = 0;
   };
   struct Saved {
@@ -154,6 +155,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
 
   /// Returns the cycle of the last watchdog reset; 0 = never.
   Cycle last_bite() const { return state_.last_bite; }
+  int watchdog_resets() const { return state_.watchdog_resets.count(); }
   /// Handles a reset by the watchdog. The chip's environment calls this function.
   void was_reset();
   std::vector<std::uint8_t> ram() const;

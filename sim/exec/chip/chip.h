@@ -26,6 +26,7 @@ class RunningChip {
   virtual Crash crash() const = 0;
 
   virtual Resources resources() const = 0;
+  virtual int watchdog_resets() const = 0;
   virtual bool is_asleep() const = 0;
   /// Returns when the firmware last accessed I/O outside interrupt handlers.
   virtual SimTime last_io() const = 0;

@@ -34,6 +34,7 @@ void ChipExecutor::make_chip(SimTime t) {
 
 void ChipExecutor::power_off(SimTime t) {
   state_.before = resources();
+  state_.resets = watchdog_resets();
   state_.detected = detected();
   if (chip_) state_.ram = chip_->ram();
   chip_.reset();

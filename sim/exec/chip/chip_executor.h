@@ -32,6 +32,7 @@ class ChipExecutor : public Executor, public ChipAccess {
   int int_bits() const override { return firmware_->int_bits(); }
   ChipAccess* chip_access() override { return this; }
   std::optional<Resources> resources() const override;
+  int watchdog_resets() const override { return state_.resets + (chip_ ? chip_->watchdog_resets() : 0); }
   void set_clock_start(SimTime start) override;
   bool has_boards_eeprom() const override { return firmware_->has_boards_eeprom(); }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
@@ -60,6 +61,7 @@ class ChipExecutor : public Executor, public ChipAccess {
     std::optional<Crash> crash;
     std::optional<Resources> before;  ///< resources used before the last power-on
     std::vector<Detected> detected;   ///< findings from before the last power-on
+    int resets = 0;                   ///< by the watchdog, before the last power-on
     std::vector<std::uint8_t> ram;    ///< last content of the RAM while the power is off
     SimTime clock_start = 0;
     SimTime reached = 0;  ///< time up to which the firmware has run

@@ -89,6 +89,8 @@ class Executor {
   /// Returns the current call of the API as the sketch would write it: "digitalRead(2)". Returns an empty
   /// text if the arguments are unknown.
   virtual std::string call_now() const { return ""; }
+  /// Returns how often the watchdog has reset the firmware since the beginning of the run.
+  virtual int watchdog_resets() const { return 0; }
   /// Returns whether the firmware uses the board's EEPROM, so that scripts can corrupt and trace it.
   virtual bool has_boards_eeprom() const { return false; }
   /// Makes the firmware's clock too fast by `ppm` parts per million from `t` on. `t` must be the present

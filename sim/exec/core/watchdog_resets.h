@@ -19,8 +19,13 @@ class WatchdogResets {
   bool add(SimTime now) {
     in_row_ = in_row_ > 0 && now - last_ < kRow ? in_row_ + 1 : 1;
     last_ = now;
+    ++count_;
     return in_row_ >= kTooMany;
   }
+  /// Returns the number of all resets.
+  int count() const { return count_; }
+  /// Ends the row: the power was off.
+  void end_row() { in_row_ = 0; }
 
   /// Returns the reason for the crash report.
   static std::string reason() {
@@ -30,7 +35,7 @@ class WatchdogResets {
   }
 
  private:
-  int in_row_ = 0;
+  int in_row_ = 0, count_ = 0;
   SimTime last_ = 0;
 };
 

@@ -341,7 +341,7 @@ void HostExecutor::power_off(SimTime t) {
   counters_ = counters();
   instance_.reset();
   crash_.reset();
-  watchdog_resets_ = {};
+  watchdog_resets_.end_row();
   board_.reset(t);
   reached_ = t;
 }

@@ -47,6 +47,7 @@ class HostExecutor final : public Executor, public HostAccess {
   SimTime last_call() const override;
   bool hangs() override;
   HostAccess* host_access() override { return this; }
+  int watchdog_resets() const override { return watchdog_resets_.count(); }
   const std::vector<DivisionByZero>& divisions_by_zero() const override { return divisions_.lines(); }
   const std::vector<Lack>& lacks() const override { return unsupported_features_.all(); }
   std::vector<ArchivedFile> counters() override;

@@ -24,6 +24,7 @@ class Machine {
   /// Sets a function that is called before each store to a register.
   void before_stores(std::function<void(Address)> watcher) { bus_.before_stores(std::move(watcher)); }
   Resources resources() const;
+  int watchdog_resets() const { return state_.watchdog_resets.count(); }
   /// Returns the calls that have not returned, innermost first. Every word on the stack that points after a
   /// BL or BLX instruction counts as a return address.
   std::vector<std::uint32_t> open_calls() const;

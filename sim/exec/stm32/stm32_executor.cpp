@@ -43,6 +43,7 @@ class Stm32Executor::Running final : public RunningChip {
   bool has_crashed() const override { return machine_.cpu().fault().has_value(); }
   Crash crash() const override { return diagnosis().crash(*machine_.cpu().fault()); }
   Resources resources() const override { return machine_.resources(); }
+  int watchdog_resets() const override { return machine_.watchdog_resets(); }
   bool is_asleep() const override { return machine_.cpu().is_asleep(); }
   SimTime last_io() const override { return machine_.time_of(machine_.cpu().last_io()); }
   bool hangs() const override { return stm32::hangs(machine_, image_.firmware); }

@@ -216,6 +216,10 @@ void write_figures(Writer& out, const Report& report) {
   }
   if (!r.divisions_by_zero.empty()) out.labelled("division    ", divisions_text(r.divisions_by_zero));
   if (!r.lacks.empty()) out.labelled("lacks       ", lacks_text(r.lacks));
+  if (r.watchdog_resets > 0)
+    out.labelled("watchdog    ", r.watchdog_resets == 1
+                                     ? "reset the chip once"
+                                     : fmt::format("reset the chip {} times", r.watchdog_resets));
   for (const result::Detected& seen : r.detected) out.labelled("detected    ", result::text_of(seen));
   if (const std::string text = usage_text(r.usage); !text.empty()) out.labelled("wiring      ", text);
   if (report.wall_s) {

@@ -27,6 +27,10 @@ void loop() { if (EEPROM.read(0) == 0) for (;;); else wdt_reset(); })");
   run(900 * kMillisecond);
   EXPECT_THAT(numbers(), ElementsAre(0, 5, 1, 5));
   EXPECT_FALSE(host_->crash());
+  EXPECT_EQ(host_->watchdog_resets(), 1);
+  host_->power_off(kSecond);
+  host_->power_on(kSecond);
+  EXPECT_EQ(host_->watchdog_resets(), 1) << "counts those before the power was off";
 }
 
 TEST_F(WatchdogTest, BitesWithInterruptsOffAndWhereASketchHasGivenUp) {

@@ -217,6 +217,7 @@ void loop() {})");
   EXPECT_NEAR(length(1), 10e6, 0.1e6);
   EXPECT_NEAR(length(3), 80e6, 0.5e6);
   EXPECT_NEAR(length(levels.size() - 3), 10e6, 0.1e6) << "after the watchdog's reset";
+  EXPECT_EQ(avr_->watchdog_resets(), 1);
 }
 
 TEST_F(PowerTest, SleepWithInterruptsOffIsTheEnd) {

@@ -251,6 +251,7 @@ TEST_F(Stm32ChipTest, AWatchdogThatBitesAgainAndAgainIsACrashWhereItBit) {
   EXPECT_EQ(serial_, "pww");
   ASSERT_TRUE(chip_->crash());
   EXPECT_THAT(chip_->crash()->reason, HasSubstr("the watchdog has reset the chip 3 times"));
+  EXPECT_EQ(chip_->watchdog_resets(), 3);
   EXPECT_EQ(chip_->crash()->where.function, "loop");
 }
 

@@ -68,6 +68,15 @@ TEST(EndScreen, TellsOfNoDistanceFromTheLineWhereNothingSeesIt) {
   EXPECT_THAT(end_screen(r, nullptr, 78, kPlain), Not(HasSubstr("cross-track")));
 }
 
+TEST(EndScreen, SaysHowOftenTheWatchdogResetTheChip) {
+  Report r = report();
+  EXPECT_THAT(end_screen(r, nullptr, 200, kPlain), Not(HasSubstr("watchdog")));
+  r.result.watchdog_resets = 1;
+  EXPECT_THAT(end_screen(r, nullptr, 200, kPlain), HasSubstr("watchdog     reset the chip once"));
+  r.result.watchdog_resets = 2;
+  EXPECT_THAT(end_screen(r, nullptr, 200, kPlain), HasSubstr("watchdog     reset the chip 2 times"));
+}
+
 TEST(EndScreen, NamesTheLinesThatDividedByZero) {
   Report r = report();
   EXPECT_THAT(end_screen(r, nullptr, 200, kPlain), Not(HasSubstr("division")));
