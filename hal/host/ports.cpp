@@ -56,7 +56,7 @@ void place_on_chip(Pin pin, const ChipPin& at) {
 void place_timer(Pin pin, const BoardSpec& board) {
   const bool is_avr = is_same(board.chip->target, kChip.target);
   const BoardSpec& source = is_avr ? board : host_model(board);
-  if (pin >= source.pin_count) return;
+  if (pin >= source.pin_count || first_number(source, pin) != pin) return;
   const ChipPin& at = source.pins[pin].chip_pin;
   if (at.timer < 0) return;
   const TimerSpec& own = source.chip->timers[at.timer];

@@ -107,6 +107,18 @@ TEST_F(RunTest, AMegasPinsHaveTheTimersOfItsOwnChip) {
   EXPECT_FALSE(executor_->board().drive(11).pwm) << "OC1A, whose timer the sketch has taken";
 }
 
+TEST_F(RunTest, ATimerOfALeonardoDrivesThePinThatHasTwoNumbers) {
+  board_ = *find_board("leonardo");
+  write("Run/Run.ino",
+        "void setup() { pinMode(9, OUTPUT); TCCR1A = _BV(COM1A1) | _BV(WGM10); TCCR1B = _BV(CS10); }\n"
+        "void loop() { OCR1A = 100; delay(5); OCR1A = 0; delay(5); }\n");
+  executor_ = std::make_unique<exec::HostExecutor>(board_, build({folder_ / "Run", board_}).image);
+  executor_->power_on(0);
+  executor_->run_until(12 * kMillisecond);
+  EXPECT_TRUE(executor_->board().drive(9).pwm);
+  EXPECT_NEAR(executor_->board().drive(9).duty, 100 / 255.0, 0.01);
+}
+
 TEST_F(RunTest, TablesInFlashAreRead) {
   EXPECT_EQ(run_sketch("FlashTables"), "in flash\n160\n-100\n60000\n1.50\nright\nleft\n-100\n5\n");
 }
