@@ -106,8 +106,8 @@ std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair)
   return {std::move(*examples[0]), std::move(*examples[1])};
 }
 
-/// Returns a clock with which this target run behaves like the other target run. Without such a clock, returns
-/// one with which this target run changes in a way similar to the difference.
+/// Returns a clock with which this target run behaves like the other target run. Without such a clock,
+/// returns one with which this target run changes in a way similar to the difference.
 std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::size_t side, const Pair& pair) {
   TargetRun& target_run = *pair.target_runs[side];
   progress_.say(
