@@ -15,8 +15,9 @@
 namespace robosim::runner {
 namespace {
 
-constexpr std::size_t kCompared = 16 * 1024;    // bytes
-constexpr std::size_t kMaps = 4;                // number of cached maps
+constexpr std::size_t kCompared = 16 * 1024;  // bytes
+constexpr std::size_t kMaps = 4;              // number of cached maps
+constexpr std::size_t kMostKnown_bytes = 1 << 20;
 constexpr long long kLargestMap = 1024 * 1024;  // bytes; the floor of a larger map takes much memory
 
 /// Returns whether the content of `file` is exactly `text`.
@@ -42,9 +43,12 @@ bool is_as_read(const robot::Description& robot) {
 ImageAhead image_in(const std::filesystem::path& file, ImageAhead last, long long now) {
   const FileIdentity identity = identity_of(file);
   if (last.content && last.identity == identity && identity != FileIdentity{}) return last;
-  ImageAhead image{std::move(last.content), is_settled(identity, now) ? identity : FileIdentity{}};
-  if (!image.content || !image.content->is_like(file))
+  ImageAhead image{std::move(last.content), is_settled(identity, now) ? identity : FileIdentity{},
+                   std::move(last.lines)};
+  if (!image.content || !image.content->is_like(file)) {
     image.content = std::make_shared<const exec::ImageContent>(file);
+    image.lines = std::make_shared<KnownLines>();
+  }
   return image;
 }
 
@@ -107,6 +111,17 @@ void add_robot(const std::string& name, const Robots& last, Robots& robots) {
 }
 
 }  // namespace
+
+std::string KnownLines::find(const std::vector<std::uintptr_t>& offsets,
+                             const std::function<std::string()>& ask) {
+  if (const auto known = outputs_.find(offsets); known != outputs_.end()) return known->second;
+  std::string output = ask();
+  const std::size_t bytes = output.size() + offsets.size() * sizeof offsets[0];
+  if (output.empty() || bytes > kMostKnown_bytes) return output;
+  if (bytes_ + bytes > kMostKnown_bytes) outputs_.clear(), bytes_ = 0;
+  bytes_ += bytes;
+  return outputs_[offsets] = std::move(output);
+}
 
 long long wall_ns() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,9 +16,22 @@
 
 namespace robosim::runner {
 
+/// Outputs of addr2line for one image. Many runs of a sweep ask about the same addresses.
+class KnownLines {
+ public:
+  /// Returns the output for these offsets. Calls `ask` if it is not known, and keeps a result that is not
+  /// empty.
+  std::string find(const std::vector<std::uintptr_t>& offsets, const std::function<std::string()>& ask);
+
+ private:
+  std::map<std::vector<std::uintptr_t>, std::string> outputs_;
+  std::size_t bytes_ = 0;  ///< size of all outputs
+};
+
 struct ImageAhead {
   std::shared_ptr<const exec::ImageContent> content;
   FileIdentity identity{};  ///< identity of the file; all zero if it was not settled (is_settled())
+  std::shared_ptr<KnownLines> lines;
 };
 
 struct MapAhead {

@@ -113,12 +113,17 @@ constexpr char kAskLines = 'l';
 constexpr char kAskToKeepCounters = 'c';
 
 // Does work that a confined run requests because the run may not do it itself.
-std::string serve_ask(const wire::RunRequest& request, char what, const std::string& question) {
+std::string serve_ask(const wire::RunRequest& request, const ReadAhead& ahead, char what,
+                      const std::string& question) {
   if (what == kAskLines) {
     const std::vector<wire::AgentRequest> agents = agents_of(request);
     const std::vector<std::uintptr_t> numbers = offsets_in(question);
     if (numbers.empty() || numbers[0] >= agents.size()) return "";
-    return exec::ask_addr2line(agents[numbers[0]].image, {numbers.begin() + 1, numbers.end()});
+    const std::string& image = agents[numbers[0]].image;
+    const auto read = ahead.images.find(image);
+    if (read == ahead.images.end()) return "";
+    const std::vector<std::uintptr_t> offsets(numbers.begin() + 1, numbers.end());
+    return read->second.lines->find(offsets, [&] { return exec::ask_addr2line(image, offsets); });
   }
   if (what != kAskToKeepCounters || request.counters.empty()) return "";
   try {
@@ -263,7 +268,8 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
   const SandboxProxy::Told told = proxy.serve(child,
                                               [&](char what, const std::string& question) {
                                                 if (what == kAskLines && !finds_lines) return std::string();
-                                                const std::string answer = serve_ask(request, what, question);
+                                                const std::string answer =
+                                                    serve_ask(request, ahead, what, question);
                                                 if (what == kAskLines) finds_lines = !answer.empty();
                                                 return answer;
                                               },

@@ -78,6 +78,37 @@ TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
 }
 
 // Until the file system's clock has advanced, a write may leave a file's times unchanged.
+TEST_F(ReadingAhead, Addr2lineIsAskedOnceForTheSameAddressesOfAnImage) {
+  read();
+  int asked = 0;
+  const auto find = [&](std::uintptr_t offset) {
+    return ahead_.images.at(request_.image).lines->find({offset}, [&] {
+      ++asked;
+      return "output " + std::to_string(asked);
+    });
+  };
+  EXPECT_EQ(find(16), "output 1");
+  EXPECT_EQ(find(32), "output 2");
+  read();
+  EXPECT_EQ(find(16), "output 1");
+  write_file(image_, "two");
+  read();
+  EXPECT_EQ(find(16), "output 3");
+}
+
+TEST_F(ReadingAhead, OutputsOfAddr2lineTakeAtMostOneMebibyte) {
+  KnownLines lines;
+  int asked = 0;
+  const auto find = [&](std::uintptr_t offset) {
+    return lines.find({offset}, [&] {
+      ++asked;
+      return std::string(400'000, 'x');
+    });
+  };
+  for (const std::uintptr_t offset : {1, 2, 2, 3, 3, 1}) EXPECT_EQ(find(offset).size(), 400'000u);
+  EXPECT_EQ(asked, 4);
+}
+
 TEST(FileIdentity, IsTrustedOnceTheClockOfItsFileSystemHasGoneOn) {
   constexpr long long kSecond = 1'000'000'000;
   const FileIdentity fine = {1, 2, 3, 500, 123'456'789, 500, 223'456'789};
