@@ -84,7 +84,7 @@ class Build {
       if (members.empty()) continue;
       linked.push_back(work_.scratch() / fmt::format("library{}.a", linked.size()));
       const auto result = run_walled({archive_command(toolchain_, members, linked.back())}, members)[0];
-      if (result.status != 0) fail(toolchain_.target, text(result));
+      if (result.status != 0) fail(toolchain_, text(result));
     }
     return linked;
   }
@@ -124,11 +124,11 @@ class Build {
     const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
     if (objects && messages.find(kRegisterClass) != std::string::npos) throw RetryReason{Registers::memory};
     if (!toolchain_.target.chip && !toolchain_.narrow_ints && wants_narrow_ints(messages)) try {
-        fail(toolchain_.target, messages);
+        fail(toolchain_, messages);
       } catch (const InputError&) {
         throw RetryReason{toolchain_.registers, std::current_exception(), true};
       }
-    fail_or_try_as_avr([&] { fail(toolchain_.target, messages); }, is_about_library(messages, libraries_));
+    fail_or_try_as_avr([&] { fail(toolchain_, messages); }, is_about_library(messages, libraries_));
   }
 
   void compile_all() {
@@ -302,7 +302,7 @@ class Build {
     place.file = without_folders(toolchain_, sketch_.folder, place.file);
     check_seen(sketch_.folder, place, header);
     const Library* library = finder_.find(header);
-    if (!library) fail_without_library(toolchain_, core_, finder_, place, header);
+    if (!library) fail_without_library(toolchain_, core_, finder_, sketch_.folder, place, header);
     if (std::none_of(libraries_.begin(), libraries_.end(),
                      [&](const Library& one) { return one.folder == library->folder; }))
       libraries_.push_back(*library);
@@ -366,6 +366,7 @@ Image build(const Request& request) try {
                       counts_itself,
                       Registers::objects,
                       request.untrusted,
+                      request.all_messages,
                       request.rules,
                       false,
                       request.core_begins};

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
+#include <string_view>
 #include <vector>
 
 #include "hal/board/board_spec.h"
@@ -141,6 +143,10 @@ std::string hint_for(const std::string& messages) {
     return "each { requires a }: one is missing at the end or earlier";
   if (has(first, "redefinition of 'void setup()'") || has(first, "redefinition of 'void loop()'"))
     return "all .ino files of a folder form one sketch, with one setup() and one loop()";
+  static const std::regex included(R"((?:^|\n)([^\n: ]+\.ino):[^\n]*error: redefinition of )");
+  std::smatch match;
+  if (std::regex_search(first, match, included) && has(first, "In file included from"))
+    return fmt::format("all .ino files of a folder form one sketch: remove #include \"{}\"", match[1].str());
   if (has(first, "'const char*'") && has(first, "operator+"))
     return "to join texts in quotes, make a String of the first: String(\"a\") + 1";
   if (has(first, "lvalue required as left operand")) return "to compare, write ==";
@@ -175,6 +181,13 @@ std::string library_of_header(const std::string& header) {
       Known{"VL53L0X.h", "VL53L0X"},
       Known{"MPU6050_light.h", "MPU6050_light"},
       Known{"Arduino_FreeRTOS.h", "FreeRTOS"},
+      Known{"L298N.h", "L298N"},
+      Known{"L298NX2.h", "L298N"},
+      Known{"SparkFun_TB6612.h", "SparkFun TB6612FNG Motor Driver Library"},
+      Known{"SparkFun_APDS9960.h", "SparkFun APDS9960 RGB and Gesture Sensor"},
+      Known{"Arduino_APDS9960.h", "Arduino_APDS9960"},
+      Known{"DFRobotDFPlayerMini.h", "DFRobotDFPlayerMini"},
+      Known{"Zumo32U4.h", "Zumo32U4"},
   };
   for (const Known& one : list)
     if (header == one.header) return one.library;
@@ -190,25 +203,45 @@ std::string purpose_of_core_library(const std::string& header) {
 
 std::string foreign_header(const std::string& header) {
   struct Foreign {
-    const char* header;
+    std::string_view header;  ///< a header, or a beginning of headers followed by *
     const char* board;
   };
   static constexpr std::array list = {
       Foreign{"WiFi.h", "an ESP32"},
-      Foreign{"ESP8266WiFi.h", "an ESP8266"},
+      Foreign{"WiFiClientSecure.h", "an ESP32"},
       Foreign{"BluetoothSerial.h", "an ESP32"},
-      Foreign{"ESP32Servo.h", "an ESP32"},
+      Foreign{"BLEDevice.h", "an ESP32"},
+      Foreign{"ESP32*", "an ESP32"},
       Foreign{"WebServer.h", "an ESP32"},
-      Foreign{"esp_now.h", "an ESP32"},
-      Foreign{"Preferences.h", "an ESP32"},
+      Foreign{"AsyncTCP.h", "an ESP32"},
+      Foreign{"esp_*", "an ESP32"},
+      Foreign{"soc/soc.h", "an ESP32"},
+      Foreign{"soc/rtc_cntl_reg.h", "an ESP32"},
+      Foreign{"driver/adc.h", "an ESP32"},
+      Foreign{"driver/gpio.h", "an ESP32"},
       Foreign{"driver/ledc.h", "an ESP32"},
+      Foreign{"driver/mcpwm.h", "an ESP32"},
+      Foreign{"freertos/*", "an ESP32"},
+      Foreign{"Preferences.h", "an ESP32"},
+      Foreign{"ESPAsyncTCP.h", "an ESP8266"},
+      Foreign{"ESP8266*", "an ESP8266"},
+      Foreign{"ESPAsyncWebServer.h", "an ESP32 or ESP8266"},
       Foreign{"MicroBit.h", "a micro:bit"},
-      Foreign{"pico/stdlib.h", "an RP2040"},
+      Foreign{"pico/*", "an RP2040"},
+      Foreign{"hardware/adc.h", "an RP2040"},
+      Foreign{"hardware/gpio.h", "an RP2040"},
+      Foreign{"hardware/pio.h", "an RP2040"},
+      Foreign{"hardware/pwm.h", "an RP2040"},
       Foreign{"TeensyThreads.h", "a Teensy"},
+      Foreign{"WiFiS3.h", "an Arduino Uno R4"},
+      Foreign{"Arduino_LED_Matrix.h", "an Arduino Uno R4"},
       Foreign{"Arduino_LSM9DS1.h", "a Nano 33 BLE"},
   };
-  for (const Foreign& one : list)
-    if (header == one.header) return fmt::format("{} is for boards with {}; {}", header, one.board, kBoards);
+  for (const Foreign& one : list) {
+    const bool many = one.header.ends_with('*');
+    if (many ? header.starts_with(one.header.substr(0, one.header.size() - 1)) : header == one.header)
+      return fmt::format("{} is for {}; {}", header, one.board, kBoards);
+  }
   return "";
 }
 

@@ -1,9 +1,10 @@
-// Finds the ends of names and of string and character literals, for the readers of C++ text in this folder.
+// Finds names, literals and comments, for the readers of C++ text in this folder.
 #pragma once
 
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace robosim::build {
@@ -38,6 +39,40 @@ class QuoteEnds {
   std::string_view source_;
   std::size_t line_end_ = 0;
   int open_ = 0;  ///< number of unclosed quotes in the line that ends at line_end_
+};
+
+/// Separates the code of a C++ source from comments and literals.
+class CodeScanner {
+ public:
+  CodeScanner(const std::string& text, std::size_t at) : text_(text), at_(at) {}
+
+  std::size_t at() const { return at_; }
+  bool done() const { return at_ >= text_.size(); }
+  char peek() const { return text_[at_]; }
+  /// Skips one character of code, or a whole comment or literal.
+  void step() {
+    const char c = text_[at_];
+    if (c == '"' || c == '\'') {
+      skip_literal(c);
+    } else if (text_.compare(at_, 2, "//") == 0) {
+      at_ = std::min(text_.find('\n', at_), text_.size());
+    } else if (text_.compare(at_, 2, "/*") == 0) {
+      const std::size_t end = text_.find("*/", at_ + 2);
+      at_ = end == std::string::npos ? text_.size() : end + 2;
+    } else {
+      ++at_;
+    }
+  }
+
+ private:
+  void skip_literal(char end) {
+    for (++at_; at_ < text_.size() && text_[at_] != end && text_[at_] != '\n'; ++at_)
+      if (text_[at_] == '\\') ++at_;
+    if (at_ < text_.size()) ++at_;
+  }
+
+  const std::string& text_;
+  std::size_t at_;
 };
 
 }  // namespace robosim::build

@@ -218,6 +218,14 @@ const Library* LibraryFinder::installed(const std::string& header) const {
   return nullptr;
 }
 
+std::vector<fs::path> LibraryFinder::includes() const {
+  std::vector<fs::path> all;
+  for (const std::vector<Library>& libraries : libraries_)
+    for (const Library& library : libraries)
+      all.insert(all.end(), library.includes.begin(), library.includes.end());
+  return all;
+}
+
 std::vector<fs::path> LibraryFinder::listed() const {
   std::vector<fs::path> all = folders_;
   for (const std::vector<Library>& group : libraries_)

@@ -52,6 +52,8 @@ class LibraryFinder {
   const Library* find(const std::string& header) const;
 
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
+  /// Returns the include folders of all libraries.
+  std::vector<std::filesystem::path> includes() const;
   /// Returns all folders whose lists of names affect the results.
   std::vector<std::filesystem::path> listed() const;
 

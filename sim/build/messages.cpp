@@ -130,39 +130,68 @@ std::string missing_header(const std::string& whole, Place* place) {
   return match[4];
 }
 
+/// Returns the name of a header that differs from `header` only by capital letters; empty if there is none.
+static std::string other_spelling(const std::vector<fs::path>& folders, const std::string& header) {
+  const fs::path parent = fs::path(header).parent_path();
+  const std::string wanted = fs::path(header).filename().string();
+  const auto is_like = [&](const std::string& name) {
+    return std::equal(name.begin(), name.end(), wanted.begin(), wanted.end(), [](char a, char b) {
+      return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    });
+  };
+  for (const fs::path& folder : folders) {
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(folder / parent, none))
+      if (is_like(entry.path().filename().string())) return (parent / entry.path().filename()).string();
+  }
+  return {};
+}
+
 void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, const LibraryFinder& finder,
-                          const Place& place, const std::string& header) {
-  if (const std::string foreign = foreign_header(header); !foreign.empty()) throw InputError(place, foreign);
+                          const fs::path& sketch, const Place& place, const std::string& header) {
+  if (const std::string foreign = foreign_header(header); !foreign.empty())
+    throw CompileError(place, foreign);
+  std::vector<fs::path> known = finder.includes();
+  known.insert(known.begin(), toolchain.core.includes.begin(), toolchain.core.includes.end());
+  known.insert(known.begin(), sketch);
+  if (const std::string name = other_spelling(known, header); !name.empty())
+    throw CompileError(place, fmt::format("no such header {}: write {}, because Linux distinguishes capital "
+                                          "letters in file names",
+                                          header, name));
   const bool chip = toolchain.target.chip;
+  if (!chip && fs::exists(core.sources / header))
+    throw CompileError(place, fmt::format("{} is a private part of Arduino's core for AVR chips, which the "
+                                          "target host does not have; build for the target avr",
+                                          header));
   if (!chip && fs::exists(core.avr_libc.parent_path() / header))
-    throw InputError(place, fmt::format("{} belongs to avr-libc, which the target host does not "
-                                        "have; build for the target avr",
-                                        header));
+    throw CompileError(place, fmt::format("{} belongs to avr-libc, which the target host does not "
+                                          "have; build for the target avr",
+                                          header));
   if (header.find('.') == std::string::npos)
-    throw InputError(
+    throw CompileError(
         place, fmt::format("no such header {}: Arduino boards with an AVR chip have no C++ standard library",
                            header));
   if (const std::string purpose = purpose_of_core_library(header); !purpose.empty()) {
     if (std::string_view(toolchain.target.name) == "stm32")
-      throw InputError(
+      throw CompileError(
           place, fmt::format("{} is for {}, which sketches can use on the targets host and avr, but not "
                              "yet on the stm32",
                              header, purpose));
-    throw InputError(place,
-                     fmt::format("no such header {}: it belongs to the AVR core, a part of which is missing "
-                                 "here: sudo apt install --reinstall arduino-core-avr",
-                                 header));
+    throw CompileError(
+        place, fmt::format("no such header {}: it belongs to the AVR core, a part of which is missing "
+                           "here: sudo apt install --reinstall arduino-core-avr",
+                           header));
   }
   std::vector<std::string> folders;
   for (const fs::path& folder : finder.folders()) folders.push_back(folder.string());
-  const std::string known = library_of_header(header);
+  const std::string library = library_of_header(header);
   throw MissingLibrary(
       place, fmt::format("no such header {} in the sketch, nor in a library below {}{}", header,
                          fmt::join(folders, ", "),
-                         known.empty() ? ""
-                                       : fmt::format("; Arduino's library manager has it: arduino-cli lib "
-                                                     "install \"{}\"",
-                                                     known)));
+                         library.empty() ? ""
+                                         : fmt::format("; Arduino's library manager has it: arduino-cli lib "
+                                                       "install \"{}\"",
+                                                       library)));
 }
 
 std::string without_folders(const Toolchain& toolchain, const fs::path& sketch, std::string text) {
@@ -270,7 +299,18 @@ bool is_about_library(const std::string& messages, const std::vector<Library>& l
   });
 }
 
-void fail(const Target& target, const std::string& messages) {
+std::string folded(const std::string& output) {
+  constexpr std::ptrdiff_t kShownLines = 20;
+  const std::string text = output.ends_with('\n') ? output : output + '\n';
+  const std::ptrdiff_t lines = std::count(text.begin(), text.end(), '\n');
+  if (lines <= kShownLines + 1) return output;
+  std::size_t end = 0;
+  for (std::ptrdiff_t line = 0; line < kShownLines; ++line) end = text.find('\n', end) + 1;
+  return text.substr(0, end) +
+         fmt::format("… {} more lines; robosim build prints all of them", lines - kShownLines);
+}
+
+void fail(const Toolchain& toolchain, const std::string& messages) {
   fail_at_walls(messages);
   check_machine("the compiler", messages);
   std::smatch match;
@@ -278,7 +318,7 @@ void fail(const Target& target, const std::string& messages) {
     if (messages.find(kTooMuchOutput) != std::string::npos)
       throw CompileError("the compiler was stopped: expected at most 16 MB of messages, got more");
     static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
-    if (!target.chip && std::regex_search(messages, match, assembler)) {
+    if (!toolchain.target.chip && std::regex_search(messages, match, assembler)) {
       // gcc notes no place for an asm() outside functions. The file is then the compiler's assembly.
       const std::string file = match[1];
       const Place place = file.ends_with(".s") ? Place() : Place{file, number_in(match[2])};
@@ -288,10 +328,11 @@ void fail(const Target& target, const std::string& messages) {
     static const std::regex unplaced(R"([^\n:]+\.s:\d+: Error: ([^\n]*))");
     if (std::regex_search(messages, match, unplaced))
       throw CompileError("asm() contains text that the chip's assembler rejects: " + match[1].str());
-    throw CompileError(messages);
+    throw CompileError(toolchain.all_messages ? messages : folded(messages));
   }
-  const std::string hint = hint_for(messages);
-  throw CompileError(place_of(match), messages.substr(static_cast<std::size_t>(match.position(6))) +
+  const std::string hint = hint_for(messages),
+                    text = messages.substr(static_cast<std::size_t>(match.position(6)));
+  throw CompileError(place_of(match), (toolchain.all_messages ? text : folded(text)) +
                                           (hint.empty() ? "" : "\nhint: " + hint));
 }
 
@@ -315,7 +356,7 @@ void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vect
       throw CompileError(
           {sketch.inos.empty() ? sketch.name : sketch.inos[0]},
           fmt::format("the sketch has no function {}(); every sketch needs setup() and loop()", function));
-  fail(toolchain.target, messages);
+  fail(toolchain, messages);
 }
 
 void fail_for_changes(const Toolchain& toolchain, const fs::path& saved, const std::string& assembly,

@@ -23,11 +23,11 @@ std::string missing_header(const std::string& output, Place* place);
 /// see these files.
 void check_seen(const std::filesystem::path& sketch, const Place& place, const std::string& header);
 
-/// Throws the error for a header that no library in the finder's folders provides: MissingLibrary, or
-/// InputError if no library can provide the header.
+/// Throws the error for a header that no library in the finder's folders provides: MissingLibrary, or another
+/// CompileError if no library can provide the header, or if its name has other capital letters.
 [[noreturn]] void fail_without_library(const Toolchain& toolchain, const GenuineCore& core,
-                                       const LibraryFinder& finder, const Place& place,
-                                       const std::string& header);
+                                       const LibraryFinder& finder, const std::filesystem::path& sketch,
+                                       const Place& place, const std::string& header);
 
 /// Removes names of this machine's folders from a text, so that users recognise the places.
 std::string without_folders(const Toolchain& toolchain, const std::filesystem::path& sketch,
@@ -44,7 +44,7 @@ Place first_error(const std::string& messages);
 bool is_about_library(const std::string& messages, const std::vector<Library>& libraries);
 
 /// Throws CompileError for a failed compilation, or ToolMissing if the machine is to blame.
-[[noreturn]] void fail(const Target& target, const std::string& messages);
+[[noreturn]] void fail(const Toolchain& toolchain, const std::string& messages);
 
 /// Throws CompileError for a failed link: an undefined or multiply defined function, or a chip that is too
 /// small.

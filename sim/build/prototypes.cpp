@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "sim/base/file.h"
+#include "sim/build/lexing.h"
 #include "sim/build/messages.h"
 #include "sim/build/process.h"
 #include "sim/build/source.h"
@@ -66,47 +67,13 @@ std::string without_using(std::string type) {
   return type.starts_with(kUsing) ? type.substr(kUsing.size()) : type;
 }
 
-/// Separates the code of a C++ source from comments and literals.
-class Scanner {
- public:
-  Scanner(std::string& text, std::size_t at) : text_(text), at_(at) {}
-
-  std::size_t at() const { return at_; }
-  bool done() const { return at_ >= text_.size(); }
-  char peek() const { return text_[at_]; }
-  /// Skips one character of code, or a whole comment or literal.
-  void step() {
-    const char c = text_[at_];
-    if (c == '"' || c == '\'') {
-      skip_literal(c);
-    } else if (text_.compare(at_, 2, "//") == 0) {
-      at_ = std::min(text_.find('\n', at_), text_.size());
-    } else if (text_.compare(at_, 2, "/*") == 0) {
-      const std::size_t end = text_.find("*/", at_ + 2);
-      at_ = end == std::string::npos ? text_.size() : end + 2;
-    } else {
-      ++at_;
-    }
-  }
-
- private:
-  void skip_literal(char end) {
-    for (++at_; at_ < text_.size() && text_[at_] != end && text_[at_] != '\n'; ++at_)
-      if (text_[at_] == '\\') ++at_;
-    if (at_ < text_.size()) ++at_;
-  }
-
-  std::string& text_;
-  std::size_t at_;
-};
-
 // Blanks the default arguments of the parameter list that begins at `open`, and returns the original list.
 // Returns an empty text if the list does not end within kLongestList.
 std::string take_defaults(std::string& source, std::size_t open) {
   int depth = 0;
   std::size_t default_at = 0;
   std::vector<std::pair<std::size_t, std::size_t>> defaults;
-  for (Scanner scan(source, open); !scan.done() && scan.at() - open < kLongestList; scan.step()) {
+  for (CodeScanner scan(source, open); !scan.done() && scan.at() - open < kLongestList; scan.step()) {
     const char c = scan.peek();
     if (c == '(' || c == '[' || c == '{') ++depth;
     if (c == ')' || c == ']' || c == '}') --depth;
@@ -128,7 +95,7 @@ std::string take_defaults(std::string& source, std::size_t open) {
 
 std::string one_line(std::string text) {
   std::string clean;
-  for (Scanner scan(text, 0); !scan.done();) {
+  for (CodeScanner scan(text, 0); !scan.done();) {
     const std::size_t from = scan.at();
     scan.step();
     const std::string piece = text.substr(from, scan.at() - from);
@@ -172,7 +139,7 @@ std::vector<std::pair<std::size_t, std::size_t>> c_blocks(std::string source) {
   std::vector<std::pair<std::size_t, std::size_t>> blocks;
   std::size_t extern_at = std::string::npos;
   int depth = 0;
-  for (Scanner scan(source, 0); !scan.done(); scan.step()) {
+  for (CodeScanner scan(source, 0); !scan.done(); scan.step()) {
     if (source.compare(scan.at(), 6, "extern") == 0) extern_at = scan.at();
     if (scan.peek() == '{') {
       // Uses `extern` for this brace only. Otherwise each brace would copy all text before it.

@@ -35,6 +35,7 @@ struct Request {
   /// Limits the build to files in the sketch's folder, its libraries and the core. Shared files (project.h)
   /// are excluded.
   bool untrusted = false;
+  bool all_messages = false;  ///< CompileError contains all lines of the compiler, as without folded()
   ProjectRules rules = {};
   std::function<void()> core_begins = {};  ///< called once before a core is compiled, which takes seconds
 };
@@ -65,10 +66,14 @@ class CompileError : public InputError {
 
 /// Thrown if no library provides a header that the sketch includes. The library may be in a folder that was
 /// not given.
-class MissingLibrary : public InputError {
+class MissingLibrary : public CompileError {
  public:
-  using InputError::InputError;
+  using CompileError::CompileError;
 };
+
+/// Returns the first 20 lines of a compiler's output. A further line counts the lines that are left out, and
+/// names the command that prints them. Returns an output of at most 21 lines unchanged.
+std::string folded(const std::string& output);
 
 /// Builds a sketch. Throws InputError (such as for a missing sketch), MissingLibrary, CompileError, or
 /// ToolMissing.
@@ -109,6 +114,9 @@ std::filesystem::path find_sketch(const std::string& name);
 
 /// Returns whether a sketch of this name comes with Robosim.
 bool is_stock_sketch(const std::string& name);
+
+/// Returns a remark on a folder without an .ino file of its name, whose main file is another one; otherwise "".
+std::string remark_on_main_file(const std::filesystem::path& folder);
 
 /// Returns the names of the sketches that come with Robosim, sorted.
 std::vector<std::string> stock_sketches();

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <system_error>
 
 #include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/build/lexing.h"
 #include "sim/build/project.h"
+#include "sim/build/sketch.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -122,6 +125,49 @@ bool put_main_first(std::vector<std::string>& inos, const std::string& folder_na
   });
   if (own == inos.end()) return inos.size() == 1;
   std::rotate(inos.begin(), own, own + 1);
+  return true;
+}
+
+/// Returns the code of a C++ source, with a blank for each comment and literal.
+std::string code_of(const std::string& source) {
+  std::string code;
+  for (CodeScanner scan(source, 0); !scan.done();) {
+    const std::size_t from = scan.at();
+    scan.step();
+    code += scan.at() == from + 1 ? source[from] : ' ';
+  }
+  return code;
+}
+
+/// Returns whether the code defines `void NAME(…) {…}`.
+bool defines(std::string_view code, std::string_view name) {
+  const auto skip_blanks = [&](std::size_t at) {
+    return std::min(code.find_first_not_of(" \t\r\n", at), code.size());
+  };
+  for (std::size_t at = code.find(name); at != code.npos; at = code.find(name, at + 1)) {
+    const std::size_t open = skip_blanks(at + name.size());
+    const std::size_t before = at == 0 ? code.npos : code.find_last_not_of(" \t\r\n", at - 1);
+    if (before == code.npos || before + 1 == at || !code.substr(0, before + 1).ends_with("void")) continue;
+    if (open == code.size() || code[open] != '(') continue;
+    const std::size_t close = code.find(')', open);
+    if (close == code.npos) return false;
+    if (const std::size_t body = skip_blanks(close + 1); body < code.size() && code[body] == '{') return true;
+  }
+  return false;
+}
+
+/// Puts the only .ino file that defines setup() and loop() first. Returns false if no file defines both, or if
+/// another file defines one of them: such a folder may contain several sketches.
+bool put_file_with_loop_first(std::vector<std::string>& inos, const fs::path& folder) {
+  auto main = inos.end();
+  for (auto ino = inos.begin(); ino != inos.end(); ++ino) {
+    const std::string code = code_of(read_file(folder / *ino));
+    const int found = defines(code, "setup") + defines(code, "loop");
+    if (found == 1 || (found == 2 && main != inos.end())) return false;
+    if (found == 2) main = ino;
+  }
+  if (main == inos.end()) return false;
+  std::rotate(inos.begin(), main, main + 1);
   return true;
 }
 
@@ -257,7 +303,8 @@ Sketch find_files(const fs::path& path, const ProjectRules& rules) {
   if (sketch.inos.empty() && sketch.sources.empty())
     throw InputError({path.string()},
                      "expected a sketch, got a folder without an .ino file" + nested_sketch_hint(absolute));
-  if (!sketch.inos.empty() && !put_main_first(sketch.inos, sketch.name))
+  if (!sketch.inos.empty() && !put_main_first(sketch.inos, sketch.name) &&
+      !put_file_with_loop_first(sketch.inos, absolute))
     throw InputError(
         {path.string()},
         fmt::format("expected {}.ino, named like its folder, among the {} .ino files, got {}; rename "
@@ -277,6 +324,19 @@ Sketch read_sketch(const fs::path& path, const ProjectRules& rules) try {
 } catch (const fs::filesystem_error& error) {  // a folder that cannot be read, or a link to itself
   const fs::path& place = error.path1().empty() ? path : error.path1();
   throw InputError({place.string()}, "cannot read the file: " + error.code().message());
+}
+
+std::string remark_on_main_file(const fs::path& folder) try {
+  std::vector<std::string> inos = inos_in(folder);
+  const std::string name = fs::canonical(folder).filename().string();
+  if (inos.empty() || put_main_first(inos, name) || !put_file_with_loop_first(inos, folder)) return "";
+  return fmt::format(
+      "{0} has no {0}.ino: its main file is {1}, which defines setup() and loop(); Arduino's IDE requires "
+      "that "
+      "the folder is called {2}",
+      name, inos[0], fs::path(inos[0]).stem().string());
+} catch (const fs::filesystem_error&) {
+  return "";  // the sketch is a file, or the folder cannot be read
 }
 
 std::string content_sha256(const Sketch& sketch) {

@@ -82,6 +82,7 @@ struct Toolchain {
   bool coverage = false;
   Registers registers = Registers::objects;
   bool untrusted = false;
+  bool all_messages = false;
   ProjectRules rules = {};
   bool narrow_ints = false;                ///< the sketch's ints have 16 bits (narrow_ints.h)
   std::function<void()> core_begins = {};  ///< as in the Request

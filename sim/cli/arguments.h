@@ -181,8 +181,9 @@ struct PlayArguments {
 /// `robosim test`
 struct TestArguments {
   std::vector<std::string> sketches;
-  std::string checks;    ///< file of checks for all sketches; empty = each sketch's checks.toml
-  std::string junit;     ///< JUnit XML file to write; empty = none
+  std::string checks;  ///< file of checks for all sketches; empty = each sketch's checks.toml
+  std::string junit;   ///< JUnit XML file to write; empty = none
+  std::vector<std::string> libraries;
   std::size_t jobs = 1;  ///< number of simultaneous runs
   bool untrusted = false;
 };

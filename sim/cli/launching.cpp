@@ -17,7 +17,10 @@ launch::Listener listener_of(terminal::Progress& progress, Says says) {
   };
   listener.compiled = [&progress, says](const build::Image& image) {
     progress.clear();
-    if (says.warnings && !image.messages.empty()) complain(image.messages);
+    if (!says.warnings || image.messages.empty()) return;
+    std::string text = says.all_warnings ? image.messages : build::folded(image.messages);
+    if (!text.ends_with('\n')) text += '\n';
+    complain(text);
   };
   return listener;
 }

@@ -8,8 +8,9 @@ namespace robosim::cli {
 
 /// Selects what is printed to standard error.
 struct Says {
-  bool choices = true;   ///< automatic choices
-  bool warnings = true;  ///< warnings of the compiler
+  bool choices = true;        ///< automatic choices
+  bool warnings = true;       ///< warnings of the compiler
+  bool all_warnings = false;  ///< all of these warnings, instead of the first 20 lines
 };
 launch::Listener listener_of(terminal::Progress& progress, Says says = {});
 

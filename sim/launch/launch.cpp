@@ -53,7 +53,7 @@ bool compiles_for_avr(const build::Request& request) try {
 build::Image build_image(const build::Request& request) try {
   return build::build(request);
 } catch (const build::MissingLibrary& error) {
-  throw InputError(error.place(), error.message() + "; --libraries DIR adds a folder of libraries");
+  throw build::CompileError(error.place(), error.message() + "; --libraries DIR adds a folder of libraries");
 } catch (const build::CompileError& error) {
   if (!compiles_for_avr(request)) throw;
   throw build::CompileError(error.place(), error.message() + kForTheChip);

@@ -11,6 +11,9 @@ std::vector<std::string> remarks_on_project(const SketchChoice& sketch,
   std::vector<std::string> remarks = project.remarks;
   if (!is_path(sketch.name) && sketch.path == sketch.name && build::is_stock_sketch(sketch.name))
     remarks.push_back(fmt::format("{} is the folder of that name here, not the sample sketch", sketch.name));
+  if (project.sources.empty())
+    if (std::string remark = build::remark_on_main_file(sketch.path); !remark.empty())
+      remarks.push_back(std::move(remark));
   if (project.wanted.empty()) return remarks;
   std::vector<std::filesystem::path> chosen(libraries.begin(), libraries.end());
   chosen.insert(chosen.end(), project.libraries.begin(), project.libraries.end());

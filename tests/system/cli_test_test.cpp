@@ -90,6 +90,24 @@ TEST(CliTest, OfManySketchesEachHasALineAndNoneStopsTheOthers) {
           "1 of 4 sketches passed all checks\n"));
 }
 
+TEST(CliTest, AMissingLibraryIsAnErrorOfItsSketchAlone) {
+  const Folder folder;
+  folder.write("anna/anna.ino", kGreets);
+  folder.write("ben/ben.ino", "#include <Gears.h>\n" + std::string(kGreets));
+  folder.write("shared/Gears/Gears.h", "#pragma once\n");
+  folder.write("class.toml", check("greets", "serial = \"hello\"") + check("runs", ""));
+  Words words{"test", "anna", "ben", "--checks", "class.toml"};
+  Ended ended = robosim_command(words, folder.path());
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(ended.out, MatchesRegex("anna  passed  2 of 2\n"
+                                      "ben   ERROR   ben.ino:1:10: no such header Gears.h [^\n]*\n"
+                                      "1 of 2 sketches passed all checks\n"));
+  words.insert(words.end(), {"--libraries", "shared"});
+  ended = robosim_command(words, folder.path());
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("2 of 2 sketches passed all checks\n"));
+}
+
 TEST(CliTest, SaysTheSameForAnyNumberOfJobs) {
   const Folder folder;
   const std::string sketch = ROBOSIM_TEST_SKETCHES "/FailsByChance";

@@ -26,6 +26,7 @@ struct CheckResult {
   std::size_t runs = 0;
   std::size_t passed = 0;
   double time_s = 0.0;                    ///< simulated time, sum of all runs
+  std::optional<double> best_lap_s;       ///< the shortest lap of all runs that passed
   std::optional<result::RunResult> only;  ///< the result, if the check has only one run
   std::vector<std::string> traces;        ///< trace hashes of all runs, in the order of the plan
 

@@ -151,6 +151,8 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
       else if (!sketch.empty())
         check.sweep.sketches = {sketch};
       if (untrusted_) confine(check, file.empty() ? choice.folder : "");
+      std::vector<std::string>& libraries = check.sweep.each.libraries;
+      libraries.insert(libraries.begin(), libraries_.begin(), libraries_.end());
       CheckResult& planned = result.results.emplace_back();
       planned.name = check.name;
       planned.place = check.place;
@@ -255,6 +257,8 @@ void CheckSession::judge(Planned& planned, std::size_t run, const result::RunRes
   if (planned.plan.runs() == 1) result.only = run_result;
   if (!why) {
     ++result.passed;
+    for (const double lap_s : run_result.metrics.laps_s)
+      result.best_lap_s = std::min(lap_s, result.best_lap_s.value_or(lap_s));
     return;
   }
   if (run_result.verdict != "timeout") planned.late_only = false;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/base/progress.h"
@@ -16,10 +17,12 @@ namespace robosim::campaign {
 
 class CheckSession {
  public:
-  /// If `untrusted`, the sketches come from strangers. Such sketches run only on chips. Checks in a sketch's
-  /// folder may name only files in that folder.
-  explicit CheckSession(SweepPlanner& planner, bool untrusted = false)
-      : planner_(planner), untrusted_(untrusted) {}
+  /// All sketches may use the Arduino libraries in the folders `libraries`. If `untrusted`, the sketches come
+  /// from strangers. Such sketches run only on chips. Checks in a sketch's folder may name only files in that
+  /// folder.
+  explicit CheckSession(SweepPlanner& planner, std::vector<std::string> libraries = {},
+                        bool untrusted = false)
+      : planner_(planner), libraries_(std::move(libraries)), untrusted_(untrusted) {}
 
   /// Compiles the sketch and reads its checks from `file`, or from its checks.toml if `file` is empty. An
   /// error in a sketch or a file becomes the sketch's result.
@@ -58,6 +61,7 @@ class CheckSession {
   CheckResult& result_of(const Planned& planned) { return sketches_[planned.sketch].results[planned.result]; }
 
   SweepPlanner& planner_;
+  std::vector<std::string> libraries_;
   bool untrusted_;
   std::vector<SketchResult> sketches_;
   std::deque<Planned> planned_;

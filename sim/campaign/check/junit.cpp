@@ -40,6 +40,7 @@ std::string properties(const CheckResult& result) {
   } else if (result.runs > 0) {
     xml += property("runs", std::to_string(result.runs)) + property("passed", std::to_string(result.passed));
   }
+  if (result.best_lap_s) xml += property("best_lap_s", fmt::format("{}", *result.best_lap_s));
   if (!result.ok() && !result.again.empty())
     xml += property("failed_run", result.again) + property("failed_trace_hash", result.again_trace_hash);
   return xml.empty() ? "" : "      <properties>\n" + xml + "      </properties>\n";

@@ -118,6 +118,7 @@ class Reader {
     if (name == "failed_run") one.again = value;
     if (name == "failed_trace_hash") one.trace_hash = value;
     if (name == "cross_track_max_mm") number(value, one.off_line_mm.emplace());
+    if (name == "best_lap_s") number(value, one.best_lap_s.emplace());
   }
 
   void end_case() {

@@ -17,6 +17,7 @@ struct JunitCase {
   double time_s = 0.0;
   std::string message = {};                ///< message of a failure; may contain several lines
   std::optional<double> off_line_mm = {};  ///< for a check of one run: the largest cross-track error
+  std::optional<double> best_lap_s = {};   ///< for a check on a loop: the shortest lap
   std::string again = {};                  ///< the command that repeats the failed run of a check
   std::string trace_hash = {};             ///< the trace hash of the failed run
 };

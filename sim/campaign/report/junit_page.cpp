@@ -1,7 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "sim/base/markup.h"
 #include "sim/campaign/report/page_parts.h"
@@ -38,14 +42,36 @@ std::string cell(const JunitCase& one, std::size_t number, const ReportExtras& e
                      linked(extras, number, "✗"));
 }
 
-/// Returns a row for each group, and a column for each check if `columns`.
+/// Returns the shortest lap of all cases; none if no case has one.
+std::optional<double> best_lap_s(const std::vector<JunitCase>& cases,
+                                 const std::vector<std::size_t>& numbers) {
+  std::optional<double> best;
+  for (const std::size_t i : numbers)
+    if (cases[i].best_lap_s) best = std::min(*cases[i].best_lap_s, best.value_or(*cases[i].best_lap_s));
+  return best;
+}
+
+/// Sorts groups by the number of cases that passed, then by the shortest lap.
+void rank(const std::vector<JunitCase>& cases, Table& groups) {
+  const auto key = [&](const std::string& name) {
+    const std::vector<std::size_t>& own = groups.of.at(name);
+    return std::pair(-static_cast<std::int64_t>(count(cases, own, JunitCase::Ending::passed)),
+                     best_lap_s(cases, own).value_or(std::numeric_limits<double>::infinity()));
+  };
+  std::stable_sort(groups.names.begin(), groups.names.end(),
+                   [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
+}
+
+/// Returns a row for each group, and a column for each check if `columns`. If `laps`, a column has the
+/// shortest laps.
 std::string groups_table(const std::vector<JunitCase>& cases, const Table& groups, const Table& checks,
-                         bool columns, const ReportExtras& extras) {
+                         bool columns, bool laps, const ReportExtras& extras) {
   const std::string shown = rows_shown(groups.names.size(), kMostRows);
   std::string body = shown.empty() ? "" : fmt::format("<h2>Names{}</h2>\n", shown);
   body +=
       "<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th class=\"left\">name</th><th>passed</th>"
       "<th class=\"left\">look at</th>";
+  if (laps) body += "<th>best lap</th>";
   if (columns)
     for (const std::string& name : checks.names) body += fmt::format("<th>{}</th>", markup_text(name));
   body += "<th>time</th></tr>\n";
@@ -64,6 +90,10 @@ std::string groups_table(const std::vector<JunitCase>& cases, const Table& group
         fmt::format("<tr><td class=\"left\">{}</td><td>{}</td><td class=\"left\">{}</td>", markup_text(group),
                     share_bar(count(cases, own, JunitCase::Ending::passed), own.size()),
                     seen == own.end() ? "" : linked(extras, *seen, markup_text(cases[*seen].name)));
+    if (laps) {
+      const std::optional<double> best = best_lap_s(cases, own);
+      body += best ? fmt::format("<td>{:.2f} s</td>", *best) : "<td class=\"dim\">–</td>";
+    }
     if (columns)
       for (const std::string& name : checks.names) {
         const auto found = by_name.find(name);
@@ -156,7 +186,13 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
     });
     body += fmt::format(" Without a failure: {} of {}.", whole, groups.names.size());
   }
-  body += "</p>\n" + groups_table(cases, groups, checks, columns, extras) + places_left(extras);
+  const bool laps =
+      columns && std::any_of(cases.begin(), cases.end(), [](const JunitCase& one) { return one.best_lap_s; });
+  if (laps) {
+    rank(cases, groups);
+    body += " The rows are sorted by passed checks, then by the shortest lap.";
+  }
+  body += "</p>\n" + groups_table(cases, groups, checks, columns, laps, extras) + places_left(extras);
   body += columns ? checks_table(cases, checks) : times_of_all(cases);
   return page_of(file + ": report", body + what_failed(cases, extras));
 }

@@ -19,6 +19,7 @@ Command parse_test(const std::vector<std::string>& words) {
                "run the checks of this file on all sketches, instead of their own", PossibleValues::file());
   options.text("--junit", test.junit, "FILE", "also write the results to this file, as JUnit XML",
                PossibleValues::file());
+  options.texts("--libraries", test.libraries, "DIR", kLibrariesHelp, PossibleValues::folder());
   options.text("--jobs", jobs, "N", kJobsHelp);
   options.flag("--untrusted", test.untrusted,
                "treat the sketches as hostile: run them on a chip, which they cannot leave, and confine the "

@@ -46,7 +46,7 @@ int test_command(const TestArguments& arguments) {
   const bool several = sketches.size() > 1;
   terminal::Progress progress(true);
   campaign::SweepPlanner planner(listener_of(progress, {false, !several}));
-  campaign::CheckSession session(planner, arguments.untrusted);
+  campaign::CheckSession session(planner, arguments.libraries, arguments.untrusted);
   if (arguments.untrusted && arguments.checks.empty())
     complain(
         "robosim: each sketch is tested by the checks.toml in its own folder, which its author wrote; "

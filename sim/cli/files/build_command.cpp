@@ -128,7 +128,7 @@ Built build_sketch(const BuildArguments& arguments, Boards boards) {
   launch::Carrier carrier = boards == Boards::own ? on_its_board(choice, describe)
                                                   : fit_to_target(choice, arguments.target, describe);
   terminal::Progress progress(true);
-  const launch::Listener listener = listener_of(progress);
+  const launch::Listener listener = listener_of(progress, {.all_warnings = true});
   for (const std::string& sentence : remarks_on_project(sketch, arguments.libraries))
     listener.chosen(sentence);
   if (!carrier.announcement.empty()) listener.chosen(carrier.announcement);
@@ -137,6 +137,7 @@ Built build_sketch(const BuildArguments& arguments, Boards boards) {
   build::Request request = request_of(sketch, board, arguments.target, arguments.libraries);
   request.warnings = warnings_of(arguments.warnings);
   request.sanitize = arguments.sanitize;
+  request.all_messages = true;
   return {image_of(sketch, request, listener), board, std::move(robot)};
 }
 

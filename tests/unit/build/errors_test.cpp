@@ -8,6 +8,7 @@ namespace errors_test {
 
 namespace fs = std::filesystem;
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::EndsWith;
 using testing::HasSubstr;
 using testing::MatchesRegex;
@@ -120,6 +121,67 @@ TEST_F(SketchTest, ATwiceDefinedFunctionIsNamed) {
   write("Twice/other.cpp", "int twice() { return 2; }\n");
   EXPECT_THAT(error_of("Twice"), AllOf(HasSubstr("other.cpp:1: multiple definition of `twice()'"),
                                        HasSubstr("Twice.ino:1: first defined here"), Not(HasSubstr(".o:"))));
+}
+
+TEST_F(SketchTest, AHeaderWithOtherCapitalLettersIsNamed) {
+  write("Small/Small.ino", "#include <arduino.h>\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Small"),
+              StartsWith("Small.ino:1:10: no such header arduino.h: write Arduino.h, because Linux"));
+  write("Small/Small.ino", "#include <AVR/io.h>\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Small"), HasSubstr("no such header AVR/io.h")) << "folders are not compared";
+  write("Small/Small.ino", "#include \"MOTORS.H\"\n" + kEmptySketch);
+  write("Small/motors.h", "");
+  EXPECT_THAT(error_of("Small"), HasSubstr("no such header MOTORS.H: write motors.h, because Linux"));
+  write("Small/Small.ino", "#include \"Part.h\"\n" + kEmptySketch);
+  write("Small/libraries/Part/part.h", "");
+  EXPECT_THAT(error_of("Small"), HasSubstr("no such header Part.h: write part.h, because Linux"));
+}
+
+TEST_F(SketchTest, APrivateHeaderOfTheAvrCoreIsForTheTargetAvr) {
+  write("Private/Private.ino", "#include <wiring_private.h>\n" + kEmptySketch);
+  EXPECT_THAT(error_of("Private"),
+              AllOf(StartsWith("Private.ino:1:10: wiring_private.h is a private part of"),
+                    EndsWith("; build for the target avr")));
+}
+
+TEST_F(SketchTest, TheMainFileIsTheOneWithSetupAndLoop) {
+  write("Download/main.ino", "// void setup() {}\nvoid  setup( void )\n{\n}\nvoid loop(){ other(); }\n");
+  write("Download/a.ino", "/* void loop() {} */ void other() {}\nvoid setups() {}\nvoid loop();\n");
+  EXPECT_EQ(error_of("Download"), "no error");
+  EXPECT_EQ(remark_on_main_file(folder_ / "Download"),
+            "Download has no Download.ino: its main file is main.ino, which defines setup() and loop(); "
+            "Arduino's IDE requires that the folder is called main");
+  write("Download/Download.ino", "void third() {}\n");
+  EXPECT_EQ(remark_on_main_file(folder_ / "Download"), "");
+  EXPECT_EQ(remark_on_main_file(folder_ / "Download/a.ino"), "");
+}
+
+TEST_F(SketchTest, ATabThatIsAlsoIncludedIsToldSo) {
+  write("Twice/Twice.ino", "#include \"motors.ino\"\n" + kEmptySketch);
+  write("Twice/motors.ino", "void motors() {}\n");
+  EXPECT_THAT(error_of("Twice"),
+              EndsWith("hint: all .ino files of a folder form one sketch: remove #include \"motors.ino\""));
+}
+
+TEST_F(SketchTest, LongOutputOfTheCompilerIsCutAfterTwentyLines) {
+  std::string calls;
+  for (int i = 0; i < 12; ++i) calls += "  undeclared" + std::to_string(i) + "();\n";
+  write("Many/Many.ino", "void setup() {\n" + calls + "  A8;\n}\nvoid loop() { WRONG }\n");
+  const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n') + 1; };
+  const std::string error = error_of("Many");
+  EXPECT_EQ(lines(error), 21) << error;
+  EXPECT_THAT(error, AllOf(StartsWith("Many.ino:2:3: error: 'undeclared0' was not declared"),
+                           ContainsRegex("\n… [0-9]+ more lines; robosim build prints all of them$")));
+  try {
+    build::Request request{folder_ / "Many", *find_board("uno")};
+    request.all_messages = true;
+    build::build(request);
+    FAIL() << "it compiles";
+  } catch (const CompileError& all) {
+    EXPECT_GT(lines(all.what()), 21);
+    EXPECT_THAT(all.what(), HasSubstr("WRONG"));
+  }
+  EXPECT_EQ(folded("one\ntwo\n"), "one\ntwo\n");
 }
 
 TEST_F(SketchTest, WhatIsNoSketchIsRefused) {

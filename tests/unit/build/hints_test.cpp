@@ -42,7 +42,11 @@ TEST(Hints, OtherBoardsProgramsAreToldWhatIsSimulated) {
   for (const char* message : {"error: 'ledcSetup' was not declared in this scope",
                               "error: 'input' does not name a type", "error: 'from' does not name a type"})
     EXPECT_THAT(hint_for(message), HasSubstr("Robosim simulates Arduino boards")) << message;
-  EXPECT_THAT(foreign_header("WiFi.h"), HasSubstr("an ESP32"));
+  EXPECT_THAT(foreign_header("WiFi.h"), HasSubstr("WiFi.h is for an ESP32; Robosim"));
+  EXPECT_THAT(foreign_header("esp_task_wdt.h"), HasSubstr("an ESP32"));
+  EXPECT_THAT(foreign_header("WiFiS3.h"), HasSubstr("an Arduino Uno R4"));
+  EXPECT_THAT(foreign_header("hardware/pwm.h"), HasSubstr("an RP2040"));
+  EXPECT_EQ(foreign_header("hardware/motors.h"), "") << "a folder of the sketch may have this name";
   EXPECT_EQ(foreign_header("Servo.h"), "");
   EXPECT_EQ(library_of_header("PID_v1.h"), "PID");
   EXPECT_EQ(library_of_header("Mine.h"), "");

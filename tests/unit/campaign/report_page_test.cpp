@@ -163,5 +163,20 @@ TEST(AReport, HasARowForEachPupilAndAColumnForEachCheck) {
             HasSubstr("<a href=\"class-runs/Bo-laps.html\">laps</a></td><td class=\"good\">✓")));
 }
 
+TEST(AReport, SortsAClassByPassedChecksAndThenByTheShortestLap) {
+  const auto cases = read_junit(R"(<testsuites><testsuite name="all">
+  <testcase classname="Ada" name="laps"><properties><property name="best_lap_s" value="9.25"/></properties></testcase>
+  <testcase classname="Bo" name="laps"><failure message="lost"/></testcase>
+  <testcase classname="Cleo" name="laps"><properties><property name="best_lap_s" value="8.5"/></properties></testcase>
+</testsuite></testsuites>)",
+                                "class.xml");
+  const std::string page = junit_page("class.xml", cases, {});
+  EXPECT_THAT(page, AllOf(HasSubstr("sorted by passed checks, then by the shortest lap"),
+                          HasSubstr("<th>best lap</th>"), HasSubstr("<td>8.50 s</td>")));
+  const std::size_t ada = page.find(">Ada<"), bo = page.find(">Bo<"), cleo = page.find(">Cleo<");
+  EXPECT_LT(cleo, ada);
+  EXPECT_LT(ada, bo);
+}
+
 }  // namespace report_test
 }  // namespace robosim::campaign
