@@ -50,8 +50,22 @@ Pin awaited_pin(const Evidence& e) {
 
 bool drives(const Evidence& e) { return e.moved && e.judge->drives(e.t); }
 
-bool drives_in_one_place(const Evidence& e) {
-  return drives(e) && e.t - e.judge->drives_here_since() >= kInOnePlaceAfter;
+bool drives_long(const Evidence& e, const Judge::Stay& stay) {
+  return drives(e) && e.t - e.judge->drives_since(stay) >= kInOnePlaceAfter;
+}
+
+bool spins(const Evidence& e) {
+  const Judge::Stay& stay = e.judge->place();
+  return drives_long(e, stay) && std::abs(e.judge->turned_during(stay)) >= kTwoTurns;
+}
+
+// Returns whether the robot circles, and does not just follow a small loop: no sensor sees the line now.
+bool circles(const Evidence& e) {
+  constexpr SimTime kJustNow = kSecond / 2;
+  const Judge::Stay& stay = e.judge->surroundings();
+  const auto& seen = e.judge->line_last_seen();
+  return drives_long(e, stay) && std::abs(e.judge->turned_during(stay)) >= kThreeTurns &&
+         !(seen && e.t - seen->at < kJustNow);
 }
 
 // Returns a clause on the sketch's activity, such as "; the sketch was last in …", for a run whose time is
@@ -74,7 +88,7 @@ std::string waiting(const Evidence& e) {
     return fmt::format("; the sketch keeps reading {}{}{}, and finds it {}", pin_name(e, pin), call,
                        by_call || by_pulse ? place_of(a.where) : "", e.pin_level ? "HIGH" : "LOW");
   }
-  if (drives_in_one_place(e)) return "";
+  if (drives_long(e, e.judge->place()) || circles(e)) return "";
   if (a.call.empty()) return a.where.file.empty() ? "" : "; the sketch was" + place_of(a.where);
   return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
 }
@@ -91,14 +105,23 @@ std::string left_line(const Evidence& e, SimTime t) {
 // Returns the robot's history for a run whose time is up: "; the robot left the line at …, and has stood near
 // … since …".
 std::string whereabouts(const Evidence& e) {
-  std::string text = left_line(e, e.t);
-  const SimTime since = drives(e) ? e.judge->drives_here_since()
-                                  : std::max(e.judge->in_one_place_since(), e.judge->last_driven());
-  if (e.moved && e.t - since >= kInOnePlaceAfter)
-    text += fmt::format("{}{} {} since {}", text.empty() ? "" : ", and ",
-                        drives(e) ? "has been driving within 10 cm of" : "has stood near",
-                        cell_of(*e.map, e.judge->place()), seconds(since));
-  return text.empty() ? "" : "; the robot " + text;
+  const Judge::Stay& here = e.judge->place();
+  const bool spin = spins(e), circle = !spin && circles(e);
+  const Judge::Stay& stay = circle ? e.judge->surroundings() : here;
+  const SimTime since =
+      drives(e) ? e.judge->drives_since(stay) : std::max(here.since, e.judge->last_driven());
+  // A robot that turns round and round may see the line now and then.
+  std::string text = (spin || circle) && e.judge->line_last_seen() && e.judge->line_last_seen()->at > since
+                         ? ""
+                         : left_line(e, e.t);
+  if (!e.moved || e.t - since < kInOnePlaceAfter) return text.empty() ? "" : "; the robot " + text;
+  const char* const direction = e.judge->turned_during(stay) > 0.0 ? "anticlockwise" : "clockwise";
+  const std::string how = spin        ? fmt::format("has been spinning {} near", direction)
+                          : circle    ? fmt::format("has been circling {} within 1 m of", direction)
+                          : drives(e) ? "has been driving within 10 cm of"
+                                      : "has stood near";
+  return fmt::format("; the robot {}{}{} {} since {}", text, text.empty() ? "" : ", and ", how,
+                     cell_of(*e.map, stay.place), seconds(since));
 }
 
 // Returns advice on a numeric overflow that a sanitizer check found on a board with a 16-bit int. Returns ""
@@ -336,7 +359,7 @@ bool reads_no_more(const Evidence& e) {
 // Returns whether the robot steered away from the line before losing it, in a run without script faults.
 bool steered_away(const Evidence& e) {
   constexpr double kClearly = 0.1;
-  return e.moved && e.faults.empty() && e.steered < -kClearly && has_left_line(e);
+  return e.moved && e.faults.empty() && e.steered < -kClearly && has_left_line(e) && !spins(e) && !circles(e);
 }
 
 }  // namespace

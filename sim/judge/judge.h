@@ -19,7 +19,10 @@ constexpr SimTime kPushedAfter = 5 * kSecond;          ///< duration of driving 
 /// cos 30 degrees. A robot that turns more while it pushes is not stuck.
 constexpr double kPushedTurnCosine = 0.8660254037844386;
 constexpr double kSamePlace = 0.1;  ///< m, radius within which a robot counts as being in one place
-constexpr SimTime kSilentAfter = 2 * kSecond;  ///< duration without an API call
+constexpr double kCircles = 1.0;    ///< m, radius within which a robot counts as circling
+constexpr double kTwoTurns = 12.566370614359172;    ///< 4 pi rad; a robot that turns less does not spin
+constexpr double kThreeTurns = 18.849555921538759;  ///< 6 pi rad; a robot that turns less does not circle
+constexpr SimTime kSilentAfter = 2 * kSecond;       ///< duration without an API call
 /// A motor still counts as driven during pauses of up to this length between pulses.
 constexpr SimTime kPulsePause = 200 * kMillisecond;
 /// A robot still touches an obstruction during pauses of up to this length: it bounces off and returns.
@@ -67,15 +70,26 @@ class Judge {
   /// Returns whether the robot is stuck because it has pushed against an obstruction for kPushedAfter. During
   /// this time it has neither left its place nor turned by 30 degrees.
   bool pushes() const { return pushes_; }
-  /// Return the time when the axle arrived at its present place, and the place.
-  SimTime in_one_place_since() const { return place_since_; }
-  Vec2 place() const { return place_; }
+  /// A stay of the axle within some radius of a place.
+  struct Stay {
+    Vec2 place;           ///< where it began, in m
+    SimTime since = 0;    ///< when it began
+    double turned = 0.0;  ///< rad; sum of all turns before the stay, above 0 = anticlockwise
+  };
+  /// Returns the present stay within kSamePlace.
+  const Stay& place() const { return place_; }
+  /// Returns the present stay within kCircles.
+  const Stay& surroundings() const { return surroundings_; }
+  /// Returns the sum of all turns during a present stay, in rad; above 0 = anticlockwise.
+  double turned_during(const Stay& stay) const { return turned_ - stay.turned; }
   /// Returns the time when a motor was last driven.
   SimTime last_driven() const { return last_driven_; }
   /// Returns whether motors are driven, apart from pauses of up to kDrivePause.
   bool drives(SimTime t) const { return t - last_driven_ < kDrivePause; }
   /// Returns the time since which the robot has been driving at its present place, if it is driving.
-  SimTime drives_here_since() const { return std::max(place_since_, driven_since_); }
+  SimTime drives_here_since() const { return drives_since(place_); }
+  /// Returns the time since which the robot has been driving during a stay, if it is driving.
+  SimTime drives_since(const Stay& stay) const { return std::max(stay.since, driven_since_); }
 
  private:
   bool lost(const Situation& now);
@@ -93,8 +107,8 @@ class Judge {
   bool touches_ = false, pushes_ = false;
   SimTime contact_at_ = 0, pushed_at_ = 0;
   Pose pushed_from_;
-  SimTime place_since_ = 0;
-  Vec2 place_;
+  double turned_ = 0.0;  ///< rad; sum of all turns, above 0 = anticlockwise
+  Stay place_, surroundings_;
 };
 
 [[gnu::always_inline]] inline bool Judge::lost(const Situation& now) {
@@ -117,13 +131,16 @@ class Judge {
                      dot(now.pose->heading, anchor_.heading) < 0.0 ||
                      std::abs(cross(anchor_.heading, now.pose->heading)) >= kStuckTurnSine;
   if (moves || now.lifted || (!now.driven && now.t - last_driven_ > kPulsePause)) {
+    const double turn = cross(anchor_.heading, now.pose->heading);  // the sine of a small angle
     anchor_ = *now.pose;
     anchored_at_ = now.t;
-  }
-  const Vec2 away = now.pose->position - place_;
-  if (dot(away, away) >= kSamePlace * kSamePlace) {
-    place_ = now.pose->position;
-    place_since_ = now.t;
+    turned_ += turn;
+    const Vec2 away = now.pose->position - place_.place;
+    if (dot(away, away) >= kSamePlace * kSamePlace) {
+      place_ = {now.pose->position, now.t, turned_};
+      const Vec2 farther = now.pose->position - surroundings_.place;
+      if (dot(farther, farther) >= kCircles * kCircles) surroundings_ = place_;
+    }
   }
   if (now.t - anchored_at_ >= kStuckAfter) return true;
   if (now.in_contact || touches_) [[unlikely]]

@@ -193,7 +193,7 @@ TEST_F(CliWhy, BeginsWhereARobotThatWaitedBeganToTurnOnTheSpot) {
   const Ended why = robosim_command(
       {"why", "./Later", "--map", "oval", "--goal", "laps:1", "--for", "12s", "--script", "press.txt"},
       folder_.path());
-  EXPECT_THAT(why.out, AllOf(HasSubstr("driving within 10 cm of column 10, row 14 since 3.00 s"),
+  EXPECT_THAT(why.out, AllOf(HasSubstr("spinning clockwise near column 10, row 14 since 3.00 s"),
                              HasSubstr("the robot drove in one place from here on; motors: left 32 %, "
                                        "right -32 % since 3.01 s"),
                              HasSubstr("Later.ino:9 ")));

@@ -3,7 +3,7 @@
 # Compiles code that takes little of a run's time with less optimisation, in two thirds of the time.
 set(quick $<$<CONFIG:Release>:-O1>)
 foreach(library project build course print calibrate launch play wiring mutate terminal client record
-    statistics analysis campaign_options rerun campaign cli cli_campaign serve wire runner map course base scenario judge)
+    statistics analysis campaign_options rerun campaign cli cli_campaign serve wire runner map course base scenario)
   if(TARGET robosim_${library})
     target_compile_options(robosim_${library} PRIVATE ${quick})
   endif()

@@ -48,6 +48,25 @@ class Explain : public ::testing::Test {
   }
   /// Reports that the robot sees the line for the last time, at 2 s in the middle of cell 3,1.
   void lose_the_line() { robot_is_at(2 * kSecond, {3, 1}, true, true); }
+  /// Reports that the robot drives circles around the middle of cell 5,2 for 10 s. Each quarter of a circle
+  /// takes 250 ms; `direction` is 1 for anticlockwise. If `crosses`, the robot sees the line once in each
+  /// circle.
+  void drive_circles(double radius_m, int direction, bool crosses) {
+    const Vec2 around[] = {{1.0, 0.0},  {0.7, 0.7},   {0.0, 1.0},  {-0.7, 0.7},
+                           {-1.0, 0.0}, {-0.7, -0.7}, {0.0, -1.0}, {0.7, -0.7}};
+    e.moved = true;
+    for (int i = 0; i <= 80; ++i) {
+      const Vec2 a = around[(80 + direction * i) % 8];
+      Pose pose{map_.centre({5, 2}) + a * radius_m, left_of(a) * direction};
+      Situation now;
+      now.pose = &pose;
+      now.driven = true;
+      now.sees_line = crosses && i % 8 == 0 && i < 80;
+      now.t = now.last_call = 2 * kSecond + i * 125 * kMillisecond;
+      judge_.look(now);
+    }
+    e.activity.call = "delay(5)";
+  }
 
   Evidence e;
 
@@ -208,6 +227,25 @@ TEST_F(Explain, ARobotThatTurnsOnTheSpotIsSaidToAndNotWhatItReadLast) {
       "The 60.00 s of simulated time are up before the goal tour: 0 of 3 stations visited; the robot left "
       "the line at 2.00 s near column 3, row 1, and has been driving within 10 cm of column 5, row 3 since "
       "4.00 s.");
+}
+
+TEST_F(Explain, ARobotThatSpinsIsSaidToSpinAndNotToHaveLeftTheLineOrSteeredAway) {
+  drive_circles(0.02, -1, true);
+  e.steered = -0.5;
+  EXPECT_THAT(why(Verdict::timeout),
+              EndsWith("; the robot has been spinning clockwise near column 5, row 2 since 2.00 s."));
+  EXPECT_EQ(next(Verdict::timeout), "");
+}
+
+TEST_F(Explain, ARobotThatCirclesIsSaidToCircle) {
+  drive_circles(0.3, 1, true);
+  EXPECT_THAT(why(Verdict::timeout),
+              HasSubstr("; the robot has been circling anticlockwise within 1 m of column "));
+}
+
+TEST_F(Explain, ARobotThatCirclesFarAroundDoesNot) {
+  drive_circles(2.0, 1, true);
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("circling")));
 }
 
 TEST_F(Explain, ARobotThatWaitedFirstDrivesInOnePlaceOnlySinceItsMotorsRan) {

@@ -126,14 +126,37 @@ TEST(Judge, KnowsSinceWhenARobotThatTurnsOnTheSpotIsInOnePlace) {
     d.call();
     d.pose.position.x += 0.0002;
   });
-  EXPECT_GT(d.judge.in_one_place_since(), 1500 * kMillisecond);
-  const SimTime before = d.judge.in_one_place_since();
+  EXPECT_GT(d.judge.place().since, 1500 * kMillisecond);
+  const SimTime before = d.judge.place().since;
   d.run(60 * kSecond, [&] {
     d.call();
     d.pose.heading = headings[d.now.t / kSecond % 4];
   });
-  EXPECT_EQ(d.judge.in_one_place_since(), before);
+  EXPECT_EQ(d.judge.place().since, before);
   EXPECT_EQ(d.judge.last_driven(), d.now.t);
+}
+
+TEST(Judge, SumsTheTurnsOfARobotInOnePlaceAndAroundIt) {
+  Driver d;
+  d.now.driven = true;
+  const auto turn = [&](double rad_per_ms) {
+    const Vec2 h = d.pose.heading;
+    const double s = std::sin(rad_per_ms), c = std::cos(rad_per_ms);
+    d.call();
+    d.pose.heading = {h.x * c - h.y * s, h.x * s + h.y * c};
+  };
+  d.run(10 * kSecond, [&] { turn(0.004); });
+  EXPECT_NEAR(d.judge.turned_during(d.judge.place()), 40.0, 0.1);
+  d.run(10 * kSecond, [&] { turn(-0.004); });
+  EXPECT_NEAR(d.judge.turned_during(d.judge.place()), 0.0, 0.1) << "turns back and forth cancel";
+  d.run(10 * kSecond, [&] {  // a circle of 0.6 m
+    turn(0.002);
+    d.pose.position = d.pose.position + d.pose.heading * 0.0006;
+  });
+  EXPECT_LT(d.judge.place().since, d.now.t);
+  EXPECT_LT(std::abs(d.judge.turned_during(d.judge.place())), 1.0) << "it has left each place";
+  EXPECT_NEAR(d.judge.turned_during(d.judge.surroundings()), 20.0, 0.1);
+  EXPECT_EQ(d.judge.surroundings().since, 0);
 }
 
 TEST(Judge, KnowsSinceWhenARobotThatWaitedFirstDrivesInOnePlace) {
