@@ -72,6 +72,27 @@ TEST(CliSweep, GivesTheSameBytesForAnyNumberOfJobs) {
   }
 }
 
+TEST(CliSweep, ASketchThatDoesNotCompileIsLeftOutAndNamed) {
+  const Folder folder;
+  folder.write("Good/Good.ino", "void setup() {}\nvoid loop() { delay(1); }\n");
+  folder.write("Wrong/Wrong.ino", "void setup() {}\nvoid loop() { delay(1) }\n");
+  folder.write("Needy/Needy.ino", "#include <Gears.h>\nvoid setup() {}\nvoid loop() {}\n");
+  const auto sweep = [&](std::vector<std::string> sketches) {
+    sketches.insert(sketches.begin(), "sweep");
+    sketches.insert(sketches.end(), {"--seeds", "1..2", "--for", "10ms", "--goal", "none"});
+    return robosim_command(sketches, folder.path());
+  };
+  const Ended ended = sweep({"Wrong", "Good", "Needy"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_THAT(
+      ended.err,
+      AllOf(HasSubstr("robosim: Wrong does not compile, and is left out: Wrong.ino:2:23: error: expected"),
+            HasSubstr("robosim: Needy does not compile, and is left out: Needy.ino:1:10: no such")));
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("Good "), Not(HasSubstr("Wrong"))));
+  EXPECT_THAT(sweep({"Wrong", "Needy"}).err, HasSubstr("Needy.ino:1:10: no such header Gears.h"))
+      << "without any sketch to run";
+}
+
 TEST(CliSweep, AFailingSeedComesWithTheCommandThatMakesItAgain) {
   const Folder folder;
   const Ended sweep = robosim_command(sweep_words({"--csv", "a.csv"}), folder.path());

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "sim/base/file.h"
 #include "sim/base/shell_word.h"
+#include "sim/build/sketch.h"
 #include "sim/launch/fleet.h"
 #include "sim/launch/trust.h"
 #include "sim/map/map.h"
@@ -239,7 +241,18 @@ SweepPlan SweepPlanner::plan(const SweepOptions& options) {
   plan.seeds = options.last_seed - options.first_seed + 1;
   Combiner combiner(options, *supplies_);
   if (options.sketches.empty()) combiner.add_sketch("", plan.combinations);
-  for (const std::string& sketch : options.sketches) combiner.add_sketch(sketch, plan.combinations);
+  for (const std::string& sketch : options.sketches) {
+    std::vector<Combination> own;
+    try {
+      combiner.add_sketch(sketch, own);
+    } catch (const build::CompileError& error) {
+      if (plan.left_out.size() + 1 == options.sketches.size()) throw;
+      const std::string message = error.what();
+      plan.left_out.push_back(fmt::format("{} does not compile, and is left out: {}", sketch,
+                                          message.substr(0, message.find('\n'))));
+    }
+    std::move(own.begin(), own.end(), std::back_inserter(plan.combinations));
+  }
   return plan;
 }
 

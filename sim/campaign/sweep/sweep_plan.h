@@ -42,6 +42,8 @@ struct SweepPlan {
   std::vector<Combination> combinations;
   std::uint64_t first_seed = 1;
   std::size_t seeds = 0;
+  /// A sentence about each sketch that does not compile. Such a sketch has no combinations.
+  std::vector<std::string> left_out;
 
   std::size_t runs() const { return combinations.size() * seeds; }
   const Combination& combination_of(std::size_t run) const { return combinations[run / seeds]; }
@@ -57,7 +59,8 @@ class SweepPlanner {
   explicit SweepPlanner(launch::Listener listener);
   ~SweepPlanner();
 
-  /// Makes the plan. Throws InputError, ToolMissing and client::RunnerError.
+  /// Makes the plan. Of several sketches, leaves out those that do not compile, unless none compiles. Throws
+  /// InputError, ToolMissing and client::RunnerError.
   SweepPlan plan(const SweepOptions& options);
 
  private:

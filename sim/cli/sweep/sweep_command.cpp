@@ -19,6 +19,7 @@ namespace robosim::cli {
 int sweep_command(const SweepArguments& arguments) {
   terminal::Progress progress(true);
   const campaign::SweepPlan plan = campaign::SweepPlanner(listener_of(progress)).plan(arguments);
+  for (const std::string& sentence : plan.left_out) complain(fmt::format("robosim: {}\n", sentence));
   campaign::Sweep::Made made;
   if (arguments.json)
     made = [](const campaign::Combination& combination, const result::RunResult& result) {
@@ -42,6 +43,7 @@ int sweep_command(const SweepArguments& arguments) {
     return static_cast<int>(ExitStatus::interrupted);
   }
   if (sweep.failed_itself()) return static_cast<int>(ExitStatus::internal);
+  if (!plan.left_out.empty()) return static_cast<int>(ExitStatus::bad_input);
   const auto tallies = campaign::count_runs(arguments, plan, sweep.outcomes());
   const bool met =
       std::all_of(tallies.begin(), tallies.end(), [](const analysis::Tally& t) { return t.met(); });
