@@ -107,6 +107,27 @@ std::string class_hint(const std::string& name) {
   return "";
 }
 
+/// Returns a hint for an error of a sketch that was written for another version of a library. The compiler's
+/// suggestion shows that the sketch includes the library.
+std::string version_hint(const std::string& first) {
+  struct Versioned {
+    const char* says;  ///< part of the compiler's message
+    const char* library;
+    const char* version;
+  };
+  static constexpr std::array list = {
+      Versioned{"'QTRSensorsAnalog' does not name a type; did you mean 'QTRSensors'", "QTRSensors", "3.1.0"},
+      Versioned{"'QTRSensorsRC' does not name a type; did you mean 'QTRSensors'", "QTRSensors", "3.1.0"},
+      Versioned{"'QTRSensors::QTRSensors()' is protected", "QTRSensors", "4.0.0"},
+  };
+  for (const Versioned& one : list)
+    if (has(first, one.says))
+      return fmt::format(
+          "the sketch is for another version of the library {0}: arduino-cli lib install {0}@{1}",
+          one.library, one.version);
+  return "";
+}
+
 bool is_of_esp32(const std::string& name) {
   return name.rfind("ledc", 0) == 0 || name.rfind("esp_", 0) == 0 || name == "WiFi" || name == "touchRead" ||
          name == "dacWrite";
@@ -127,6 +148,7 @@ std::string hint_for(const std::string& messages) {
     return fmt::format("this looks like a micro:bit's program; {}", kBoards);
   if (no_type == "from" || no_type == "import" || no_type == "def")
     return fmt::format("this looks like Python; a sketch is C++, and {}", kBoards);
+  if (std::string hint = version_hint(first); !hint.empty()) return hint;
   for (const std::string& name : {undeclared, no_type}) {
     if (const std::string hint = pin_hint(name, all_quoted(messages, " was not declared")); !hint.empty())
       return hint;

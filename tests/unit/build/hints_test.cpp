@@ -7,6 +7,7 @@ namespace robosim::build {
 namespace hints_test {
 
 using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 
 TEST(Hints, APinOfOtherBoardsIsToldWithTheBoards) {
@@ -36,6 +37,18 @@ TEST(Hints, APinsNameOnAnEsp8266IsANumberHere) {
 
 TEST(Hints, ALibrarysClassNamesItsHeader) {
   EXPECT_THAT(hint_for("a.ino:4:1: error: 'Servo' does not name a type"), HasSubstr("#include <Servo.h>"));
+}
+
+TEST(Hints, ASketchForAnotherVersionOfALibraryIsToldWhich) {
+  EXPECT_THAT(
+      hint_for("a.ino:36:1: error: 'QTRSensorsAnalog' does not name a type; did you mean 'QTRSensors'?"),
+      EndsWith("another version of the library QTRSensors: arduino-cli lib install QTRSensors@3.1.0"));
+  EXPECT_THAT(hint_for("a.ino:29:12: error: 'QTRSensors::QTRSensors()' is protected within this context\n"
+                       "QTRSensors.h:121:5: note: declared protected here"),
+              EndsWith("lib install QTRSensors@4.0.0"));
+  EXPECT_THAT(hint_for("a.ino:4:1: error: 'QTRSensors' does not name a type"),
+              HasSubstr("#include <QTRSensors.h>"));
+  EXPECT_EQ(hint_for("a.ino:4:1: error: 'QTRSensorsRC' does not name a type"), "") << "includes no version";
 }
 
 TEST(Hints, OtherBoardsProgramsAreToldWhatIsSimulated) {

@@ -120,7 +120,7 @@ TEST_F(Sketch, IsChangedAtTheLineThatIsSaidInEachOfItsFiles) {
        "#pragma once\nstruct Wheel {\n  void turn(int a, int b) { sum = a - b; }\n  long sum = 0;\n};\n");
   file("wheel.cpp", "#include <Arduino.h>\n#include \"wheel.h\"\n");
   const std::vector<Mutation> all = mutations(tree());
-  const Mutation& swapped = first_of(all, "arguments");
+  const Mutation swapped = first_of(all, "arguments");
   EXPECT_EQ(swapped.edits[0].file, "b.ino");
   EXPECT_EQ(swapped.line, 3);
   EXPECT_EQ(changed("\r\nvoid go(Wheel& wheel) {\r\n  wheel.turn(7, 8);\r\n}\r\n", swapped.edits),
