@@ -115,7 +115,7 @@ std::filesystem::path find_sketch(const std::string& name);
 /// Returns whether a sketch of this name comes with Robosim.
 bool is_stock_sketch(const std::string& name);
 
-/// Returns a remark on a folder without an .ino file of its name, whose main file is another one; otherwise "".
+/// Returns a remark on a folder without an .ino file of its name, whose main file is another one; else "".
 std::string remark_on_main_file(const std::filesystem::path& folder);
 
 /// Returns the names of the sketches that come with Robosim, sorted.

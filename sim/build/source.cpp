@@ -156,8 +156,8 @@ bool defines(std::string_view code, std::string_view name) {
   return false;
 }
 
-/// Puts the only .ino file that defines setup() and loop() first. Returns false if no file defines both, or if
-/// another file defines one of them: such a folder may contain several sketches.
+/// Puts the only .ino file that defines setup() and loop() first. Returns false if no file defines both, or
+/// if another file defines one of them: such a folder may contain several sketches.
 bool put_file_with_loop_first(std::vector<std::string>& inos, const fs::path& folder) {
   auto main = inos.end();
   for (auto ino = inos.begin(); ino != inos.end(); ++ino) {

@@ -110,7 +110,7 @@ std::string whereabouts(const Evidence& e) {
   const Judge::Stay& stay = circle ? e.judge->surroundings() : here;
   const SimTime since =
       drives(e) ? e.judge->drives_since(stay) : std::max(here.since, e.judge->last_driven());
-  // A robot that turns round and round may see the line now and then.
+  // A robot that spins or circles may see the line in each turn.
   std::string text = (spin || circle) && e.judge->line_last_seen() && e.judge->line_last_seen()->at > since
                          ? ""
                          : left_line(e, e.t);
