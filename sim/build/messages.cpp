@@ -130,7 +130,7 @@ std::string missing_header(const std::string& whole, Place* place) {
   return match[4];
 }
 
-/// Returns the name of a header that differs from `header` only by capital letters; empty if there is none.
+/// Returns the name of a header that differs from `header` only in capital letters; empty if there is none.
 static std::string other_spelling(const std::vector<fs::path>& folders, const std::string& header) {
   const fs::path parent = fs::path(header).parent_path();
   const std::string wanted = fs::path(header).filename().string();

@@ -62,6 +62,11 @@ struct Image {
 class CompileError : public InputError {
  public:
   using InputError::InputError;
+  /// Returns the line of the first error.
+  std::string first_line() const {
+    const std::string text = what();
+    return text.substr(0, text.find('\n'));
+  }
 };
 
 /// Thrown if no library provides a header that the sketch includes. The library may be in a folder that was

@@ -72,16 +72,16 @@ class Judge {
   bool pushes() const { return pushes_; }
   /// A stay of the axle within some radius of a place.
   struct Stay {
-    Vec2 place;           ///< where it began, in m
-    SimTime since = 0;    ///< when it began
-    double turned = 0.0;  ///< rad; sum of all turns before the stay, above 0 = anticlockwise
+    Vec2 place;                  ///< where it began, in m
+    SimTime since = 0;           ///< when it began
+    double turned_before = 0.0;  ///< rad; sum of all turns before the stay, above 0 = anticlockwise
   };
   /// Returns the present stay within kSamePlace.
   const Stay& place() const { return place_; }
   /// Returns the present stay within kCircles.
   const Stay& surroundings() const { return surroundings_; }
   /// Returns the sum of all turns during a present stay, in rad; above 0 = anticlockwise.
-  double turned_during(const Stay& stay) const { return turned_ - stay.turned; }
+  double turned_during(const Stay& stay) const { return turned_ - stay.turned_before; }
   /// Returns the time when a motor was last driven.
   SimTime last_driven() const { return last_driven_; }
   /// Returns whether motors are driven, apart from pauses of up to kDrivePause.

@@ -23,13 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Returns the line of the first error in a compiler's messages.
-std::string first_error(const std::string& text) {
-  const std::size_t error = std::min(text.find("error: "), text.size());
-  const std::size_t begin = error == text.size() ? 0 : text.rfind('\n', error) + 1;
-  return text.substr(begin, text.find('\n', begin) - begin);
-}
-
 /// Returns the place at the beginning of a compiler's message. The sketch's files are relative to its folder.
 Place place_in(const std::string& line, const fs::path& folder) {
   const std::size_t colon = line.find(':');
@@ -159,7 +152,7 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
       plan(check, untrusted_ && file.empty());
     }
   } catch (const build::CompileError& error) {
-    const std::string line = first_error(error.what());
+    const std::string line = error.first_line();
     set_problem(result, place_in(line, folder), line, error.what());
   } catch (const InputError& error) {
     set_problem(result, error.place(), error.what(), fmt::format("robosim: {}", error.what()));

@@ -247,9 +247,8 @@ SweepPlan SweepPlanner::plan(const SweepOptions& options) {
       combiner.add_sketch(sketch, own);
     } catch (const build::CompileError& error) {
       if (plan.left_out.size() + 1 == options.sketches.size()) throw;
-      const std::string message = error.what();
-      plan.left_out.push_back(fmt::format("{} does not compile, and is left out: {}", sketch,
-                                          message.substr(0, message.find('\n'))));
+      plan.left_out.push_back(
+          fmt::format("{} does not compile, and is left out: {}", sketch, error.first_line()));
     }
     std::move(own.begin(), own.end(), std::back_inserter(plan.combinations));
   }
