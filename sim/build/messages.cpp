@@ -130,9 +130,11 @@ std::string missing_header(const std::string& whole, Place* place) {
   return match[4];
 }
 
-/// Returns the name of a header that differs from `header` only in capital letters; empty if there is none.
+/// Returns a header's name as its file has it, if only capital letters differ from `header`. Returns an empty
+/// text if there is no such file below `folders`.
 static std::string other_spelling(const std::vector<fs::path>& folders, const std::string& header) {
   const fs::path parent = fs::path(header).parent_path();
+  if (parent.is_absolute() || header.find("..") != header.npos) return {};  // outside of the folders
   const std::string wanted = fs::path(header).filename().string();
   const auto is_like = [&](const std::string& name) {
     return std::equal(name.begin(), name.end(), wanted.begin(), wanted.end(), [](char a, char b) {

@@ -128,6 +128,8 @@ bool put_main_first(std::vector<std::string>& inos, const std::string& folder_na
   return true;
 }
 
+constexpr std::size_t kMostSources_bytes = std::size_t{8} << 20;
+
 /// Returns the code of a C++ source, with a blank for each comment and literal.
 std::string code_of(const std::string& source) {
   std::string code;
@@ -139,7 +141,7 @@ std::string code_of(const std::string& source) {
   return code;
 }
 
-/// Returns whether the code defines `void NAME(…) {…}`.
+/// Returns whether the code defines `void NAME() {…}` or `void NAME(void) {…}`.
 bool defines(std::string_view code, std::string_view name) {
   const auto skip_blanks = [&](std::size_t at) {
     return std::min(code.find_first_not_of(" \t\r\n", at), code.size());
@@ -149,18 +151,21 @@ bool defines(std::string_view code, std::string_view name) {
     const std::size_t before = at == 0 ? code.npos : code.find_last_not_of(" \t\r\n", at - 1);
     if (before == code.npos || before + 1 == at || !code.substr(0, before + 1).ends_with("void")) continue;
     if (open == code.size() || code[open] != '(') continue;
-    const std::size_t close = code.find(')', open);
-    if (close == code.npos) return false;
+    std::size_t close = skip_blanks(open + 1);
+    if (code.substr(close).starts_with("void")) close = skip_blanks(close + std::string_view("void").size());
+    if (close == code.size() || code[close] != ')') continue;
     if (const std::size_t body = skip_blanks(close + 1); body < code.size() && code[body] == '{') return true;
   }
   return false;
 }
 
 /// Puts the only .ino file that defines setup() and loop() first. Returns false if no file defines both, or
-/// if another file defines one of them: such a folder may contain several sketches.
+/// if another file defines one of them: such a folder may contain several sketches. Also returns false for
+/// links and for files that are too large, which read_sketch() has not refused yet.
 bool put_file_with_loop_first(std::vector<std::string>& inos, const fs::path& folder) {
   auto main = inos.end();
   for (auto ino = inos.begin(); ino != inos.end(); ++ino) {
+    if (fs::is_symlink(folder / *ino) || fs::file_size(folder / *ino) > kMostSources_bytes) return false;
     const std::string code = code_of(read_file(folder / *ino));
     const int found = defines(code, "setup") + defines(code, "loop");
     if (found == 1 || (found == 2 && main != inos.end())) return false;
@@ -190,7 +195,6 @@ std::string unix_text(std::string text) {
 namespace {
 
 /// Limit of the size of all files of a sketch together, because Robosim reads them completely.
-constexpr std::size_t kMostSources_bytes = std::size_t{8} << 20;
 
 /// Throws InputError if a project file would give compilers access to other folders of this machine.
 void check_within_project(const fs::path& project, const fs::path& folder) {
@@ -332,8 +336,7 @@ std::string remark_on_main_file(const fs::path& folder) try {
   if (inos.empty() || put_main_first(inos, name) || !put_file_with_loop_first(inos, folder)) return "";
   return fmt::format(
       "{0} has no {0}.ino: its main file is {1}, which defines setup() and loop(); Arduino's IDE requires "
-      "that "
-      "the folder is called {2}",
+      "that the folder is called {2}",
       name, inos[0], fs::path(inos[0]).stem().string());
 } catch (const fs::filesystem_error&) {
   return "";  // the sketch is a file, or the folder cannot be read

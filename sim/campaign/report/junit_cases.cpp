@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <memory>
+#include <optional>
+#include <system_error>
 #include <type_traits>
 
 #include "sim/base/error.h"
@@ -92,7 +95,7 @@ class Reader {
       one.name = attribute("name");
       const std::string_view owner = attribute("classname");
       one.group = !owner.empty() && owner != one.name ? owner : one.name.substr(0, one.name.find('.'));
-      number(attribute("time"), one.time_s);
+      one.time_s = number(attribute("time")).value_or(0.0);
       const std::string_view status = attribute("status");
       if (status == "fail") one.ending = JunitCase::Ending::failed;
       if (status == "notrun" || status == "disabled") one.ending = JunitCase::Ending::skipped;
@@ -117,8 +120,8 @@ class Reader {
     JunitCase& one = cases_.back();
     if (name == "failed_run") one.again = value;
     if (name == "failed_trace_hash") one.trace_hash = value;
-    if (name == "cross_track_max_mm") number(value, one.off_line_mm.emplace());
-    if (name == "best_lap_s") number(value, one.best_lap_s.emplace());
+    if (name == "cross_track_max_mm") one.off_line_mm = number(value);
+    if (name == "best_lap_s") one.best_lap_s = number(value);
   }
 
   void end_case() {
@@ -130,8 +133,11 @@ class Reader {
     open_ = false;
   }
 
-  static void number(std::string_view text, double& value) {
-    std::from_chars(text.data(), text.data() + text.size(), value);
+  /// Returns nothing for a text that is not a finite number.
+  static std::optional<double> number(std::string_view text) {
+    double value = 0.0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+    return read.ec == std::errc() && std::isfinite(value) ? std::optional(value) : std::nullopt;
   }
 
   struct Free {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "sim/base/markup.h"
@@ -53,13 +54,16 @@ std::optional<double> best_lap_s(const std::vector<JunitCase>& cases,
 
 /// Sorts groups by the number of cases that passed, then by the shortest lap.
 void rank(const std::vector<JunitCase>& cases, Table& groups) {
-  const auto key = [&](const std::string& name) {
+  using Key = std::tuple<std::int64_t, double, std::size_t>;  // the last part is the place before sorting
+  std::vector<std::pair<Key, std::string>> sorted;
+  for (const std::string& name : groups.names) {
     const std::vector<std::size_t>& own = groups.of.at(name);
-    return std::pair(-static_cast<std::int64_t>(count(cases, own, JunitCase::Ending::passed)),
-                     best_lap_s(cases, own).value_or(std::numeric_limits<double>::infinity()));
-  };
-  std::stable_sort(groups.names.begin(), groups.names.end(),
-                   [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
+    const auto passed = static_cast<std::int64_t>(count(cases, own, JunitCase::Ending::passed));
+    const double lap_s = best_lap_s(cases, own).value_or(std::numeric_limits<double>::infinity());
+    sorted.push_back({{-passed, lap_s, sorted.size()}, name});
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0; i < sorted.size(); ++i) groups.names[i] = std::move(sorted[i].second);
 }
 
 /// Returns a row for each group, and a column for each check if `columns`. If `laps`, a column has the

@@ -135,6 +135,10 @@ TEST_F(SketchTest, AHeaderWithOtherCapitalLettersIsNamed) {
   write("Small/Small.ino", "#include \"Part.h\"\n" + kEmptySketch);
   write("Small/libraries/Part/part.h", "");
   EXPECT_THAT(error_of("Small"), HasSubstr("no such header Part.h: write part.h, because Linux"));
+  for (const char* outside : {"/etc/PASSWD", "../Small/SMALL.ino", "../../../../../../../etc/PASSWD"}) {
+    write("Small/Small.ino", std::string("#include \"") + outside + "\"\n" + kEmptySketch);
+    EXPECT_THAT(error_of("Small"), Not(HasSubstr("write "))) << outside;
+  }
 }
 
 TEST_F(SketchTest, APrivateHeaderOfTheAvrCoreIsForTheTargetAvr) {
@@ -154,6 +158,18 @@ TEST_F(SketchTest, TheMainFileIsTheOneWithSetupAndLoop) {
   write("Download/Download.ino", "void third() {}\n");
   EXPECT_EQ(remark_on_main_file(folder_ / "Download"), "");
   EXPECT_EQ(remark_on_main_file(folder_ / "Download/a.ino"), "");
+}
+
+TEST_F(SketchTest, NoMainFileIsSoughtInLinksAndInLargeFiles) {
+  write("Open/a.ino", "void other() {}\n");
+  write("Open/main.ino", kEmptySketch);
+  EXPECT_NE(remark_on_main_file(folder_ / "Open"), "");
+  fs::create_symlink("a.ino", folder_ / "Open/link.ino");
+  EXPECT_EQ(remark_on_main_file(folder_ / "Open"), "");
+  EXPECT_THAT(error_of("Open"), HasSubstr("named like its folder, among the 3 .ino files"));
+  fs::remove(folder_ / "Open/link.ino");
+  fs::resize_file(folder_ / "Open/a.ino", 9 << 20);
+  EXPECT_EQ(remark_on_main_file(folder_ / "Open"), "");
 }
 
 TEST_F(SketchTest, ATabThatIsAlsoIncludedIsToldSo) {

@@ -167,6 +167,7 @@ TEST(AReport, SortsAClassByPassedChecksAndThenByTheShortestLap) {
   const auto cases = read_junit(R"(<testsuites><testsuite name="all">
   <testcase classname="Ada" name="laps"><properties><property name="best_lap_s" value="9.25"/></properties></testcase>
   <testcase classname="Bo" name="laps"><failure message="lost"/></testcase>
+  <testcase classname="Dan" name="laps"><properties><property name="best_lap_s" value="nan"/></properties></testcase>
   <testcase classname="Cleo" name="laps"><properties><property name="best_lap_s" value="8.5"/></properties></testcase>
 </testsuite></testsuites>)",
                                 "class.xml");
@@ -174,8 +175,10 @@ TEST(AReport, SortsAClassByPassedChecksAndThenByTheShortestLap) {
   EXPECT_THAT(page, AllOf(HasSubstr("sorted by passed checks, then by the shortest lap"),
                           HasSubstr("<th>best lap</th>"), HasSubstr("<td>8.50 s</td>")));
   const std::size_t ada = page.find(">Ada<"), bo = page.find(">Bo<"), cleo = page.find(">Cleo<");
+  const std::size_t dan = page.find(">Dan<");
   EXPECT_LT(cleo, ada);
-  EXPECT_LT(ada, bo);
+  EXPECT_LT(ada, dan) << "a lap that is no number is no lap";
+  EXPECT_LT(dan, bo);
 }
 
 }  // namespace report_test
