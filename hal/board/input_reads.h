@@ -15,10 +15,10 @@ class InputReads {
 
   /// Adds a read of a pin, kAnalog or kSeveral.
   void add(Pin read) { reads_ = reads_ << 8 | read; }
-  /// Returns the pin if all reads were of one pin alone; else kNoPin.
+  /// Returns the pin if all reads, at least two, were of one pin alone; else kNoPin.
   Pin only_pin() const {
     const auto last = static_cast<Pin>(reads_ & 0xFF);
-    if (last == kAnalog || last == kSeveral) return kNoPin;
+    if (last == kAnalog || last == kSeveral || (reads_ >> 8 & 0xFF) != last) return kNoPin;
     for (uint64_t earlier = reads_ >> 8; earlier != 0; earlier >>= 8)
       if ((earlier & 0xFF) != last && (earlier & 0xFF) != kNoPin) return kNoPin;
     return last;

@@ -37,12 +37,12 @@ __attribute__((noreturn)) void fail(const char* reason) {
   __builtin_unreachable();
 }
 
-/// Fails if the header is inconsistent: the sketch wrote past the end of a block.
+/// Fails if the header is inconsistent: the sketch wrote outside of a block.
 void check(uint8_t* block) {
   const Block* head = header(block);
   const auto room = static_cast<size_t>(arena_end() - payload(block));
   if (head->use <= kResting && head->bytes <= room && head->bytes % kAlign == 0) return;
-  fail("the heap is damaged (something was written past the end of a block)");
+  fail("the heap is damaged (something was written outside of a block)");
 }
 
 void join_free(uint8_t* block) {

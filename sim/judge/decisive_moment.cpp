@@ -1,4 +1,6 @@
 // Finds the decisive moment of a run, from which `robosim why` starts.
+#include <fmt/format.h>
+
 #include "sim/judge/explain.h"
 
 namespace robosim::judge {
@@ -15,8 +17,10 @@ Decisive decisive_moment(const Evidence& e) {
     case Verdict::stuck:
       if (left_line(e.judge->stuck_since())) return leaves_line;
       return {e.judge->stuck_since(),
-              e.in_contact ? "from here on it pushed against " + e.stopped_by
-                           : "its motors were driven from here on, but it did not move",
+              e.judge->pushes() ? "from here on it pushed against " + e.stopped_by
+              : e.in_contact
+                  ? fmt::format("from here on its motors were driven, but it only touched {}", e.stopped_by)
+                  : "its motors were driven from here on, but it did not move",
               true, false};
     case Verdict::toppled:
       return {e.t, "the robot toppled", true, false};
@@ -24,7 +28,10 @@ Decisive decisive_moment(const Evidence& e) {
       return {e.t, "the sketch crashed", false, true};
     case Verdict::hung:
     case Verdict::ended:
-      return {e.t, "the sketch loops here and calls no functions any more", false, true};
+      return {e.t,
+              e.activity.stopped_by.empty() ? "the sketch loops here and calls no functions any more"
+                                            : "the sketch stopped itself here",
+              false, true};
     case Verdict::timeout:
       if (!e.power.on && !(left_line(e.t) && seen->at < e.power.since))
         return {e.power.since, "the board lost its power", true, false};
@@ -34,8 +41,13 @@ Decisive decisive_moment(const Evidence& e) {
       if (!e.judge->drives(e.t))
         return {e.judge->last_driven(), kMotorsStayOff, true, true, e.judge->last_driven()};
       if (e.t - e.judge->drives_here_since() >= kInOnePlaceAfter)
-        return {e.judge->drives_here_since(), "the robot drove in one place from here on", true, false};
-      return {e.t, "the robot was still driving when its time was up", true, false};
+        return {e.judge->drives_here_since(),
+                "the robot stayed in one place from here on, with its motors driven", true, false};
+      return {e.t,
+              e.t - e.judge->last_driven() <= kTick
+                  ? "the robot was still driving when its time was up"
+                  : "the robot's motors were driven until less than a second before its time was up",
+              true, false};
     case Verdict::reached:
     case Verdict::over_budget:
     case Verdict::interrupted:

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/result/advice.h"
+
 namespace robosim::judge {
 namespace {
 
@@ -43,7 +45,8 @@ bool is_at(const exec::Activity& a, std::string_view function) { return a.call.r
 // Returns the pin for which the sketch seems to wait: the only input that it has read lately. A robot that
 // has moved may read one input as it drives; its sketch must be at that read.
 Pin awaited_pin(const Evidence& e) {
-  if (is_at(e.activity, "pulseIn")) return e.activity.pin;
+  if (is_at(e.activity, "pulseIn"))
+    return e.t - e.activity.last_call < kSilentAfter ? e.activity.pin : kNoPin;
   const bool drives = e.left_command != 0.0 || e.right_command != 0.0;
   return is_at(e.activity, "digitalRead") || (!e.moved && !drives) ? e.activity.polled : kNoPin;
 }
@@ -54,18 +57,33 @@ bool drives_long(const Evidence& e, const Judge::Stay& stay) {
   return drives(e) && e.t - e.judge->drives_since(stay) >= kInOnePlaceAfter;
 }
 
-bool spins(const Evidence& e) {
-  const Judge::Stay& stay = e.judge->place();
-  return drives_long(e, stay) && std::abs(e.judge->turned_during(stay)) >= kTwoTurns;
+// Returns the mean turn rate of a robot that drives during a stay, rad/s; above 0 = anticlockwise.
+double turn_rate(const Evidence& e, const Judge::Stay& stay) {
+  return e.judge->turned_during(stay) / (1e-9 * static_cast<double>(e.t - e.judge->drives_since(stay)));
 }
 
-// Returns whether the robot circles, and does not just follow a small loop: no sensor sees the line now.
+// Returns whether a robot turns now as it has turned during a stay. A robot that turned long ago, for example
+// to calibrate its sensors, does not.
+bool still_turns(const Evidence& e, const Judge::Stay& stay) {
+  constexpr double kSlowest = 0.5;  // rad/s, a turn in 12.6 s
+  const double rate = turn_rate(e, stay);
+  return std::abs(rate) >= kSlowest && (e.right_command - e.left_command) * rate > 0.0;
+}
+
+bool spins(const Evidence& e) {
+  const Judge::Stay& stay = e.judge->place();
+  return drives_long(e, stay) && std::abs(e.judge->turned_during(stay)) >= kTwoTurns && still_turns(e, stay);
+}
+
+// Returns whether the robot circles, and does not just follow a small loop: no sensor has seen the line for
+// the duration of a turn.
 bool circles(const Evidence& e) {
-  constexpr SimTime kJustNow = kSecond / 2;
+  constexpr double kTurn = kTwoTurns / 2.0;
   const Judge::Stay& stay = e.judge->surroundings();
+  if (!drives_long(e, stay) || std::abs(e.judge->turned_during(stay)) < kThreeTurns || !still_turns(e, stay))
+    return false;
   const auto& seen = e.judge->line_last_seen();
-  return drives_long(e, stay) && std::abs(e.judge->turned_during(stay)) >= kThreeTurns &&
-         !(seen && e.t - seen->at < kJustNow);
+  return !seen || 1e-9 * static_cast<double>(e.t - seen->at) >= kTurn / std::abs(turn_rate(e, stay));
 }
 
 // Returns a clause on the sketch's activity, such as "; the sketch was last in …", for a run whose time is
@@ -73,11 +91,13 @@ bool circles(const Evidence& e) {
 std::string waiting(const Evidence& e) {
   if (!e.power.on) return "";
   const exec::Activity& a = e.activity;
-  if (!a.stopped_by.empty()) return fmt::format("; the sketch called {}", a.stopped_by);
+  if (!a.stopped_by.empty()) return fmt::format("; the sketch stopped itself by {}", a.stopped_by);
   if (e.t - a.last_call >= kSilentAfter) {
     const std::string place = place_of(a.where);
-    return fmt::format("; the sketch has called no Arduino function since {}{}{}", seconds(a.last_call),
-                       place.empty() ? "" : ", and was last", place);
+    return fmt::format(
+        "; the sketch has {} since {}{}{}",
+        e.on_chip ? "used no pin, timer or interface, except in interrupts," : "called no Arduino function",
+        seconds(a.last_call), place.empty() ? "" : ", and was last", place);
   }
   const Pin pin = awaited_pin(e);
   if (pin != kNoPin) {
@@ -97,8 +117,10 @@ std::string waiting(const Evidence& e) {
 // line in the half second before `t`.
 std::string left_line(const Evidence& e, SimTime t) {
   constexpr SimTime kJustNow = kSecond / 2;
+  constexpr double kSomewhereElse = 0.01;  // m; a robot that stands may lose the line to a script
   const auto& seen = e.judge->line_last_seen();
-  if (!e.moved || !seen || t - seen->at < kJustNow) return "";
+  if (!e.moved || !seen || t - seen->at < kJustNow || length(e.at - seen->position) < kSomewhereElse)
+    return "";
   return fmt::format("left the line at {} near {}", seconds(seen->at), cell_of(*e.map, seen->position));
 }
 
@@ -118,7 +140,7 @@ std::string whereabouts(const Evidence& e) {
   const char* const direction = e.judge->turned_during(stay) > 0.0 ? "anticlockwise" : "clockwise";
   const std::string how = spin        ? fmt::format("has been spinning {} near", direction)
                           : circle    ? fmt::format("has been circling {} within 1 m of", direction)
-                          : drives(e) ? "has been driving within 10 cm of"
+                          : drives(e) ? "has stayed, with its motors driven, within 10 cm of"
                                       : "has stood near";
   return fmt::format("; the robot {}{}{} {} since {}", text, text.empty() ? "" : ", and ", how,
                      cell_of(*e.map, stay.place), seconds(since));
@@ -128,9 +150,10 @@ std::string whereabouts(const Evidence& e) {
 // for other findings and boards.
 std::string advice(const Evidence& e) {
   const std::string& check = e.crash->check;
-  const bool too_large =
-      check.ends_with("_overflow") && check != "pointer_overflow" && check != "divrem_overflow";
-  if (e.int_bits > 16 || !too_large) return "";
+  const bool is_int_too_large =
+      (check == "add_overflow" || check == "sub_overflow" || check == "mul_overflow") &&
+      e.crash->reason.find("does not fit an int,") != std::string::npos;
+  if (e.int_bits > 16 || !is_int_too_large) return "";
   return "On the chip int has 16 bits: make one of the numbers long, as in 1000L * analogRead(A1).";
 }
 
@@ -227,10 +250,13 @@ std::string sentence(const Evidence& e) {
       const auto& seen = e.judge->line_last_seen();
       if (!seen)
         return fmt::format(
-            "The robot lost the line: its wheels have turned 1 m, and no sensor has seen a line ({}).", done);
+            "The robot lost the line: its wheels have turned 1 m, and no line was under or between its "
+            "sensors "
+            "({}).",
+            done);
       return fmt::format(
-          "The robot lost the line: its wheels have turned 1 m since a sensor last saw it, at {} near "
-          "{}{} ({}).",
+          "The robot lost the line: its wheels have turned 1 m since the line was last under or between its "
+          "sensors, at {} near {}{} ({}).",
           seconds(seen->at), cell_of(*e.map, seen->position), after_fault(e, seen->at), done);
     }
     case Verdict::stuck: {
@@ -242,8 +268,7 @@ std::string sentence(const Evidence& e) {
       return fmt::format(
           "The robot {}is stuck: for 3 s its motors were driven, but it neither moved 1 mm nor turned 1 "
           "degree{} ({}).",
-          left.empty() ? "" : left + ", and ", e.in_contact ? "; it pushes against " + e.stopped_by : "",
-          done);
+          left.empty() ? "" : left + ", and ", e.in_contact ? "; it touches " + e.stopped_by : "", done);
     }
     case Verdict::toppled:
       return fmt::format("The robot {} near {} ({}).",
@@ -272,7 +297,7 @@ std::string sentence(const Evidence& e) {
     case Verdict::over_budget:
       return fmt::format("The sketch is over its budget: {} ({}).", e.exceeded, done);
     case Verdict::interrupted:
-      return fmt::format("Interrupted by you after {} of simulated time ({}).", seconds(e.t), done);
+      return fmt::format("Interrupted after {} of simulated time ({}).", seconds(e.t), done);
   }
   return "";
 }
@@ -298,6 +323,12 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
 
 // Returns a text if the motor driver's standby pin was never HIGH, so that its motors stay off.
 std::string sleeping_driver(const Evidence& e) {
+  const auto is_high = [&](const robot::WiredPin& wired) {
+    return turns_wheel(wired) && static_cast<std::size_t>(wired.pin) < e.went_high.size() &&
+           e.went_high[wired.pin];
+  };
+  // A sketch that waits at its beginning has not used the motors' pins either.
+  if (std::none_of(e.wiring.begin(), e.wiring.end(), is_high)) return "";
   for (const robot::WiredPin& wired : e.wiring) {
     const auto pin = static_cast<std::size_t>(wired.pin);
     if (wired.role != "standby" || pin >= e.went_high.size() || e.went_high[pin]) continue;
@@ -309,9 +340,9 @@ std::string sleeping_driver(const Evidence& e) {
   return "";
 }
 
-// Returns a clause such as "motor pins 7 and 9 were written HIGH, but never set to OUTPUT". Returns "" if
-// there are no such pins. Writing HIGH to an input enables its pull-up, which is enough to switch on some
-// motor drivers.
+// Returns a clause such as "motor pins 7 and 9 were never set to OUTPUT, and only their pull-ups were on".
+// Returns "" if there are no such pins. Writing HIGH to an input enables its pull-up, which is enough to
+// switch on some motor drivers.
 std::string forgotten_outputs(const Evidence& e) {
   std::vector<int> pins;
   for (const robot::WiredPin& wired : e.wiring) {
@@ -322,8 +353,11 @@ std::string forgotten_outputs(const Evidence& e) {
   }
   if (pins.empty()) return "";
   const bool many = pins.size() > 1;
-  return fmt::format("motor pin{} {} {} written HIGH, but never set to OUTPUT: pinMode({}, OUTPUT)",
-                     many ? "s" : "", list_of_pins(pins), many ? "were" : "was", pins[0]);
+  return fmt::format(
+      "motor pin{} {} {} never set to OUTPUT, and only {} on, as by digitalWrite({}, HIGH): pinMode({}, "
+      "OUTPUT)",
+      many ? "s" : "", list_of_pins(pins), many ? "were" : "was",
+      many ? "their pull-ups were" : "its pull-up was", pins[0], pins[0]);
 }
 
 bool has_left_line(const Evidence& e) {
@@ -332,10 +366,6 @@ bool has_left_line(const Evidence& e) {
           !left_line(e, e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t).empty());
 }
 
-constexpr const char* kTryHost =
-    "run it on the host as well: if it keeps the line there, look for an int that exceeds 32767, as in 1000 "
-    "* "
-    "analogRead(A1); on the chip int has 16 bits, and the compiler does not warn about it";
 constexpr const char* kTryWirings =
     "the order of the sensors, their values over black, or a motor's side or direction may differ from the "
     "robot file: robosim wire tries the alternatives";
@@ -370,7 +400,7 @@ NextStep next_step(const Evidence& e) {
     return {"capacity_mAh and charge, in [battery] of the robot file, determine how long its battery lasts"};
   if (e.crash && !e.crash->check.empty()) return {advice(e)};
   if (!e.divisions_by_zero.empty())
-    return {fmt::format("look first at the division by zero{}: its result is meaningless",
+    return {fmt::format("the sketch divided by zero{}: the result is meaningless, so look at what uses it",
                         place_of(e.divisions_by_zero.front().where))};
   if (e.moved)
     if (const std::string forgotten = forgotten_outputs(e); !forgotten.empty()) return {forgotten};
@@ -382,29 +412,27 @@ NextStep next_step(const Evidence& e) {
     const std::string how =
         fmt::format("it steered away from the line: the line was under its {} sensors, but it turned {}; ",
                     e.line_side > 0.0 ? "left" : "right", e.line_side > 0.0 ? "right" : "left");
-    if (e.int_bits == 16) return {how + kTryHost + ". If not, " + kTryWirings, NextStep::By::host};
+    if (e.int_bits == 16) return {how + result::kTryHost + result::kIfNot + kTryWirings, NextStep::By::host};
     return {how + kTryWirings};
   }
-  if (e.moved && long_delay(e) > 0 && has_left_line(e))
+  if (drives(e) && long_delay(e) > 0 && has_left_line(e))
     return {
         fmt::format("the sketch is in delay({}){}: during this time it reads no sensor, but the robot drives "
                     "on",
                     long_delay(e), place_of(e.activity.where))};
   if (e.moved) {
-    if (e.verdict == Verdict::lost && e.int_bits == 16) return {kTryHost, NextStep::By::host};
-    if (e.verdict == Verdict::lost)
-      return {"watch it in slow motion, or record what the sensors saw", NextStep::By::watching};
+    if (e.verdict == Verdict::lost && e.int_bits == 16) return {result::kTryHost, NextStep::By::host};
+    if (e.verdict == Verdict::lost) return {result::kWatch, NextStep::By::watching};
     return {};
   }
   const double most = std::max(std::abs(e.left_command), std::abs(e.right_command));
-  if (!e.in_contact && most > 0.0 && (e.verdict == Verdict::stuck || most < e.turning_drive))
+  if (most > 0.0 && most < e.turning_drive)
     return {fmt::format(
         "the robot never moved: its motors are driven with {:.0f} % and {:.0f} % of full power, which is too "
-        "little to turn the wheels{}",
+        "little to turn the wheels; they turn from {:.0f} % on",
         100.0 * std::abs(e.left_command), 100.0 * std::abs(e.right_command),
-        most < e.turning_drive
-            ? fmt::format("; they turn from {:.0f} % on", std::ceil(100.0 * e.turning_drive))
-            : "")};
+        std::ceil(100.0 * e.turning_drive))};
+  if (most > 0.0) return {};  // something else holds the wheels, such as a fault of the script
   if (const std::string driver = sleeping_driver(e); !driver.empty()) return {driver};
   std::vector<int> low, never_output;
   for (const robot::WiredPin& wired : e.wiring) {
@@ -423,14 +451,19 @@ NextStep next_step(const Evidence& e) {
   if (std::none_of(e.wiring.begin(), e.wiring.end(), turns_wheel))
     text += ": it has no motors";
   else if (low.empty() && never_output.empty())
-    text += "; its motor pins were driven, but not strongly or long enough to turn the wheels";
+    text += e.judge->last_driven() >= 0
+                ? "; its motors were driven, but not strongly or long enough to turn the wheels"
+                : "; its motors were never driven";
   const Pin pin = e.verdict == Verdict::crashed ? kNoPin : awaited_pin(e);
   if (pin == kNoPin) return {text};
-  text +=
-      fmt::format("; the sketch waits for {}, which is {}", pin_name(e, pin), e.pin_level ? "HIGH" : "LOW");
+  text += fmt::format("; the only pin that the sketch reads is {}, which is {}", pin_name(e, pin),
+                      e.pin_level ? "HIGH" : "LOW");
   for (const robot::WiredPin& wired : e.wiring) {
-    if (wired.pin == pin && wired.type == "button")
-      return {text + fmt::format(": press it with this line in a script: at 1s press {} 200ms", wired.part),
+    if (wired.pin == pin && wired.type == "button" && !e.pin_changed)
+      return {text + fmt::format(
+                         ": if it waits for this button, press it with this line in a script: at 1s press {} "
+                         "200ms",
+                         wired.part),
               NextStep::By::script};
   }
   return {text};

@@ -36,12 +36,14 @@ struct Evidence {
   std::vector<bool> went_high;   ///< per pin: the firmware drove it high, or with PWM, at least once
   std::vector<bool> was_output;  ///< per pin: it was an output at least once
   std::vector<bool>
-      was_pulled_up;        ///< per pin: its pull-up was on, e.g. by digitalWrite(pin, HIGH) of an input
-  bool pin_level = false;   ///< the present level of the pin that the sketch reads
-  bool in_contact = false;  ///< the body touches an obstruction
-  std::string stopped_by = "a wall or the map's edge";  ///< the obstruction that the body touches
-  double left_command = 0.0, right_command = 0.0;       ///< motor commands at the end, -1..1
-  double turning_drive = 0.0;                           ///< least power that turns a wheel from rest, 0..1
+      was_pulled_up;         ///< per pin: its pull-up was on, e.g. by digitalWrite(pin, HIGH) of an input
+  bool pin_level = false;    ///< the present level of the pin that the sketch reads
+  bool pin_changed = false;  ///< the sketch has read both levels at this pin
+  bool on_chip = false;      ///< the firmware is a chip's image, whose calls are seen by their effects only
+  bool in_contact = false;   ///< the body touches an obstruction
+  std::string stopped_by = "a wall, an obstacle or the map's edge";  ///< what the body touches
+  double left_command = 0.0, right_command = 0.0;                    ///< motor commands at the end, -1..1
+  double turning_drive = 0.0;     ///< least power that turns a wheel from rest, 0..1
   SimTime sensors_read = kNever;  ///< last read of a floor sensor by the sketch; kNever = none
   double line_side = 0.0;  ///< m, the line's last position to the left of the robot's middle; below 0 = right
   double steered = 0.0;    ///< mean command difference while the line is off-centre; positive = to the line

@@ -21,7 +21,8 @@ std::string told(const SupplySummary& power) {
   return fmt::format(
       "the chip was reset {}, {} at {:.2f} s",
       power.resets == 1 ? "once by a brown-out" : fmt::format("{} times by brown-outs", power.resets),
-      power.resets == 1 ? "and ran again" : "and last ran again", since);
+      power.resets == 1 ? "and ran again" : "and last ran again",
+      1e-9 * static_cast<double>(power.recovered));
 }
 
 }  // namespace robosim::judge

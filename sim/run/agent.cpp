@@ -176,8 +176,14 @@ void Agent::look_to_the_side() {
   constexpr double kAside = 0.002, kShare = 0.1;
   const double side = robot_.line_side();
   if (std::abs(side) < kAside) return;
-  state_.line_side = side;
   const double left = robot_.right_command() - robot_.left_command();
+  // Commands from before the line came to this side do not answer it.
+  if (side * state_.line_side <= 0.0) {
+    state_.side_command = left;
+    state_.steered = 0.0;
+  }
+  state_.line_side = side;
+  if (left == state_.side_command) return;
   state_.steered += kShare * ((side > 0.0 ? left : -left) - state_.steered);
 }
 

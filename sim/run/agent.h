@@ -138,8 +138,11 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     std::int64_t cross_track_ticks = 0;
     std::int64_t off_line_ticks = 0;
     bool sees_line = true;
-    double line_side = 0.0;  ///< last value of Robot::line_side() that was not small
-    double steered = 0.0;    ///< mean steering when line_side was updated, -2..2; above 0: towards the line
+    double line_side = 0.0;     ///< last value of Robot::line_side() that was not small
+    double side_command = 0.0;  ///< difference of the commands when the line came to this side
+    /// Mean steering while the line was at this side, after the commands have changed, -2..2; above 0:
+    /// towards the line.
+    double steered = 0.0;
     int collisions_told = 0;
     SimTime senses_at = 0;   ///< no sensor is examined before this time
     SimTime reports_at = 0;  ///< no periodic work before this time: see is_undisturbed()

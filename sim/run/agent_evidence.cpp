@@ -24,11 +24,13 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.went_high = state_.went_high;
   e.was_output = state_.was_output;
   e.was_pulled_up = state_.was_pulled_up;
+  e.on_chip = executor_.chip_access() != nullptr;
   e.in_contact = body_.in_contact();
+  const world::Contacts contacts = body_.contacts_with(world_.walls());
   if (body_.collided_with_body())
     e.stopped_by = "another robot";
-  else if (world_.walls().near_disc(body_.circle_centre(), body_.bound_radius()))
-    e.stopped_by = "an obstacle";
+  else if (!contacts.empty())
+    e.stopped_by = world::to_string(world_.walls().solid_at(*contacts.begin()));
   e.toppled = body_.toppled();
   e.at = body_.pose().position;
   e.left_command = robot_.left_command();
@@ -36,7 +38,8 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.right_command = robot_.right_command();
   for (const robot::WiredPin& wired : e.wiring) {
     if (wired.type.rfind("reflectance", 0) != 0 || wired.pin >= board_.spec().pin_count) continue;
-    const SimTime seen = executor_.probe().use(wired.pin).last_seen;
+    const exec::PinUse& use = executor_.probe().use(wired.pin);
+    const SimTime seen = use.awaited ? t : use.last_seen;  // an interrupt counts as a read
     if (seen >= 0) e.sensors_read = e.sensors_read == kNever ? seen : std::max(e.sensors_read, seen);
   }
   e.line_side = state_.line_side;
@@ -45,8 +48,13 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.power = player_.power();
   e.moved = body_.wheel_travel() > 0.0;
   if (verdict != judge::Verdict::reached) e.activity = executor_.activity();
-  const Pin looked_at = e.activity.polled != kNoPin ? e.activity.polled : e.activity.pin;
-  if (looked_at != kNoPin) e.pin_level = executor_.probe().level(looked_at, t);
+  const bool is_pulse = e.activity.call.starts_with("pulseIn");
+  const Pin looked_at = e.activity.polled != kNoPin && !is_pulse ? e.activity.polled : e.activity.pin;
+  if (looked_at != kNoPin) {
+    e.pin_level = executor_.probe().level(looked_at, t);
+    const exec::PinUse& use = executor_.probe().use(looked_at);
+    e.pin_changed = use.was_low && use.was_high;
+  }
   return e;
 }
 

@@ -16,7 +16,7 @@ namespace robosim::runner {
 /// Exit status of a process whose watchdog has detected an endless loop.
 constexpr int kWatchdogStatus = 99;
 
-constexpr const char* kLoops = "it loops without end inside a library function";
+constexpr const char* kLoops = "it loops without end, and simulated time does not advance";
 constexpr const char* kNeverLoads = "it loops without end while it is loaded";
 
 /// Returns the number of the robot whose sketch ended the process. `suspects` are the robots whose sketches

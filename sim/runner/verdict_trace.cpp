@@ -237,10 +237,10 @@ std::vector<result::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
                                    100 * handlers.of_all),
                        {handlers.where}});
     if (!pause.file.empty())
-      chain.push_back(
-          {seconds(last),
-           fmt::format("for {:.0f} ms it read no line sensor, and was here", 1e3 * seconds(next - last)),
-           {pause}});
+      chain.push_back({seconds(last),
+                       fmt::format("for {}{:.0f} ms it read no line sensor, and was here",
+                                   next - last >= kLongestGap ? "at least " : "", 1e3 * seconds(next - last)),
+                       {pause}});
     const bool stops_later = decisive.off_since != kNever && decisive.off_since != t;
     // If nothing drives the motors, many lines contribute. The chain then has fewer lines of each file, and
     // more files.
@@ -298,7 +298,8 @@ void Inquiry::tell_of_interrupts(SimTime t, std::vector<result::Cause>& chain) {
   const bool were_on = on_at(off - 1);
   run_again(off - 1, moments_[off].t);
   if (const std::optional<CauseStep> step = causes_.switched_off(were_on))
-    chain.push_back({seconds(step->t), "interrupts were off from here on", {step->where}});
+    chain.push_back(
+        {seconds(step->t), "interrupts went off here, and were off at all later checks", {step->where}});
 }
 
 result::Cause Inquiry::motors_at(SimTime t, const std::string& text) const {

@@ -49,6 +49,7 @@ class Bodies;
 namespace robosim::world {
 
 class Ground;
+class Contacts;
 class Walls;
 struct Contact;
 
@@ -175,6 +176,8 @@ class Body {
   /// Returns whether the latest counted contact was with another body.
   bool collided_with_body() const { return collided_with_body_; }
   bool in_contact() const { return in_contact_; }
+  /// Returns the present contacts with walls, obstacles and the map's edge.
+  Contacts contacts_with(const Walls& walls);
   /// Returns whether something presses against the body from within 60 degrees of straight ahead, as a bumper
   /// would detect.
   bool pressed_ahead() const { return pressed_ahead_; }

@@ -20,14 +20,7 @@ void Body::collide(const Walls& walls) {
   const double reach = bound_radius_ + Walls::kNear;
   free_way_ = walls.clearance(centre) - reach;
   if (free_way_ > 0.0 && !(obstacles && walls.near_disc(centre, reach))) return;
-  Contacts contacts;
-  if (params_.outline.empty()) {
-    contacts = walls.touch(centre, bound_radius_);
-  } else {
-    corners_.clear();
-    for (const Vec2 p : params_.outline) corners_.push_back(pose_.to_world(p));
-    contacts = walls.touch(corners_, centre, bound_radius_);
-  }
+  const Contacts contacts = contacts_with(walls);
   if (contacts.empty()) return;
   near_ = true;
   for (const Contact& contact : contacts)
@@ -41,6 +34,14 @@ void Body::collide(const Walls& walls) {
   free_way_ = 0.0;
   touched_ = true;
   grip_after_contact();
+}
+
+Contacts Body::contacts_with(const Walls& walls) {
+  const Vec2 centre = circle_centre();
+  if (params_.outline.empty()) return walls.touch(centre, bound_radius_);
+  corners_.clear();
+  for (const Vec2 p : params_.outline) corners_.push_back(pose_.to_world(p));
+  return walls.touch(corners_, centre, bound_radius_);
 }
 
 // Moves the body out of an overlap. Limits the body's approach so that at most the remaining gap closes

@@ -77,6 +77,28 @@ void Walls::move(int id, Vec2 centre) {
     if (disc.id == id) disc.centre = centre;
 }
 
+const char* to_string(Solid solid) {
+  switch (solid) {
+    case Solid::wall:
+      return "a wall";
+    case Solid::obstacle:
+      return "an obstacle";
+    case Solid::edge:
+      return "the map's edge";
+  }
+  return "";
+}
+
+Solid Walls::solid_at(const Contact& contact) const {
+  const Vec2 inside = contact.point - contact.normal * (std::max(contact.depth, 0.0) + 2.0 * kNear);
+  for (const Disc& disc : state_.discs)
+    if (length(inside - disc.centre) <= disc.radius_m + kNear) return Solid::obstacle;
+  const int column = static_cast<int>(std::floor(inside.x * per_cell_));
+  const int row = map_->height - 1 - static_cast<int>(std::floor(inside.y * per_cell_));
+  if (column < 0 || row < 0 || column >= map_->width || row >= map_->height) return Solid::edge;
+  return map_->at({column, row}) == map::Cell::obstacle ? Solid::obstacle : Solid::wall;
+}
+
 bool Walls::near_disc(Vec2 centre, double radius) const {
   for (const Disc& disc : state_.discs) {
     const Vec2 d = centre - disc.centre;

@@ -21,6 +21,11 @@ struct Contact {
   bool embedded = false;  ///< the outline's middle is inside a block of walls, with no open side
 };
 
+/// The kinds of solid things. An obstacle is a cell of the map, or a disc.
+enum class Solid { wall, obstacle, edge };
+/// Returns "a wall", "an obstacle" or "the map's edge".
+const char* to_string(Solid solid);
+
 /// The contacts of an outline, deepest first. Stores the eight deepest; more would not change the result.
 class Contacts {
  public:
@@ -90,6 +95,8 @@ class Walls {
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
+  /// Returns what solid thing a contact belongs to.
+  Solid solid_at(const Contact& contact) const;
   /// Returns whether a disc is less than kNear from the circle.
   bool near_disc(Vec2 centre, double radius) const;
 

@@ -270,7 +270,7 @@ TEST_F(Sandbox, EndsASketchThatHasSwitchedItsSignalsOff) {
       "__attribute__((no_sanitize_coverage)) void setup() {\n"
       "  sigfillset(set);\n  sigprocmask(0, set, 0);\n  for (;;) asm volatile(\"nop\");\n}\nvoid loop() "
       "{}\n");
-  EXPECT_EQ(r.why, "The sketch crashed: it loops without end inside a library function.");
+  EXPECT_EQ(r.why, "The sketch crashed: it loops without end, and simulated time does not advance.");
 }
 
 TEST_F(Sandbox, NamesTheSignalThatASketchSendsItselfAndTheLine) {

@@ -28,12 +28,12 @@ TEST(Verdicts, AnEmptyEndlessLoopHangsWithMotorsOnAndEndsWithMotorsOff) {
 }
 
 TEST(Verdicts, ARobotThatIsStuckIsToldWhatStopsIt) {
-  const std::string is_stuck = "it neither moved 1 mm nor turned 1 degree; it pushes against ";
+  const std::string is_stuck = "it neither moved 1 mm nor turned 1 degree; it touches ";
   EXPECT_THAT(run({.sketch = "PidFollower", .script = "at 2s obstacle 12,2\n", .for_s = 60.0}).why,
               HasSubstr(is_stuck + "an obstacle ("));
   const result::RunResult wall =
       run({.sketch = "PidFollower", .script = "at 1ms place 60mm,200mm,W\n", .for_s = 60.0});
-  EXPECT_THAT(wall.why, HasSubstr(is_stuck + "a wall or the map's edge ("));
+  EXPECT_THAT(wall.why, HasSubstr(is_stuck + "the map's edge ("));
 }
 
 TEST(Verdicts, CrashesNameReasonFunctionFileAndLine) {
@@ -67,7 +67,7 @@ TEST(Verdicts, ADivisionByZeroIsToldAndTheRunGoesOn) {
   EXPECT_EQ(r.divisions_by_zero[0].where.function, "position");
   EXPECT_EQ(r.divisions_by_zero[0].where.line, 3);
   EXPECT_GT(r.divisions_by_zero[0].times, 10);
-  EXPECT_THAT(r.next, HasSubstr("division by zero in position, DividesByZero.ino:3"));
+  EXPECT_THAT(r.next, HasSubstr("divided by zero in position, DividesByZero.ino:3"));
 }
 
 TEST(Verdicts, ACrashInALibraryIsToldByTheLibrarysNameAndFile) {

@@ -233,7 +233,8 @@ class Comparer::Work {
     request.for_ns = std::min(request.for_ns, compared.difference->t_ns[side] + kLongestPart_ns);
     progress_.say("running it again on " + with.target + ", with checks …");
     return rerun_with_sanitizers(target_run.runner, request, with.wanted, result_of(compared, side, pair),
-                                 pair.robot);
+                                 pair.robot)
+        .finding;
   }
 
   const result::RunResult& result_of(const Compared& compared, std::size_t side, const Pair& pair) const {

@@ -6,6 +6,7 @@
 
 #include "sim/campaign/rerun/clock_wrap_detector.h"
 #include "sim/launch/client/interrupts.h"
+#include "sim/result/advice.h"
 
 namespace robosim::campaign {
 namespace {
@@ -43,9 +44,8 @@ bool deserves_sanitizer_rerun(const build::Request& sketch, const result::RunRes
          first.verdict != "over_budget";
 }
 
-std::optional<result::Finding> rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request,
-                                                     const build::Request& sketch,
-                                                     const result::RunResult& first, std::size_t robot) {
+Checked rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
+                              const result::RunResult& first, std::size_t robot) {
   build::Request checked = sketch;
   checked.sanitize = true;
   checked.warnings = build::Warnings::none;
@@ -57,10 +57,12 @@ std::optional<result::Finding> rerun_with_sanitizers(client::Runner& runner, wir
     const client::Interrupts interrupts(runner);
     const result::RunResult all = runner.run(request);
     const result::RunResult& second = robot == 0 ? all : all.others.at(robot - 1);
-    if (!second.crash || second.crash->check.empty()) return std::nullopt;
-    return result::Finding{*second.crash, second.time_s, second.next};
+    if (second.verdict == "interrupted") return {};
+    if (!second.crash) return {.is_clean = true};
+    if (second.crash->check.empty()) return {};
+    return {.finding = result::Finding{*second.crash, second.time_s, second.next}};
   } catch (const InputError&) {
-    return std::nullopt;
+    return {};
   }
 }
 
@@ -103,20 +105,24 @@ std::string next_of(const result::RunResult& result) {
   return result.next + flags;
 }
 
-std::string next_after(const result::RunResult& first, const std::optional<result::Finding>& finding) {
-  if (finding)
+std::string next_after(const result::RunResult& first, const Checked& second) {
+  if (const auto& finding = second.finding)
     return fmt::format(
         "{}{}, {:.2f} s after the start: that is what a second run, with checks (--sanitize), has met "
         "first.{}{}",
         finding->fault.reason, place_of(finding->fault), finding->time_s, finding->advice.empty() ? "" : " ",
         finding->advice);
-  if (first.verdict != "lost" && first.verdict != "stuck") return next_of(first);
+  if (!second.is_clean || (first.verdict != "lost" && first.verdict != "stuck")) return next_of(first);
+  result::RunResult told = first;
+  if (first.next_by == "host") {  // no int has exceeded its range
+    told.next = result::without_host(first.next);
+    told.next_by.clear();
+  }
   return fmt::format(
       "{}{}A second run, with checks (--sanitize), has met no signed number that went too high, no bad index "
-      "and "
-      "no division by zero. Not checked: unsigned numbers that wrap, and conversions such as int t = "
+      "and no division by zero. Not checked: unsigned numbers that wrap, and conversions such as int t = "
       "millis().",
-      next_of(first), first.next.empty() ? "" : ". ");
+      next_of(told), told.next.empty() ? "" : ". ");
 }
 
 }  // namespace robosim::campaign

@@ -15,14 +15,19 @@ namespace robosim::campaign {
 /// on an AVR, or crashed on the host.
 bool deserves_sanitizer_rerun(const build::Request& sketch, const result::RunResult& first);
 
+/// The result of a run with checks.
+struct Checked {
+  std::optional<result::Finding> finding;  ///< the first failed check
+  /// No check failed in the whole run. If neither this nor `finding` is set, nothing is known: the sketch
+  /// does not compile with checks, crashed for another reason, or the user interrupted.
+  bool is_clean = false;
+};
+
 /// Repeats the run with checks, at most as long as the first run. After a timeout, runs at most one minute.
-/// After a crash, runs one second longer, because checks take time. Returns nullopt if no check failed, if
-/// the sketch does not compile with checks, or if the user interrupted.
-///
-/// `robot` is the number of the sketch's robot, if there are several.
-std::optional<result::Finding> rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request,
-                                                     const build::Request& sketch,
-                                                     const result::RunResult& first, std::size_t robot = 0);
+/// After a crash, runs one second longer, because checks take time. `robot` is the number of the sketch's
+/// robot, if there are several.
+Checked rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
+                              const result::RunResult& first, std::size_t robot = 0);
 
 /// Returns whether detectors may report: the user requested checks, or the sketch has failed.
 bool deserves_detectors(const build::Request& sketch, const result::RunResult& first);
@@ -39,7 +44,7 @@ AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request,
 
 /// Returns the hint `next` of the run's result, with the flags that the user needs.
 std::string next_of(const result::RunResult& result);
-/// Returns the hint `next` of the first run, updated by the second run's finding.
-std::string next_after(const result::RunResult& first, const std::optional<result::Finding>& finding);
+/// Returns the hint `next` of the first run, updated by the second run's result.
+std::string next_after(const result::RunResult& first, const Checked& second);
 
 }  // namespace robosim::campaign

@@ -199,9 +199,11 @@ int run_command(const RunArguments& arguments) {
   std::string next = campaign::next_of(result);
   if (!arguments.live && is_built && campaign::deserves_sanitizer_rerun(run.wanted, result)) {
     progress.say("running " + sketch + " again, with checks …");
-    finding = campaign::rerun_with_sanitizers(runner, run.request, run.wanted, result);
+    const campaign::Checked checked =
+        campaign::rerun_with_sanitizers(runner, run.request, run.wanted, result);
     progress.clear();
-    next = campaign::next_after(result, finding);
+    finding = checked.finding;
+    next = campaign::next_after(result, checked);
   }
   result.next = std::move(next);
   if (!arguments.live && is_built && campaign::deserves_detectors(run.wanted, result)) {

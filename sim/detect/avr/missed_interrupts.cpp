@@ -107,7 +107,8 @@ void MissedInterrupts::ticks_lost(std::int64_t ticks, Cycle at) {
       fmt::format("millis() lost {} of {:.3f} ms: timer 0 overflowed again before its handler could run, "
                   "because {} for at least {:.1f} ms, until here",
                   ticks == 1 ? "a tick" : fmt::format("{} ticks", ticks), 1e-3 * tick_us,
-                  handler ? "a handler was running" : "interrupts were off (noInterrupts(), cli())",
+                  handler ? "a handler was running"
+                          : "interrupts, or this one, were off (noInterrupts(), cli(), TIMSK0)",
                   1e-3 * off_us),
       where, ticks);
 }

@@ -241,8 +241,10 @@ void BoardFaults::update_power(SimTime t) {
   if (powered == state_.powered) return;
   state_.powered = powered;
   state_.changed = t;
-  if (!powered && state_.switched_on) ++state_.resets;
+  if (!powered) state_.browned_out = state_.switched_on;
+  state_.resets += !powered && state_.switched_on;
   if (powered) {
+    if (std::exchange(state_.browned_out, false)) state_.recovered = t;
     ++state_.boots;
     if (std::exchange(state_.was_gone, false))
       executor_.power_on(t);
@@ -255,13 +257,9 @@ void BoardFaults::update_power(SimTime t) {
 
 judge::SupplySummary BoardFaults::power() const {
   const BoardSpec& spec = executor_.board().spec();
-  return {state_.powered,
-          state_.switched_on,
-          state_.changed,
-          state_.resets,
-          robot_.charge(),
-          robot_.volts(),
-          spec.brown_out_volts + spec.regulator_drop_volts};
+  return {
+      state_.powered,   state_.switched_on, state_.changed, state_.resets,
+      state_.recovered, robot_.charge(),    robot_.volts(), spec.brown_out_volts + spec.regulator_drop_volts};
 }
 
 std::optional<result::PowerLost::HalfWritten> BoardFaults::leave_half_written(const HalfWritten& what,

@@ -115,9 +115,11 @@ class BoardFaults final : EepromWatcher {
   struct State {
     bool switched_on = true;
     bool powered = true;
-    SimTime changed = 0;    ///< when `powered` last changed
-    int resets = 0;         ///< number of resets because of low voltage
-    bool was_gone = false;  ///< the supply was off since the chip last ran: the next start is a power-on
+    SimTime changed = 0;       ///< when `powered` last changed
+    int resets = 0;            ///< number of resets because of low voltage
+    bool browned_out = false;  ///< the chip is off because of low voltage
+    SimTime recovered = 0;     ///< when the chip last ran again after low voltage
+    bool was_gone = false;     ///< the supply was off since the chip last ran: the next start is a power-on
     std::uint64_t boots = 1;
     double chip_volts = 0.0;  ///< V, supply voltage of the chip
     bool keeps = true;        ///< parts on the board's supply retain their state

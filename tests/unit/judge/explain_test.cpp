@@ -45,6 +45,7 @@ class Explain : public ::testing::Test {
     now.t = now.last_call = t;
     judge_.look(now);
     e.moved = true;
+    e.at = pose.position;
   }
   /// Reports that the robot sees the line for the last time, at 2 s in the middle of cell 3,1.
   void lose_the_line() { robot_is_at(2 * kSecond, {3, 1}, true, true); }
@@ -108,6 +109,11 @@ TEST_F(Explain, ATimeoutSaysSinceWhenTheSketchIsSilent) {
   EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch has called no Arduino function since 3.00 s."));
   e.activity.where = {"loop", "My.ino", 9};
   EXPECT_THAT(why(Verdict::timeout), EndsWith(" since 3.00 s, and was last in loop, My.ino:9."));
+  e.on_chip = true;
+  EXPECT_THAT(
+      why(Verdict::timeout),
+      HasSubstr("; the sketch has used no pin, timer or interface, except in interrupts, since 3.00 s"))
+      << "a chip's calls without effect are not seen";
 }
 
 TEST_F(Explain, ARobotWithoutPowerIsToldWhy) {
@@ -137,7 +143,7 @@ TEST_F(Explain, AWeakBatteryIsNamedWhereItsRobotIsStuckOrLost) {
   EXPECT_THAT(none, EndsWith("degree (0 of 3 stations visited)."));
   e.power.charge = 0.0;
   EXPECT_THAT(why(Verdict::stuck), EndsWith("visited); its battery is empty."));
-  e.power = {.since = 7 * kSecond, .resets = 3, .charge = 0.6};
+  e.power = {.since = 9 * kSecond, .resets = 3, .recovered = 7 * kSecond, .charge = 0.6};
   EXPECT_THAT(why(Verdict::lost), EndsWith("visited); the chip was reset 3 times by brown-outs, and last "
                                            "ran again at 7.00 s."));
   e.power.resets = 1;
@@ -167,7 +173,7 @@ TEST_F(Explain, ASketchThatDrivesItsMotorsWaitsForNoPinThatItLooksAt) {
   e.activity.call = "analogWrite(5, 20)";
   e.left_command = 0.08;
   EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in analogWrite(5, 20)."));
-  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("waits for")));
+  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("the only pin")));
 }
 
 TEST_F(Explain, ASketchThatReadsSeveralInputsWaitsForNone) {
@@ -175,13 +181,15 @@ TEST_F(Explain, ASketchThatReadsSeveralInputsWaitsForNone) {
   e.activity.pin = 4;
   e.activity.where = {"loop", "My.ino", 9};
   EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in digitalRead(4) in loop, My.ino:9."));
-  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("waits for")));
+  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("the only pin")));
 }
 
 TEST_F(Explain, ASketchInPulseInWaitsForItsPin) {
   e.activity.call = "pulseIn(4, 1)";
   e.activity.pin = 4;
   EXPECT_THAT(why(Verdict::timeout), HasSubstr("keeps reading pin 4 (button \"start\") with pulseIn(), and"));
+  e.t += 3 * kSecond;
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("keeps reading"))) << "pulseIn() may have returned";
 }
 
 TEST_F(Explain, AnalogPinsHaveTheirNames) {
@@ -199,9 +207,9 @@ TEST_F(Explain, ALostRobotIsToldFromWhereItSawTheLineLast) {
 
 TEST_F(Explain, ARobotThatNeverSawALineLostNoneAtAPlace) {
   e.moved = true;
-  EXPECT_THAT(
-      why(Verdict::lost),
-      StartsWith("The robot lost the line: its wheels have turned 1 m, and no sensor has seen a line"));
+  EXPECT_THAT(why(Verdict::lost),
+              StartsWith("The robot lost the line: its wheels have turned 1 m, and no line was under "
+                         "or between its sensors (0 of 3"));
 }
 
 TEST_F(Explain, ARobotThatHadLeftTheLineWhenItGotStuckLeftTheLineFirst) {
@@ -213,8 +221,9 @@ TEST_F(Explain, ARobotThatHadLeftTheLineWhenItGotStuckLeftTheLineFirst) {
   EXPECT_EQ(
       why(Verdict::stuck),
       "The robot left the line at 2.00 s near column 3, row 1, and is stuck: for 3 s its motors were "
-      "driven, but it neither moved 1 mm nor turned 1 degree; it pushes against a wall or the map's edge "
-      "(0 of 3 stations visited).");
+      "driven, but it neither moved 1 mm nor turned 1 degree; it touches a wall, an obstacle or the map's "
+      "edge (0 of 3 stations visited).");
+  EXPECT_EQ(decisive_moment(e).text, "the robot left the line");
 }
 
 TEST_F(Explain, ARobotThatTurnsOnTheSpotIsSaidToAndNotWhatItReadLast) {
@@ -225,22 +234,43 @@ TEST_F(Explain, ARobotThatTurnsOnTheSpotIsSaidToAndNotWhatItReadLast) {
   EXPECT_EQ(
       why(Verdict::timeout),
       "The 60.00 s of simulated time are up before the goal tour: 0 of 3 stations visited; the robot left "
-      "the line at 2.00 s near column 3, row 1, and has been driving within 10 cm of column 5, row 3 since "
-      "4.00 s.");
+      "the line at 2.00 s near column 3, row 1, and has stayed, with its motors driven, within 10 cm of "
+      "column 5, row 3 since 4.00 s.");
+}
+
+TEST_F(Explain, ARobotThatStandsWhereItSawTheLineHasNotLeftIt) {
+  lose_the_line();
+  robot_is_at(9 * kSecond, {3, 1}, false, false);  // the script has erased the line
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("left the line")));
 }
 
 TEST_F(Explain, ARobotThatSpinsIsSaidToSpinAndNotToHaveLeftTheLineOrSteeredAway) {
   drive_circles(0.02, -1, true);
   e.steered = -0.5;
+  e.left_command = 0.4;
+  e.right_command = -0.4;
   EXPECT_THAT(why(Verdict::timeout),
               EndsWith("; the robot has been spinning clockwise near column 5, row 2 since 2.00 s."));
   EXPECT_EQ(next(Verdict::timeout), "");
+  std::swap(e.left_command, e.right_command);
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("spinning"))) << "it turns back";
+  std::swap(e.left_command, e.right_command);
+  e.t = 40 * kSecond;
+  robot_is_at(39900 * kMillisecond, {5, 2}, true, true);
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("spinning"))) << "it has turned long ago";
 }
 
 TEST_F(Explain, ARobotThatCirclesIsSaidToCircle) {
-  drive_circles(0.3, 1, true);
+  drive_circles(0.3, 1, false);
+  e.right_command = 0.4;
   EXPECT_THAT(why(Verdict::timeout),
               HasSubstr("; the robot has been circling anticlockwise within 1 m of column "));
+}
+
+TEST_F(Explain, ARobotThatFollowsASmallLoopDoesNotCircle) {
+  drive_circles(0.3, 1, true);
+  e.right_command = 0.4;
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("circling"))) << "it has seen the line in its last turn";
 }
 
 TEST_F(Explain, ARobotThatCirclesFarAroundDoesNot) {
@@ -251,9 +281,9 @@ TEST_F(Explain, ARobotThatCirclesFarAroundDoesNot) {
 TEST_F(Explain, ARobotThatWaitedFirstDrivesInOnePlaceOnlySinceItsMotorsRan) {
   robot_is_at(kMillisecond, {3, 1}, true, false);
   for (SimTime t = 4; t <= 12; ++t) robot_is_at(t * kSecond, {3, 1}, true, true);
-  EXPECT_THAT(why(Verdict::timeout), HasSubstr("driving within 10 cm of column 3, row 1 since 4.00 s"));
+  EXPECT_THAT(why(Verdict::timeout), HasSubstr("driven, within 10 cm of column 3, row 1 since 4.00 s"));
   EXPECT_EQ(decisive_moment(e).t, 4 * kSecond);
-  EXPECT_EQ(decisive_moment(e).text, "the robot drove in one place from here on");
+  EXPECT_EQ(decisive_moment(e).text, "the robot stayed in one place from here on, with its motors driven");
 }
 
 TEST_F(Explain, ARobotThatDrivesOnUntilItsTimeIsUpDoesNotDriveInOnePlace) {
@@ -322,11 +352,12 @@ TEST_F(Explain, ACrashNamesItsReasonAndPlaceAsFarAsTheyAreKnown) {
   EXPECT_EQ(why(Verdict::crashed), "The sketch crashed: division by zero in setup, My.ino:3.");
 }
 
-TEST_F(Explain, ADivisionByZeroIsToLookAtFirstWhereTheRunFails) {
+TEST_F(Explain, ADivisionByZeroIsNamedIfTheRunFails) {
   e.divisions_by_zero = {{{"mean", "My.ino", 3}, 0.5, 7}};
   e.verdict = Verdict::lost;
-  EXPECT_EQ(next_step(e).text,
-            "look first at the division by zero in mean, My.ino:3: its result is meaningless");
+  EXPECT_EQ(
+      next_step(e).text,
+      "the sketch divided by zero in mean, My.ino:3: the result is meaningless, so look at what uses it");
   e.verdict = Verdict::reached;
   EXPECT_EQ(next_step(e).text, "");
 }
@@ -345,17 +376,14 @@ TEST_F(Explain, MotorsThatAreTooWeakToTurnAreToldWithTheirPower) {
   e.was_output[5] = e.went_high[5] = true;
   e.left_command = 0.12;
   e.right_command = -0.1;
-  EXPECT_EQ(
-      next(Verdict::stuck),
-      "the robot never moved: its motors are driven with 12 % and 10 % of full power, which is too little to "
-      "turn the wheels");
   e.turning_drive = 0.131;
   for (const Verdict verdict : {Verdict::stuck, Verdict::timeout})
     EXPECT_THAT(next(verdict),
                 HasSubstr("12 % and 10 % of full power, which is too little to turn the wheels; they "
                           "turn from 14 % on"));
   e.left_command = 0.14;
-  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("too little")));
+  for (const Verdict verdict : {Verdict::stuck, Verdict::timeout})
+    EXPECT_EQ(next(verdict), "") << "something else holds the wheels";
   e.left_command = e.right_command = 0.0;
   e.wiring.clear();
   EXPECT_EQ(next(Verdict::timeout), "the robot never moved: it has no motors");
@@ -363,6 +391,8 @@ TEST_F(Explain, MotorsThatAreTooWeakToTurnAreToldWithTheirPower) {
 
 TEST_F(Explain, ADriverInStandbyIsNamedInsteadOfItsMotorPins) {
   e.wiring.push_back({"driver", "tb6612", "standby", 4});
+  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("standby"))) << "the sketch has not begun to drive";
+  e.was_output[5] = e.went_high[5] = true;
   EXPECT_EQ(next(Verdict::timeout),
             "the robot never moved: the standby pin 4 of its motor driver was never set to OUTPUT, and the "
             "driver is "
@@ -378,20 +408,31 @@ TEST_F(Explain, ARobotThatNeverMovedIsLookedIntoPinByPin) {
   e.was_output[5] = e.was_output[7] = true;
   EXPECT_EQ(next(Verdict::timeout), "the robot never moved; motor pins 5 and 7 stayed LOW");
   e.went_high[7] = true;
-  EXPECT_THAT(next(Verdict::timeout), HasSubstr("its motor pins were driven, but not strongly"))
-      << "one of the two inputs is low";
-  e.went_high[5] = true;
-  EXPECT_THAT(next(Verdict::timeout), HasSubstr("not strongly or long enough"));
+  EXPECT_EQ(next(Verdict::timeout), "the robot never moved; its motors were never driven")
+      << "one of the two inputs may stay low";
+  robot_is_at(9 * kSecond, {3, 1}, true, true);
+  e.moved = false;
+  EXPECT_EQ(
+      next(Verdict::timeout),
+      "the robot never moved; its motors were driven, but not strongly or long enough to turn the wheels");
+}
+
+TEST_F(Explain, AMotorOnAShiftRegisterWasNotDrivenByAPinOfTheBoard) {
+  e.wiring = {{"left", "motor", "in1", 200}};
+  EXPECT_EQ(next(Verdict::timeout), "the robot never moved; its motors were never driven");
 }
 
 TEST_F(Explain, AButtonThatIsWaitedForComesWithTheLineThatPressesIt) {
   e.activity.polled = 4;
   e.pin_level = true;
-  EXPECT_THAT(next(Verdict::timeout),
-              EndsWith("the sketch waits for pin 4 (button \"start\"), which is HIGH: "
-                       "press it with this line in a script: at 1s press start 200ms"));
+  EXPECT_THAT(
+      next(Verdict::timeout),
+      EndsWith("the only pin that the sketch reads is pin 4 (button \"start\"), which is HIGH: if it "
+               "waits for this button, press it with this line in a script: at 1s press start 200ms"));
   EXPECT_EQ(next_step(e).by, NextStep::By::script);
-  EXPECT_THAT(next(Verdict::crashed), Not(HasSubstr("waits for"))) << "it waits for nothing any more";
+  EXPECT_THAT(next(Verdict::crashed), Not(HasSubstr("the only pin"))) << "it reads nothing any more";
+  e.pin_changed = true;
+  EXPECT_THAT(next(Verdict::timeout), EndsWith("which is HIGH")) << "the button has been pressed";
 }
 
 TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
@@ -431,6 +472,7 @@ TEST_F(Explain, SensorsThatAreReadInSetupOnlyAreToldWhereTheLineIsLost) {
 
 TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
   lose_the_line();
+  robot_is_at(11900 * kMillisecond, {4, 1}, false, true);
   e.activity.call = "delay(500)";
   e.activity.where = {"loop", "My.ino", 9};
   EXPECT_EQ(next(Verdict::lost),
@@ -440,13 +482,22 @@ TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
     e.activity.call = call;
     EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << call;
   }
+  e.activity.call = "delay(500)";
+  e.t = 20 * kSecond;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << "the motors are off";
 }
 
 TEST_F(Explain, MotorPinsThatWereNeverMadeOutputsAreNamedThoughPullUpsMoveThem) {
   lose_the_line();
   e.was_pulled_up.assign(20, false);
   e.was_pulled_up[5] = e.was_pulled_up[4] = true;  // pin 4 belongs to the button
-  EXPECT_EQ(next(Verdict::lost), "motor pin 5 was written HIGH, but never set to OUTPUT: pinMode(5, OUTPUT)");
+  EXPECT_EQ(next(Verdict::lost),
+            "motor pin 5 was never set to OUTPUT, and only its pull-up was on, as by digitalWrite(5, HIGH): "
+            "pinMode(5, OUTPUT)");
+  e.was_pulled_up[7] = true;
+  EXPECT_THAT(next(Verdict::lost),
+              HasSubstr("motor pins 5 and 7 were never set to OUTPUT, and only their pull"));
+  e.was_pulled_up[7] = false;
   e.was_output[5] = true;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));
 }
@@ -468,7 +519,7 @@ TEST_F(Explain, ALineThatWasLostIsLookedForOnTheHostIfTheFirmwaresIntIsNarrow) {
 }
 
 TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {
-  e.crash = exec::Crash{"1000 * 40 does not fit an int", {}};
+  e.crash = exec::Crash{"1000 * 40 does not fit an int, which holds -32768 to 32767 here", {}};
   e.crash->check = "mul_overflow";
   e.int_bits = 16;
   EXPECT_THAT(next(Verdict::crashed), HasSubstr("On the chip int has 16 bits"));
@@ -477,6 +528,9 @@ TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {
   e.int_bits = 16;
   e.crash->check = "out_of_bounds";
   EXPECT_EQ(next(Verdict::crashed), "");
+  e.crash = exec::Crash{"2000000000 + 2000000000 does not fit a long, which holds … here", {}};
+  e.crash->check = "add_overflow";
+  EXPECT_EQ(next(Verdict::crashed), "") << "it is long already";
 }
 
 }  // namespace explain_test

@@ -1,0 +1,12 @@
+#include "sim/result/advice.h"
+
+namespace robosim::result {
+
+std::string without_host(std::string advice) {
+  if (advice == kTryHost) return kWatch;
+  const std::string joined = std::string(kTryHost) + kIfNot;
+  if (const std::size_t at = advice.find(joined); at != std::string::npos) advice.erase(at, joined.size());
+  return advice;
+}
+
+}  // namespace robosim::result

@@ -1,0 +1,17 @@
+// Advice that two programs give: the judge after a run, and the command after a second run with checks.
+#pragma once
+
+#include <string>
+
+namespace robosim::result {
+
+inline constexpr const char* kTryHost =
+    "run it on the host as well: if it keeps the line there, look for an int that exceeds 32767, as in 1000 "
+    "* analogRead(A1); on the chip int has 16 bits, and the compiler does not warn about it";
+inline constexpr const char* kIfNot = ". If not, ";  ///< joins kTryHost and further advice
+inline constexpr const char* kWatch = "watch it in slow motion, or record what the sensors saw";
+
+/// Returns advice without kTryHost. If nothing else remains, returns kWatch.
+std::string without_host(std::string advice);
+
+}  // namespace robosim::result
