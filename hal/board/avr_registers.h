@@ -1,6 +1,6 @@
 // Addresses of registers in data memory (data sheet DS40002061B, chapter 36), for the target host and the
-// emulated chip. These registers have the same address in every ATmega. A ChipSpec stores the addresses of
-// ports, timers and UARTs.
+// emulated chip. These registers have the same address in every ATmega that Robosim supports. A ChipSpec
+// (chip_spec.h) stores the addresses that differ between chips.
 #pragma once
 
 #include <stdint.h>

@@ -1,5 +1,5 @@
-// Records calls of the Arduino API, so that a verdict can name the call in which firmware waits. Every API
-// function begins with a call of note_call() or note_question().
+// Records calls of the Arduino API, so that a verdict can name the call in which firmware waits. API
+// functions for pins, time and interfaces call note_call() or note_question() first.
 #pragma once
 
 #include "hal/host/clock.h"
@@ -31,7 +31,8 @@ __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, 
 }
 
 /// Records a query: a call that has no effect except its time, which spend_asking() spends. Its result may
-/// depend only on the sketch, on Timer 0's counts (note_clock()), and on levels passed to note_level().
+/// depend only on firmware's memory, on Timer 0's counts (note_clock()), and on levels passed to
+/// note_level().
 __attribute__((always_inline)) inline void note_question(const char* name, Pin pin, int8_t arguments,
                                                          int32_t first = 0) {
   if (__builtin_expect(unsettled != nullptr, 0) && !polling.on) unsettled();

@@ -1,5 +1,6 @@
-// Implements input capture (datasheet, 16.6). An edge of ICP1 copies TCNT1 to ICR1 and sets ICF1, 3 cycles
-// after the edge. The noise canceler adds 4 cycles, and ignores levels shorter than 4 cycles.
+// Implements input capture (datasheet, 16.6). The selected edge of ICP1 sets ICF1 at once. ICR1 receives the
+// count that TCNT1 has 3 cycles after the edge. The noise canceler adds 4 cycles, and ignores levels shorter
+// than 4 cycles.
 #include "hal/host/external.h"
 #include "hal/host/ports.h"
 #include "hal/host/timers.h"

@@ -14,8 +14,8 @@ namespace robosim::build {
 ///   (`for (;;);`, `while (1);`): gcc's trace-pc instruments only blocks with instructions.
 /// - A division gives the result that the chip would compute (division.h).
 /// - The source location of an asm() becomes a comment that begins with '#'. The assembler's errors then name
-///   the sketch's file and line. For arm64 and arm, gcc begins this comment with another mark, and assemblers
-///   ignore the location.
+///   the sketch's file and line. Without this change, assemblers for arm64 and arm ignore the location,
+///   because gcc begins the comment with `//` or `@`.
 std::string changed_for_host(std::string_view assembly, QuotientByZero quotient);
 
 }  // namespace robosim::build

@@ -15,7 +15,7 @@ namespace robosim::build {
 namespace {
 
 constexpr const char* kBoards =
-    "Robosim simulates Arduino boards with an AVR chip and the Blue Pill (docs/reference/robots.md has the "
+    "Robosim simulates the Blue Pill, and Arduino boards with an AVR chip (docs/reference/robots.md has the "
     "list)";
 
 bool has(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }
@@ -107,8 +107,8 @@ std::string class_hint(const std::string& name) {
   return "";
 }
 
-/// Returns a hint for an error of a sketch that was written for another version of a library. The compiler's
-/// suggestion shows that the sketch includes the library.
+/// Returns a hint for an error of a sketch that was written for another version of a library. Each of these
+/// messages names a class of the library, so the sketch includes the library.
 std::string version_hint(const std::string& first) {
   struct Versioned {
     const char* says;  ///< part of the compiler's message

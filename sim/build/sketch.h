@@ -1,5 +1,5 @@
-// Builds a sketch folder by Arduino's rules (docs/reference/sketches.md). The result is an image, which a
-// runner loads or a chip is flashed with.
+// Builds a sketch folder by Arduino's rules (docs/reference/sketches.md). The result is an image. A runner
+// loads it, or a person flashes it to a chip.
 //
 //   const Image image = build({find_sketch("PidFollower"), *find_board("uno")});
 //
@@ -18,8 +18,9 @@
 
 namespace robosim::build {
 
-/// The level of compiler warnings: the choices of Arduino's preferences. `standard` adds warnings about
-/// typical mistakes of beginners: if (x = 1), if (400 < x < 600), and if (x); (warning_filter.h)
+/// The level of compiler warnings: the choices of Arduino's preferences. `standard` is Arduino's default,
+/// plus warnings about typical mistakes of beginners: `if (x = 1)`, `if (400 < x < 600)` and `if (x);`. See
+/// warning_filter.h.
 enum class Warnings { none, standard, more, all };
 
 struct Request {
@@ -31,11 +32,11 @@ struct Request {
       libraries;  ///< folders of libraries, or single libraries; searched in this order
   Warnings warnings = Warnings::standard;
   bool sanitize = false;  ///< adds run-time checks to the sketch and its libraries
-  bool coverage = false;  ///< counts the sketch's own lines (coverage.h)
+  bool coverage = false;  ///< counts how often the sketch's own lines run (coverage.h)
   /// Limits the build to files in the sketch's folder, its libraries and the core. Shared files (project.h)
   /// are excluded.
   bool untrusted = false;
-  bool all_messages = false;  ///< CompileError contains all lines of the compiler, as without folded()
+  bool all_messages = false;  ///< CompileError contains the compiler's output in full, not folded()
   ProjectRules rules = {};
   std::function<void()> core_begins = {};  ///< called once before a core is compiled, which takes seconds
 };
@@ -57,8 +58,9 @@ struct Image {
   bool from_cache = false;
 };
 
-/// Thrown if the sketch does not compile. what() is the compiler's own message, from the first error. Places
-/// in the sketch's files have the user's names ("Blink.ino:12:5").
+/// Thrown if the sketch does not compile. what() is a message of Robosim, or the compiler's output from the
+/// first error on, possibly with a hint. Places in the sketch's files have the user's names:
+/// "Blink.ino:12:5".
 class CompileError : public InputError {
  public:
   using InputError::InputError;
@@ -104,7 +106,7 @@ struct Limit {
   std::string what;  ///< "nodes of a tree"
   std::uint64_t value = 0;
   std::uint64_t bytes_each = 0;  ///< RAM per additional item, by `linekit_bytes_each_...`; 0 = not stated
-  std::uint64_t most = 0;        ///< upper bound of the limit, by `linekit_most_...`; 0 = not stated
+  std::uint64_t most = 0;  ///< largest possible value of the limit, by `linekit_most_...`; 0 = not stated
 };
 /// Returns all limits of an image, sorted by name.
 std::vector<Limit> stated_limits(const Image& image);
@@ -120,7 +122,8 @@ std::filesystem::path find_sketch(const std::string& name);
 /// Returns whether a sketch of this name comes with Robosim.
 bool is_stock_sketch(const std::string& name);
 
-/// Returns a remark on a folder without an .ino file of its name, whose main file is another one; else "".
+/// Returns a remark if the main file of a folder is an .ino file that is not named like the folder.
+/// Otherwise returns an empty text.
 std::string remark_on_main_file(const std::filesystem::path& folder);
 
 /// Returns the names of the sketches that come with Robosim, sorted.

@@ -113,9 +113,9 @@ const std::vector<DriverChip>& driver_chips() {
   // (TI SLVSAR1): 0.36 ohm; DRV8835 (TI SLVSB18): 0.305 ohm. The first two chips are bipolar: the drop occurs
   // at any current.
   //
-  // Freewheeling diodes: L298N modules have 1N5822 or FR107, of at most 1.2 V as ST's data sheet requires.
-  // L293D has an internal clamp of 1.3 V; TB6612FNG has 1 V, typical. The other chips use a MOSFET's body
-  // diode, estimated at 0.8 V.
+  // Freewheeling diodes: L298N modules have 1N5822 or FR107, estimated at 1 V; ST's data sheet requires at
+  // most 1.2 V. L293D has an internal clamp of 1.3 V; TB6612FNG has 1 V, typical. The other chips use a
+  // MOSFET's body diode, estimated at 0.8 V.
   static const std::vector<DriverChip> chips = {
       // A low EN opens the bridge. While EN is high, the two half bridges follow IN1 and IN2.
       {"l298n",
@@ -144,7 +144,8 @@ const std::vector<DriverChip>& driver_chips() {
        0.8,
        true,
        {{{open, open}, {open, open}}, {{open, reverse}, {forward, shorted}}}},
-      // In the mode PHASE/ENABLE, a low ENABLE brakes. The mode IN/IN works as in the drv8833.
+      // In the mode PHASE/ENABLE, a low ENABLE brakes. There, IN1 and IN2 always differ (motor_driver.h). The
+      // mode IN/IN works as in the drv8833.
       {"drv8835",
        0.0,
        0.305,

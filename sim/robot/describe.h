@@ -25,7 +25,7 @@ struct PartSummary {
 struct SteeredWheels {
   std::string servo;    ///< name of the steering servo
   double base = 0.0;    ///< m, distance from the driven axle
-  int wheels = 1;       ///< 1, or 2 that are `track` apart
+  int wheels = 1;       ///< 1, or 2 at the distance Summary::track
   double middle = 0.0;  ///< rad, the servo's reading when the wheels point ahead
   double ratio = 0.0;   ///< rad of steering to the left per rad of the reading
   double limit = 0.0;   ///< rad, largest steering angle to each side
@@ -44,12 +44,12 @@ struct Summary {
   std::vector<Gauge> gauges;         ///< readings that are numbers with units
   std::vector<PartSummary> parts;
   std::optional<SteeredWheels> steered;
-  std::vector<Register> registers;  ///< of shift registers and PWM drivers, in the order of their outputs
+  std::vector<Register> registers;  ///< of shift registers and PWM drivers, by register number (netlist.h)
 };
 
 Summary describe(const Description&);
 
-/// Returns the body parameters of one robot. In the profile `typical`, they are sampled from (seed, number).
+/// Returns the body parameters of one robot. Samples them from (seed, number), except in the profile `ideal`.
 world::BodyParams body_params(const Description&, std::uint64_t seed, Profile, std::uint32_t number = 0);
 
 }  // namespace robosim::robot

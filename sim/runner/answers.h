@@ -13,7 +13,7 @@ inline double seconds(SimTime t) { return static_cast<double>(t) * 1e-9; }
 
 wire::Started to_wire(const run::Beginning& beginning);
 wire::Sample to_wire(const run::Sample& sample);
-/// Converts `sample` to `to`, whose memory is reused. Does not change the robot's number.
+/// Writes the converted sample into `to`, and reuses the memory of `to`. Does not change `to.agent`.
 void to_wire(const run::Sample& sample, wire::Sample& to);
 /// Returns the numbers for wire::BatchWriter::add_sample().
 std::array<double, 10> numbers_of(const run::Sample& sample);

@@ -17,8 +17,9 @@ namespace robosim::runner {
 
 class EventEncoder final : public run::Listener {
  public:
-  /// Reports the events to which `request` subscribes, for robot number `agent`. If `batcher` is not null,
-  /// frequent events go through it. All arguments except `tell` must outlive this object.
+  /// Reports the events to which `request` subscribes, for robot number `agent`. Frequent events go
+  /// through `batcher` if it is not null and the request comes in batches. All arguments except `tell` must
+  /// outlive this object.
   EventEncoder(const wire::RunRequest& request, int agent, const BoardSpec& board, exec::Executor& executor,
                Tell tell, EventBatcher* batcher);
 
@@ -43,12 +44,12 @@ class EventEncoder final : public run::Listener {
   const exec::SourceLine& driving(Pin pin, const PinDrive& drive) const;
   int source_of(Pin pin, const PinDrive& drive) { return sources_ ? number_of_source(pin, drive) : 0; }
   int number_of_source(Pin pin, const PinDrive& drive);
-  /// Returns whether the batcher accepts an event unchanged. This is the case for most events. This code is
-  /// small, since recording a run must be fast.
+  /// Returns whether the batcher can append an event without a record of its time or name before it. This is
+  /// the case for most events. This code is small, since recording a run must be fast.
   static bool goes_on(const EventBatcher* batcher, int agent, SimTime t, Pin pin) {
     return batcher && batcher->follows(agent, t, pin);
   }
-  // Handle the events that the batcher does not accept unchanged.
+  // Handle all other events: events that need such a record, and events without a batcher.
   [[gnu::noinline]] void change_pin(Pin pin, const PinDrive& drive, SimTime t);
   [[gnu::noinline]] void see_volts(Pin pin, double volts, SimTime t);
   // Report an event of a pin if there is no batcher.
@@ -74,7 +75,7 @@ class EventEncoder final : public run::Listener {
   EventBatcher* const quick_inputs_;    ///< the batcher if it gets all input events; or null
   std::string line_;
   std::optional<wire::RunColumns> columns_;
-  std::optional<wire::SourceNumbers> sources_;  ///< set if the client makes columns with sources
+  std::optional<wire::SourceNumbers> sources_;  ///< set if the client makes the columns, with sources
   wire::Sample sample_;                         ///< last sample
 };
 

@@ -3,10 +3,10 @@
 //   - The run is saved at intervals.
 //   - The run is repeated around the decisive moment of the verdict, and each instruction is recorded
 //     (exec::CauseFinder).
-//   - The causes may include bytes that were written long before. The run is then also repeated between the
-//     last two snapshots between which any of these bytes changed.
-//   - The sketch's lines that were found become links of a chain: one link for each file, one for everything
-//     that was read, and one for everything that was set long before.
+//   - The causes may include bytes that were written long before. To find the write, the run is repeated from
+//     the last snapshot before one of these bytes changed. This may happen several times.
+//   - The sketch's lines that were found become links of a chain: one link for each file, one for all lines
+//     that read pins, and one for all lines that set values long before.
 #pragma once
 
 #include <map>
@@ -22,8 +22,8 @@ namespace robosim::runner {
 
 class Inquiry final : run::Listener {
  public:
-  /// Examines a run of one robot. All arguments outlive this object. Throws InputError if causes cannot be
-  /// found.
+  /// Examines a run of one robot. `board`, and all objects that `setup` points to, must outlive this object.
+  /// Throws InputError if the target does not support tracing, or the image has no debug information.
   Inquiry(const run::Setup& setup, const BoardSpec& board, std::vector<robot::WiredPin> wiring);
 
   /// Returns the run's outcome, including its causes.

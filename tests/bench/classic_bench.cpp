@@ -1,7 +1,7 @@
 // Measures the cell engine, in which a robot moves from cell to cell. First measures moves per second on map
 // d, in bulk and one by one. For comparison, measures a re-implementation of Robosim v1 (tests/support/v1.h).
 // Moves in bulk must reach 8 times the speed of v1, and 1e8 moves per second. Then measures a full scan of a
-// tree with a million stations. The scan may take 0.5 s, without reading the map.
+// tree with a million stations. The scan must take at most 0.5 s. This excludes generating the map.
 #include <benchmark/benchmark.h>
 
 #include "sim/map/cells/survey.h"
@@ -14,7 +14,7 @@ namespace {
 using namespace robosim;
 using namespace robosim::cells;
 
-constexpr int kMoves = 100'000;  // number of moves between two readings of the clock
+constexpr int kMoves = 100'000;  // number of moves per iteration
 
 void count_moves(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * kMoves);
@@ -77,7 +77,7 @@ void OriginalsSensingWalksMapD(benchmark::State& state) {
 }
 BENCHMARK(OriginalsSensingWalksMapD);
 
-// Converts the map to a CellFloor. Then a robot explores all cells and builds the graph of the stations.
+// Converts the map to a CellFloor. Then a robot explores all lines and builds the graph of the network.
 void CellsScanAMillionStations(benchmark::State& state) {
   const map::Map map = map::generate(map::Family::tree, 1'000'000, 1);
   const map::Start start = map::default_start(map);

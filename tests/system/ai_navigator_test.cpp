@@ -2,7 +2,7 @@
 // station.
 //
 // Compares the sketch's output with the robot's position in the world when the sketch prints that it has
-// arrived. ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, also on the chip.
+// arrived. ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, on the host and on the chips.
 
 #include <cmath>
 
@@ -164,7 +164,7 @@ TEST(AiNavigatorsMap, IsNoUseIfThePowerFailedWhileItWasStored) {
   EXPECT_EQ(seen.verdict, "interrupted") << seen.text;
 }
 
-TEST(AiNavigatorsMap, IsNotTrustedWhereTheRobotWasCarriedElsewhere) {
+TEST(AiNavigatorsMap, IsNotTrustedIfTheRobotWasMoved) {
   const Seen seen = watch("c",
                           kScan + "after serial \"at 1\\r\\n\" power off 100ms\n" +
                               "after serial \"I have a map\" place 6,9,E\n" +
@@ -179,7 +179,7 @@ TEST(AiNavigatorsBumper, PausesTheRobotUntilTheWayIsFree) {
   EXPECT_THAT(seen.text, HasSubstr("collision: waiting\ngoing on\narrived at 2"));
 }
 
-TEST(AiNavigatorsBumper, TurnsItBackWhenItStaysPressedAndThereIsNoOtherWay) {
+TEST(AiNavigatorsBumper, TurnsTheRobotBackIfTheBumperStaysPressedAndNoOtherPathExists) {
   const Seen seen = watch(
       "b", kScan + send_after("at 1\\r\\n", "2") + "after serial \"way:\" press bumper 6s\n", "no way to 2");
   EXPECT_THAT(seen.text, HasSubstr("an obstacle: going back\n"));
@@ -187,8 +187,8 @@ TEST(AiNavigatorsBumper, TurnsItBackWhenItStaysPressedAndThereIsNoOtherWay) {
 }
 
 // Presses the bumper at a node, soon after it, at bends, and before the next node. At some of these places,
-// the robot sees no line while it turns.
-TEST(AiNavigatorsBumper, LeadsItBackWhereverOnTheWayItIsPressed) {
+// the robot sees no line while it turns back.
+TEST(AiNavigatorsBumper, LeadsTheRobotBackFromAnyPlaceOnThePath) {
   for (int moment = 0; moment < 12; moment += 12 / rounds(12)) {
     const Seen seen = watch("d",
                             kScan + "at 130s send \"4\\n\"\nat " + std::to_string(130100 + 530 * moment) +

@@ -1,5 +1,6 @@
 #include "tests/system/console_blocks.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
@@ -12,6 +13,10 @@ constexpr std::string_view kAnything = "…";
 std::string without_blanks_at_end(std::string line) {
   line.erase(line.find_last_not_of(" \t\r") + 1);
   return line;
+}
+
+std::string_view trimmed(std::string_view line) {
+  return line.substr(std::min(line.find_first_not_of(' '), line.size()));
 }
 
 std::vector<std::string> lines_of(std::string_view text) {
@@ -39,8 +44,7 @@ bool fits(std::string_view pattern, std::string_view line) {
 bool fit(const std::vector<std::string>& patterns, std::size_t pattern, const std::vector<std::string>& lines,
          std::size_t line) {
   for (; pattern < patterns.size(); ++pattern, ++line) {
-    if (patterns[pattern].find_first_not_of(' ') == patterns[pattern].find(kAnything) &&
-        patterns[pattern].ends_with(kAnything)) {
+    if (trimmed(patterns[pattern]) == kAnything) {
       for (std::size_t at = line; at <= lines.size(); ++at)
         if (fit(patterns, pattern + 1, lines, at)) return true;
       return false;

@@ -8,8 +8,8 @@
 //
 //   - it ran at least 10 times, with a constant on one side, and its two sides were never equal;
 //   - the other side was below the constant at some time and above at another: the value has passed it;
-//   - if the constant is 0, the value moved away from 0 in 20 consecutive comparisons. A sketch that skips
-//     a step while an error is 0 is harmless.
+//   - if the constant is 0, the value did not come closer to 0 in 20 consecutive comparisons. This exempts
+//     `if (error != 0) correct();`, where a control error changes its sign repeatedly.
 //
 // A comparison that detects a change (x != last) has no constant side, and is not a finding. To fix the
 // sketch, use >= or <=, or fabs(a - b) < 0.5, or count in integers.
@@ -44,7 +44,7 @@ class FloatEquality final : public ChipDetector {
     std::int64_t times = 0;
     float before = 0.0f;  ///< right side minus left side in the last comparison
     bool has_passed = false;
-    int away = 0;           ///< consecutive comparisons in which the value moved away
+    int away = 0;           ///< consecutive comparisons in which the value did not come closer
     SimTime found_at = -1;  ///< negative = not found yet
   };
 

@@ -1,5 +1,5 @@
-// Maps the shadow memory that the address checks of firmware use (hal/host/addresses.h). Only memory that
-// firmware may access gets a shadow, since gcc's own runtime would reserve 16 TB.
+// Maps the shadow memory that the address checks of firmware use (hal/host/addresses.h). The runtime of gcc's
+// AddressSanitizer is not used, because it would reserve 16 TB of addresses.
 #pragma once
 
 #include <cstddef>

@@ -30,8 +30,8 @@ struct Firmware {
     return address >= robosim::stm32::kFlash && address < code_end;
   }
 
-  /// Reads a program. Throws InputError if the file is missing, larger than the board's flash, or not an
-  /// executable for an STM32F103.
+  /// Reads a program. Throws InputError if the file is missing or not an executable for an STM32F103. Also
+  /// throws InputError if the program exceeds the board's flash or RAM.
   static Firmware read(const std::filesystem::path& file, const BoardSpec& board);
 };
 

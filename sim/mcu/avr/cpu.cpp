@@ -52,8 +52,8 @@ Op both_of(Op first, Op second) {
   }
 }
 
-/// Returns whether an AVRe core lacks the operation: multiplication, JMP and CALL, or access to program
-/// memory beyond 64 KB.
+/// Returns whether an AVRe core lacks the operation: multiplication, JMP, CALL, or an extended operation
+/// (ELPM, EIJMP, EICALL).
 bool needs_large_core(Op op) {
   switch (op) {
     case Op::mul:

@@ -12,7 +12,7 @@ constexpr SimTime kDeadBand = 10 * kMicrosecond;
 
 constexpr FaultKind kServoFaults[] = {
     {Failure::ok, "works again"},
-    {Failure::stuck, "it stays where it is"},
+    {Failure::stuck, "the horn does not move"},
 };
 
 }  // namespace

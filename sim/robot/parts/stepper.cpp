@@ -15,7 +15,7 @@ constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;    // rad/s
 
 constexpr FaultKind kStepperFaults[] = {
     {Failure::ok, "works again"},
-    {Failure::stuck, "it stays where it is"},
+    {Failure::stuck, "the rotor does not move"},
 };
 
 }  // namespace

@@ -62,7 +62,7 @@ class CellDriver {
   virtual int here() const = 0;
   virtual RouteReport route(int to) = 0;
   virtual WalkReport drive(int to, const OnStep& on_step) = 0;
-  /// Returns the robot to its station after an interrupted drive.
+  /// Places the robot at a station, for example after an interrupted drive.
   virtual void put_back(int station) = 0;
 };
 
@@ -128,7 +128,7 @@ class Session {
   Next choose_next(const std::string& result, terminal::Ink ink);
   Next on_robot();
 
-  // Lets the user move the robot from cell to cell (session_drive.cpp).
+  // Shows how the robot walks, scans and drives from cell to cell (session_drive.cpp).
   Next on_cells();
   Next scan_and_drive();
   void show_graph(const std::string& result);

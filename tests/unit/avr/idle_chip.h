@@ -26,7 +26,8 @@ class IdleChip {
     bench.chip.cpu().set_pc(kSleep);
     run(1);
   }
-  /// Returns the number of the vector at which the processor loops; 0 = no interrupt since the reset.
+  /// Returns the number of the last interrupt's vector; 0 = no interrupt since the reset. After
+  /// fall_asleep(), the result is valid only once an interrupt has occurred.
   int vector() { return static_cast<int>(bench.chip.cpu().pc() / 2); }
 
  private:

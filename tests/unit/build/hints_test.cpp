@@ -54,7 +54,7 @@ TEST(Hints, ASketchForAnotherVersionOfALibraryIsToldWhich) {
 TEST(Hints, OtherBoardsProgramsAreToldWhatIsSimulated) {
   for (const char* message : {"error: 'ledcSetup' was not declared in this scope",
                               "error: 'input' does not name a type", "error: 'from' does not name a type"})
-    EXPECT_THAT(hint_for(message), HasSubstr("Robosim simulates Arduino boards")) << message;
+    EXPECT_THAT(hint_for(message), HasSubstr("Robosim simulates the Blue Pill")) << message;
   EXPECT_THAT(foreign_header("WiFi.h"), HasSubstr("WiFi.h is for an ESP32; Robosim"));
   EXPECT_THAT(foreign_header("esp_task_wdt.h"), HasSubstr("an ESP32"));
   EXPECT_THAT(foreign_header("WiFiS3.h"), HasSubstr("an Arduino Uno R4"));

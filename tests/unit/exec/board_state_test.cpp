@@ -60,7 +60,7 @@ TEST_F(BoardStateTest, AnOutputReadsBackItsOwnLevelWhateverIsConnected) {
   EXPECT_TRUE(board_.read_level(7, 0));
 }
 
-TEST_F(BoardStateTest, WatchersHearOfChangesOnlyInTheOrderInWhichTheyWereAdded) {
+TEST_F(BoardStateTest, OnlyChangesAreReportedToWatchersInTheOrderOfRegistration) {
   struct Watcher : PinWatcher {
     Watcher(std::vector<int>& log, int name) : log_(log), name_(name) {}
     void pin_changed(Pin, const PinDrive&, SimTime) override { log_.push_back(name_); }
@@ -109,7 +109,7 @@ TEST_F(BoardStateTest, NoEdgeLeadsToTheLevelThatAPinHasAlready) {
   EXPECT_THAT(inputs(kSecond), ElementsAre(2, 2));
 }
 
-TEST_F(BoardStateTest, WhatWasBeforeEdgesWereWantedIsNoEdge) {
+TEST_F(BoardStateTest, ARequestForEdgesDropsEarlierEdgesAndEdgesWithoutAChange) {
   board_.schedule_edge(2, true, 100);
   board_.schedule_edge(2, false, 300);
   board_.schedule_edge(2, true, 400);
@@ -118,7 +118,7 @@ TEST_F(BoardStateTest, WhatWasBeforeEdgesWereWantedIsNoEdge) {
   EXPECT_THAT(inputs(kSecond), ElementsAre(2));
 }
 
-TEST_F(BoardStateTest, AnOutputsOwnLevelIsWhatTheNextEdgeChanges) {
+TEST_F(BoardStateTest, TheNextEdgeIsComparedWithTheLevelThatThePinDroveAsAnOutput) {
   board_.set_wants_edges(2, true, 0);
   board_.set_drive(2, output(true), 10);
   board_.set_drive(2, PinDrive{}, 20);
@@ -157,7 +157,7 @@ TEST_F(BoardStateTest, AResetFreesPinsAndForgetsWhatIsOnItsWayButNotTheEeprom) {
   EXPECT_EQ(board_.eeprom()[8], 0xFF);
 }
 
-TEST_F(BoardStateTest, TellsOfEachWriteToTheEepromWhatWasThereBefore) {
+TEST_F(BoardStateTest, ReportsEachEepromWriteWithThePreviousValue) {
   struct Watcher final : EepromWatcher {
     void eeprom_written(std::uint16_t address, std::uint8_t before, std::uint8_t value, SimTime t) override {
       heard.insert(heard.end(), {address, before, value, static_cast<int>(t)});

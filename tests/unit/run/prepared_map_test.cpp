@@ -10,7 +10,7 @@
 namespace robosim::run {
 namespace prepared_map_test {
 
-class SceneryTest : public testing::Test {
+class PreparedMapTest : public testing::Test {
  protected:
   judge::Outcome follow(const Mission& mission, std::uint64_t seed,
                         std::unique_ptr<PreparedMap>* prepared_map) {
@@ -36,7 +36,7 @@ class SceneryTest : public testing::Test {
   const robot::Description robot_ = robot::load_description("uno5");
 };
 
-TEST_F(SceneryTest, IsWhatASimulationWouldMakeItself) {
+TEST_F(PreparedMapTest, GivesTheSameResultAsAnUnpreparedRun) {
   const map::Start start = map::default_start(map_);
   const Mission missions[] = {
       {}, {start, {}}, {{}, judge::parse_goal("none")}, {start, judge::parse_goal("tour")}};
@@ -50,13 +50,13 @@ TEST_F(SceneryTest, IsWhatASimulationWouldMakeItself) {
       }
 }
 
-TEST_F(SceneryTest, OfASetUpTheNextSimulationMakesItsOwn) {
+TEST_F(PreparedMapTest, IsUsedByOneRunOnly) {
   auto prepared_map = std::make_unique<PreparedMap>(map_);
   const judge::Outcome first = follow({}, 3, &prepared_map);
   expect_same(follow({}, 3, &prepared_map), first);
 }
 
-TEST_F(SceneryTest, AnErrandThatMakesNoSenseIsAnErrorOfTheRun) {
+TEST_F(PreparedMapTest, ReportsAnInvalidMissionInResolveNotInPrepare) {
   PreparedMap prepared_map(map_);
   const Mission nowhere{{}, judge::parse_goal("station:nowhere")};
   prepared_map.prepare(0, nowhere);

@@ -61,7 +61,7 @@ TEST(Answers, ASampleIsInMicrosecondsMillimetresAndRadians) {
   EXPECT_EQ(s.at_station, "dock");
 }
 
-TEST(Answers, AStandstillSaysWhyItStandsAndWhereItWasWorst) {
+TEST(Answers, APauseReportsItsStopConditionAndTheLargestCrossTrackError) {
   run::State state;
   state.t = 7 * kMillisecond;
   state.stop = 2;
@@ -85,11 +85,11 @@ TEST(Answers, AStandstillSaysWhyItStandsAndWhereItWasWorst) {
   EXPECT_TRUE(paused.driven);
   EXPECT_EQ(paused.serial_bytes, 42u);
   EXPECT_EQ(paused.metrics.collisions, 3);
-  EXPECT_FALSE(paused.resources) << "the executor is not a chip";
+  EXPECT_FALSE(paused.resources) << "only an emulated chip reports resources";
   EXPECT_EQ(paused.sample.t_us, 12'000);
 }
 
-TEST(Answers, AResultHasItsVerdictByNameWithTheExitStatusOfRun) {
+TEST(Answers, AResultHasTheVerdictsNameAndTheExitStatusOfRobosimRun) {
   judge::Outcome outcome;
   outcome.verdict = judge::Verdict::crashed;
   outcome.why = "The sketch crashed.";
