@@ -70,6 +70,37 @@ TEST(CliWire, FindsTheStockRobotsPinsFromTheStockSketchAlone) {
                                HasSubstr("drives a lap of the map oval")));
 }
 
+// The sketch names its motors A and B, but A is at the right. Its comments are not read.
+TEST(CliWire, TriesTheSidesThatNamesLeaveOpenAndSaysWhatCameOfIt) {
+  const Folder folder;
+  folder.write("Sides/Sides.ino", R"(const int ENA = 10, IN1 = 7, IN2 = 6, ENB = 9, IN3 = 5, IN4 = 4;
+void setup() {
+  pinMode(ENA, OUTPUT); pinMode(IN1, OUTPUT); pinMode(IN2, OUTPUT);
+  pinMode(ENB, OUTPUT); pinMode(IN3, OUTPUT); pinMode(IN4, OUTPUT);
+  digitalWrite(IN1, HIGH); digitalWrite(IN2, LOW); digitalWrite(IN3, HIGH); digitalWrite(IN4, LOW);
+}
+void loop() {
+  bool left = digitalRead(13), right = digitalRead(11);
+  analogWrite(ENA, right && !left ? 0 : 120);
+  analogWrite(ENB, left && !right ? 0 : 120);
+}
+)");
+  const Ended wired = robosim_command({"wire", "./Sides"}, folder.path());
+  ASSERT_EQ(wired.status, 0) << wired.err;
+  EXPECT_THAT(wired.out,
+              AllOf(HasSubstr("drives a lap of the map oval"),
+                    HasSubstr("wirings were tried on the map oval"), HasSubstr("; a whole lap (this draft)"),
+                    HasSubstr("# ? Decided by trials alone, so check:"), HasSubstr("motors swapped")));
+}
+
+TEST(CliWire, ChoosesABoardThatHasThePins) {
+  const Folder folder;
+  folder.write("Seven/Seven.ino", "void setup() {}\nvoid loop() { analogRead(A7); delay(5); }\n");
+  folder.write("Many/Many.ino", "void setup() { pinMode(40, OUTPUT); }\nvoid loop() { delay(5); }\n");
+  EXPECT_THAT(robosim_command({"wire", "./Seven"}, folder.path()).out, HasSubstr("board = \"nano\""));
+  EXPECT_THAT(robosim_command({"wire", "./Many"}, folder.path()).out, HasSubstr("board = \"mega\""));
+}
+
 TEST(CliWire, WhatItCannotDoIsSaidInASentence) {
   const Folder folder;
   folder.write("Bad/Bad.ino", "void setup() { pinMod(3, OUTPUT); }\nvoid loop() {}\n");

@@ -1,5 +1,9 @@
 #include "sim/campaign/wiring/candidate_trial.h"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
 #include "sim/base/file.h"
 #include "sim/base/robot_name.h"
 #include "sim/build/source.h"
@@ -9,30 +13,70 @@ namespace robosim::wiring {
 namespace {
 
 constexpr int kMostDrafts = 5;
+constexpr std::size_t kMostTrials = 64;
+constexpr std::int64_t kSampleEvery_ns = 50'000'000;
 constexpr double kLook_s = 5.0;
 constexpr double kDrive_s = 60.0;
 constexpr const char* kGoal = "laps:1";
 
 std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(seconds * 1e9); }
 
-double on_line_s(const result::RunResult& result) { return result.time_s - result.metrics.off_line_s; }
+// Returns whether trial `a` is clearly better. A small difference is chance.
+bool is_much_better(const Trial& a, const Trial& b) {
+  constexpr double kMuch = 1.5, kSome_m = 1.0;
+  if (a.follows != b.follows) return a.follows;
+  if (a.follows) return kMuch * a.result.metrics.cross_track_rms_mm < b.result.metrics.cross_track_rms_mm;
+  return a.followed_m > kMuch * b.followed_m && a.followed_m > b.followed_m + kSome_m;
+}
 
-// Returns whether result `a` is clearly better: the robot moves, or stays on the line much longer. A small
-// difference is chance.
-bool is_much_better(const result::RunResult& a, const result::RunResult& b) {
-  constexpr double kMuch = 1.5, kMoved_m = 0.05;
-  const bool a_moved = a.metrics.distance_m > kMoved_m, b_moved = b.metrics.distance_m > kMoved_m;
-  if (a_moved != b_moved) return a_moved;
-  return on_line_s(a) > kMuch * on_line_s(b);
+// Returns whether `ways` differs in one way from `follower`, the ways of a robot that follows the line. Only
+// counts the three ways that may be wrong although a robot follows the line.
+bool may_be_better(const Ways& ways, const Ways& follower) {
+  int differences = 0;
+  for (const bool Ways::*is : {&Ways::black_low, &Ways::other_order, &Ways::other_sides})
+    differences += ways.*is != follower.*is;
+  Ways rest = ways;
+  for (bool Ways::*is : {&Ways::black_low, &Ways::other_order, &Ways::other_sides}) rest.*is = follower.*is;
+  return differences == 1 && rest == follower;
 }
 
 }  // namespace
+
+const BoardSpec& board_for(const launch::SketchChoice& sketch) {
+  const build::ProjectRules rules = request_of(sketch, *board_at(0), "host", {}).rules;
+  return board_for(build::read_sketch(sketch.path, rules));
+}
 
 bool follows_a_lap(const result::RunResult& result, bool sensors_beside) {
   constexpr double kBeside_mm = 50.0, kMostOff = 0.5;
   return result.verdict == "reached" && result.metrics.cross_track_rms_mm < kBeside_mm &&
          (sensors_beside || result.metrics.off_line_s < kMostOff * result.time_s);
 }
+
+std::vector<Ways> combinations(const Ways& open) {
+  std::vector<Way> ways;
+  for (const Way& way : kWays)
+    if (open.*way.is) ways.push_back(way);
+  std::vector<unsigned> sets;
+  for (unsigned set = 1; set < 1u << ways.size(); ++set) sets.push_back(set);
+  std::stable_sort(sets.begin(), sets.end(),
+                   [](unsigned a, unsigned b) { return std::popcount(a) < std::popcount(b); });
+  std::vector<Ways> all;
+  for (const unsigned set : sets) {
+    Ways& one = all.emplace_back();
+    for (std::size_t i = 0; i < ways.size(); ++i) one.*ways[i].is = (set >> i & 1u) != 0;
+  }
+  return all;
+}
+
+void FollowedLine::add(const wire::Sample& sample) {
+  constexpr double kNear_mm = 30.0, kSquare_mm = 50.0;
+  if (std::abs(sample.cross_track_mm) > kNear_mm) return;
+  squares_.emplace(static_cast<int>(std::floor(sample.x_mm / kSquare_mm)),
+                   static_cast<int>(std::floor(sample.y_mm / kSquare_mm)));
+}
+
+double FollowedLine::length() const { return 0.05 * static_cast<double>(squares_.size()); }
 
 CandidateTrial::CandidateTrial(launch::Launch launch, const BoardSpec& board,
                                const std::filesystem::path& folder, launch::Listener listener)
@@ -49,21 +93,27 @@ CandidateTrial::CandidateTrial(launch::Launch launch, const BoardSpec& board,
 }
 
 result::RunResult CandidateTrial::run(const RobotDraft& draft, double for_s, const std::string& goal,
-                                      PinHistory* history) {
+                                      const std::function<void(const wire::Event&)>& on_event) {
   write_file(file_, wiring::text_of(draft));
   launch_.request.script = presses(draft);
   launch_.request.goal = goal;
   launch_.request.for_ns = to_ns(for_s);
-  launch_.request.pins = launch_.request.io = history != nullptr;
   const launch::Prepared run = launcher_.prepare(
       launch_, launch::choose(launch_), [&](const std::string& name) { return runner_.describe_robot(name); },
       runner_.hello());
   const client::Interrupts interrupts(runner_);
-  if (!history) return runner_.run(run.request);
-  history->begin();
-  result::RunResult result = runner_.run(run.request, [&](const wire::Event& event) { history->add(event); });
-  history->end(to_ns(result.time_s));
-  return result;
+  return runner_.run(run.request, on_event);
+}
+
+Trial CandidateTrial::attempt(const RobotDraft& draft, const Ways& ways) {
+  launch_.request.samples_every_ns = kSampleEvery_ns;
+  FollowedLine line;
+  Trial trial{ways, 0.0, false, run(draft, kDrive_s, kGoal, [&](const wire::Event& event) {
+                if (const auto* sample = std::get_if<wire::Sample>(&event)) line.add(*sample);
+              })};
+  trial.followed_m = line.length();
+  trial.follows = follows_a_lap(trial.result, draft.open.close && !ways.close);
+  return trial;
 }
 
 RobotDraft CandidateTrial::guess(const Ways& ways) {
@@ -85,35 +135,34 @@ RobotDraft CandidateTrial::draft() {
   draft.base = "uno3";
   draft.board = board_.name;
   std::string text = wiring::text_of(draft);
+  launch_.request.pins = launch_.request.io = true;
   for (int i = 0; i < kMostDrafts; ++i) {
-    run(draft, kLook_s, "none", &history_);
+    history_.begin();
+    const result::RunResult result =
+        run(draft, kLook_s, "none", [&](const wire::Event& event) { history_.add(event); });
+    history_.end(to_ns(result.time_s));
     draft = guess({});
     const std::string next = wiring::text_of(draft);
     if (next == text) break;
     text = next;
   }
+  launch_.request.pins = launch_.request.io = false;
   return draft;
 }
 
-result::RunResult CandidateTrial::choose(RobotDraft& draft) {
-  const Open open = draft.open;
-  result::RunResult best = run(draft, kDrive_s, kGoal, nullptr);
-  follows_ = follows_a_lap(best, open.distance);
-  tried_ = 1;
-  for (int bits = 1; bits < 16 && !follows_; ++bits) {
-    const Ways ways{(bits & 1) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 2) != 0};
-    if ((ways.black_low && !open.black) || (ways.other_order && !open.order) ||
-        (ways.other_sides && !open.sides) || (ways.close && !open.distance))
-      continue;
+std::vector<Trial> CandidateTrial::choose(RobotDraft& draft) {
+  std::vector<Trial> trials = {attempt(draft, {})};
+  std::size_t best = 0;
+  for (const Ways& ways : combinations(draft.open)) {
+    if (trials.size() == kMostTrials) break;
+    if (trials[best].follows && !may_be_better(ways, trials[best].ways)) continue;
     const RobotDraft other = guess(ways);
-    result::RunResult result = run(other, kDrive_s, kGoal, nullptr);
-    ++tried_;
-    follows_ = follows_a_lap(result, open.distance && !ways.close);
-    if (!follows_ && !is_much_better(result, best)) continue;
-    best = std::move(result);
+    trials.push_back(attempt(other, ways));
+    if (!is_much_better(trials.back(), trials[best])) continue;
+    best = trials.size() - 1;
     draft = other;
   }
-  return best;
+  return trials;
 }
 
 }  // namespace robosim::wiring

@@ -1,9 +1,13 @@
 // Tries out a draft of a robot with its sketch. The sketch's use of its pins refines the next draft. If
-// several wirings are possible, chooses a wiring with which the robot follows a line.
+// several wirings are possible, chooses the wiring with which the robot follows the line furthest.
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "sim/campaign/wiring/draft.h"
 #include "sim/launch/client/runner.h"
@@ -11,11 +15,37 @@
 
 namespace robosim::wiring {
 
+/// Returns a board that has all pins of the sketch (sketch_names.h).
+const BoardSpec& board_for(const launch::SketchChoice& sketch);
+
 /// Returns whether the robot has followed the line for a lap. Excludes laps by luck, in which the RMS
 /// cross-track error is at least 50 mm. Also excludes laps in which the sensors are off the line half of the
 /// time. The second condition does not apply to `sensors_beside`: sensors that are next to the line and
 /// rarely see the line.
 bool follows_a_lap(const result::RunResult& result, bool sensors_beside);
+
+/// A wiring that was tried, and what the sketch did with it.
+struct Trial {
+  Ways ways;
+  double followed_m = 0.0;  ///< length of the line that the robot followed; a line counts once
+  bool follows = false;     ///< whether the robot followed the line for a lap
+  result::RunResult result;
+};
+
+/// Returns all combinations of the ways that are true in `open`, those with the fewest ways first.
+std::vector<Ways> combinations(const Ways& open);
+
+/// Measures the length of the line that a robot followed: the number of different squares of 5 cm in which
+/// its sensors were at most 3 cm from a line. A robot that turns on the spot adds no further squares.
+class FollowedLine {
+ public:
+  void add(const wire::Sample& sample);
+  /// Returns the length in m.
+  double length() const;
+
+ private:
+  std::set<std::pair<int, int>> squares_;
+};
 
 class CandidateTrial {
  public:
@@ -26,18 +56,16 @@ class CandidateTrial {
   /// Makes drafts until a run shows nothing new, but at most five. Throws InputError if the sketch does not
   /// build.
   RobotDraft draft();
-  /// Tries the variants that `draft` leaves open, until one follows the line for a lap. Sets `draft` to the
-  /// variant that drives best. Returns the result of its run.
-  result::RunResult choose(RobotDraft& draft);
-  /// Return the number of variants that choose() has tried, and whether the chosen variant follows the line
-  /// for a lap.
-  int tried() const { return tried_; }
-  bool follows() const { return follows_; }
+  /// Tries the variants that `draft` leaves open, at most 64, until one follows the line for a lap. Sets
+  /// `draft` to the variant that follows the line furthest. Returns all trials, that of the draft first.
+  std::vector<Trial> choose(RobotDraft& draft);
 
  private:
   /// Guesses a draft. Parts that the reader of robot files refuses become questions.
   RobotDraft guess(const Ways& ways);
-  result::RunResult run(const RobotDraft& draft, double for_s, const std::string& goal, PinHistory* history);
+  result::RunResult run(const RobotDraft& draft, double for_s, const std::string& goal,
+                        const std::function<void(const wire::Event&)>& on_event);
+  Trial attempt(const RobotDraft& draft, const Ways& ways);
 
   launch::Launch launch_;
   const BoardSpec& board_;
@@ -46,8 +74,6 @@ class CandidateTrial {
   client::Runner runner_;
   SketchNames names_;
   PinHistory history_;
-  int tried_ = 0;
-  bool follows_ = false;
 };
 
 }  // namespace robosim::wiring

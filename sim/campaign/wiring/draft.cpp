@@ -56,11 +56,19 @@ std::string text_of(const RobotDraft& draft, const std::vector<std::string>& rem
     text += line(fmt::format("chip = \"{}\"", draft.driver),
                  draft.driver == "servo" ? "" : "? or " + other_drivers(draft.driver));
     if (!draft.standby.empty()) text += fmt::format("standby = {}\n", draft.standby);
+    if (!draft.supply.empty()) text += "\n[motors]\n" + line("supply = " + draft.supply, "? of the motors");
   }
   for (const PartDraft& part : draft.parts) text += text_of(part);
   if (!draft.questions.empty()) text += "\n# No part was found for:\n";
   for (const std::string& question : draft.questions) text += "# ? " + question + '\n';
   return text;
+}
+
+std::string text_of(const Ways& ways) {
+  std::string text;
+  for (const Way& way : kWays)
+    if (ways.*way.is) text += fmt::format("{}{}", text.empty() ? "" : ", ", way.words);
+  return text.empty() ? "as guessed first" : text;
 }
 
 bool remove_refused(RobotDraft& draft, int line, const std::string& message) {

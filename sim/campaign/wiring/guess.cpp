@@ -9,8 +9,6 @@
 namespace robosim::wiring {
 namespace {
 
-bool is_of_serial(const BoardSpec& board, Pin pin) { return pin < 2 && board.analog_pin_0 > 2; }
-
 std::string use_of(const PinFacts& facts) {
   std::string text;
   const auto add = [&](bool is, const char* what) {
@@ -52,6 +50,8 @@ void guess_input(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue)
   } else if (says(clue.words, {"bump", "collis", "whisk", "limit"})) {
     low ? add_pin_part(evidence, draft, clue, "bumper", "bumper")
         : add_pin_part(evidence, draft, clue, "bumper", "bumper", {{"resistor", "true"}});
+  } else if (says(clue.words, {"in", "mot", "dir", "pwm"})) {
+    return;  // the input of a driver that was never set to OUTPUT: ask
   } else if (low || says(clue.words, {"butt", "btn", "switch", "sw", "start", "push", "key", "mode"})) {
     low ? add_pin_part(evidence, draft, clue, "button", "button")
         : add_pin_part(evidence, draft, clue, "button", "button", {{"resistor", "true"}});
@@ -69,17 +69,22 @@ void guess_measured(Evidence& evidence, RobotDraft& draft, const PinEvidence& cl
     add_pin_part(evidence, draft, clue, "ir-distance", "distance");
   } else if (says(clue.words, {"curr"})) {
     add_pin_part(evidence, draft, clue, "current-sensor", "current");
-  } else if (says(clue.words, {"pot", "trim", "knob"})) {
+  } else if (says(clue.words, {"pot", "trim", "knob", "regl"})) {
     add_pin_part(evidence, draft, clue, "voltage", "knob", {{"volts", "\"2.5 V\""}});
   }
 }
 
 void guess_output(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue) {
-  if (clue.facts->toned || says(clue.words, {"buzz", "beep", "speak", "piezo", "tone"})) {
+  if (clue.facts->toned || says(clue.words, {"buzz", "beep", "speak", "piezo", "tone", "buzin"})) {
     clue.facts->toned ? add_pin_part(evidence, draft, clue, "buzzer", "buzzer")
                       : add_pin_part(evidence, draft, clue, "buzzer", "buzzer", {{"passive", "false"}});
-  } else if (clue.pin == evidence.board().led_builtin || says(clue.words, {"led", "light", "lamp"})) {
+  } else if (clue.facts->pulses && says(clue.words, {"servo", "grip", "claw", "pinza", "garra"})) {
+    add_pin_part(evidence, draft, clue, "servo", "servo");
+  } else if (says(clue.words, {"led", "light", "lamp"})) {
     add_pin_part(evidence, draft, clue, "led", "LED");
+  } else if (clue.pin == evidence.board().led_builtin && clue.name.empty()) {
+    add_pin_part(evidence, draft, clue, "led", "LED");
+    draft.parts.back().doubts.push_back("the LED of the board, unless something else is wired to this pin");
   }
 }
 
@@ -107,6 +112,23 @@ void ask_for_the_bus(Evidence& evidence, RobotDraft& draft) {
       shown(evidence, data), shown(evidence, clock)));
 }
 
+// Adds a question about the pins of each name that were not used in the runs.
+void ask_for_unused(const Evidence& evidence, RobotDraft& draft) {
+  std::vector<std::pair<std::string, std::string>> names;  // where a name is, and its pins
+  for (const PinEvidence* clue : evidence.never_used()) {
+    const std::string where = evidence.where(clue->pin), pin = shown(evidence, clue->pin);
+    if (!names.empty() && !where.empty() && names.back().first == where)
+      names.back().second += ", " + pin.substr(pin.find(' ') + 1);
+    else
+      names.emplace_back(where, pin);
+  }
+  for (const auto& [where, pins] : names)
+    draft.questions.push_back(fmt::format("{}{} {} not used in the runs: when does the sketch use {}?", pins,
+                                          where.empty() ? "" : " (" + where + ")",
+                                          pins.find(',') == pins.npos ? "was" : "were",
+                                          pins.find(',') == pins.npos ? "it" : "them"));
+}
+
 }  // namespace
 
 std::string part_name(const RobotDraft& draft, const std::string& wanted) {
@@ -119,6 +141,9 @@ std::string part_name(const RobotDraft& draft, const std::string& wanted) {
   for (const char c : wanted)
     if (c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0) plain += c;
   plain = plain.empty() ? "part" : plain.substr(0, kLongest);
+  // The elements of the array S are S1, S2 …
+  if (plain.size() > 1 && plain[0] == 'S' && plain.find_first_not_of("0123456789", 1) == std::string::npos)
+    plain = "part_" + plain;
   std::string name = plain;
   for (int n = 2; taken(name); ++n) name = fmt::format("{}_{}", plain, n);
   return name;
@@ -166,19 +191,20 @@ void guess_the_rest(Evidence& evidence, RobotDraft& draft) {
       guess_input(evidence, draft, *clue);
   }
   for (const PinEvidence* clue : evidence.left()) {
-    if (is_of_serial(evidence.board(), clue->pin)) continue;
+    if (clue->is_assumed) continue;  // has a question of its own
+    if (is_of_serial(evidence.board(), clue->pin) || evidence.is_given_to({"randomSeed"}, clue->pin))
+      continue;
     const std::string where = evidence.where(clue->pin);
     draft.questions.push_back(fmt::format("{}{} is {}: what is wired to it?", shown(evidence, clue->pin),
                                           where.empty() ? "" : " (" + where + ")", use_of(*clue->facts)));
   }
-  for (const PinEvidence* clue : evidence.never_used())
-    draft.questions.push_back(fmt::format("{} ({}) was not used in the runs: when does the sketch use it?",
-                                          shown(evidence, clue->pin), evidence.where(clue->pin)));
+  ask_for_unused(evidence, draft);
 }
 
 RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,
                  const Ways& ways) {
   RobotDraft draft;
+  draft.ways = ways;
   draft.board = board.name;
   draft.base = "uno3";
   draft.driver = "l298n";
@@ -189,6 +215,9 @@ RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHist
   guess_motors(evidence, ways, draft);
   guess_wheel_servos(draft);
   guess_the_rest(evidence, draft);
+  draft.open.low_battery = std::any_of(draft.parts.begin(), draft.parts.end(),
+                                       [](const PartDraft& part) { return part.type == "motor"; });
+  if (ways.low_battery) draft.supply = "\"6 V\"";
   const auto rank = [](const PartDraft& part) {
     return part.type.find("motor") != std::string::npos || part.type == "wheel-servo" ? 0
            : part.type.rfind("reflect", 0) == 0                                       ? 1

@@ -18,21 +18,37 @@ struct PartDraft {
   std::vector<std::string> doubts;                        ///< sentences for the user
 };
 
-/// Properties of the wiring that names in the source may leave open. A run on a robot without the parts does
-/// not show them either. A caller can try all combinations.
+/// Differences from the first guess that names in the source may leave open. A run on a robot without the
+/// parts does not show them either. A caller can try all combinations.
 struct Ways {
-  bool black_low = false;    ///< sensors read low over black
-  bool other_order = false;  ///< the first sensor is the rightmost
-  bool other_sides = false;  ///< the motors are swapped
-  bool close = false;        ///< two sensors are both on the line, not to its sides
+  bool black_low = false;       ///< sensors read low over black
+  bool close = false;           ///< two sensors are both on the line, not to its sides
+  bool other_order = false;     ///< the first sensor is the rightmost
+  bool other_sides = false;     ///< the motors are swapped
+  bool left_reversed = false;   ///< the left motor turns the other way
+  bool right_reversed = false;  ///< the right motor turns the other way
+  bool strong_driver = false;   ///< the driver is a tb6612, which drops less voltage than an l298n
+  bool low_battery = false;     ///< the motors' supply has 6 V instead of 7.4 V
+
+  bool operator==(const Ways&) const = default;
 };
 
-/// The Ways that the sketch leaves open, and that change its behaviour.
-struct Open {
-  bool black = false;
-  bool order = false;
-  bool sides = false;
-  bool distance = false;  ///< the distance between two sensors (Ways::close)
+/// A member of Ways, with its words for the user.
+struct Way {
+  bool Ways::*is;
+  const char* words;
+};
+/// A doubt about a key that a trial has decided.
+inline constexpr const char* kByTrial = "chosen by trials: with this, the sketch follows the line further";
+inline constexpr Way kWays[] = {
+    {&Ways::black_low, "black reads LOW"},
+    {&Ways::close, "both sensors on the line"},
+    {&Ways::other_order, "the first sensor at the right"},
+    {&Ways::other_sides, "motors swapped"},
+    {&Ways::left_reversed, "left motor reversed"},
+    {&Ways::right_reversed, "right motor reversed"},
+    {&Ways::strong_driver, "driver tb6612"},
+    {&Ways::low_battery, "battery 6 V"},
 };
 
 struct RobotDraft {
@@ -40,9 +56,11 @@ struct RobotDraft {
   std::string board;
   std::string driver;   ///< the motor driver's chip
   std::string standby;  ///< standby pin, as TOML; empty = none
+  std::string supply;   ///< voltage of the motors' supply, as TOML; empty = that of the base
   std::vector<PartDraft> parts;
   std::vector<std::string> questions;  ///< questions about pins without a part
-  Open open;
+  Ways ways;                           ///< the ways of this draft
+  Ways open;  ///< true = the sketch leaves this open, and it changes the robot's behaviour
 };
 
 RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,

@@ -47,7 +47,8 @@ class Libraries {
       keypad(given);
     } else if (type == "shiftOut" && given.each.size() == 2) {
       shift_register(given, pin(0), pin(1));
-    } else if (type == "IRrecv" && clues_.is_free(pin(0))) {
+    } else if ((type == "IRrecv" || (type == "begin" && given.name == "IrReceiver")) &&
+               clues_.is_free(pin(0))) {
       one_pin(given, "ir-receiver", pin(0));
     } else if (type == "Adafruit_NeoPixel" && clues_.is_free(pin(1))) {
       one_pin(given, "ws2812", pin(1));
@@ -137,10 +138,15 @@ class Libraries {
 
   // Reads pulseIn() on a pin. The trigger is the pin with short pulses.
   void echo(const Given& given, Pin pin) {
+    const auto is_named_echo = [&](Pin one) { return says(clues_.of(one).words, {"echo"}); };
+    // Colour sensors are read with pulseIn(), too.
+    if (!is_named_echo(pin))
+      for (const Given& other : clues_.names().given)
+        if (other.type == "pulseIn" && other.pins[0] != kNoPin && is_named_echo(other.pins[0])) return;
     Pin trigger = kNoPin;
     for (const PinEvidence* clue : clues_.left()) {
-      if (clue->pin == pin || !clue->facts->driven) continue;
-      if (says(clue->words, {"trig"})) trigger = clue->pin;
+      if (clue->pin == pin || !clue->facts->driven || clue->facts->discharged) continue;
+      if (says(clue->words, {"trig", "ping"})) trigger = clue->pin;
       if (clue->facts->pulses && trigger == kNoPin) trigger = clue->pin;
     }
     if (trigger == kNoPin) return;

@@ -71,6 +71,13 @@ int named_order(const PinEvidence& a, const PinEvidence& b) {
   return 0;
 }
 
+// Returns whether a name is that of a direction. In Portuguese, "direita" is the right side.
+bool is_direction(const PinEvidence& clue) {
+  return std::any_of(clue.words.begin(), clue.words.end(), [](const std::string& word) {
+    return (word.starts_with("dir") && !word.starts_with("direit")) || word.starts_with("ph");
+  });
+}
+
 // The pins of one motor, with their functions.
 class Motor {
  public:
@@ -83,7 +90,7 @@ class Motor {
       if (!level_.empty()) en_ = level_[0];
       inputs(pwm_[0], pwm_[1]);
     } else if (pwm_.size() == 1 && level_.size() == 1) {
-      if (named_order(*pwm_[0], *level_[0]) != 0 && !says(level_[0]->words, {"dir", "ph"}))
+      if (named_order(*pwm_[0], *level_[0]) != 0 && !is_direction(*level_[0]))
         inputs(pwm_[0], level_[0]);
       else
         phase();
@@ -103,7 +110,10 @@ class Motor {
   bool found() const { return en_ || in1_; }
   bool is_phase() const { return phase_ != nullptr; }
   bool is_transistor() const { return en_ && !in1_ && !phase_; }
-  bool order_is_named() const { return named_; }
+  /// Returns whether the inputs are named forward and backward, or by such abbreviations.
+  bool direction_is_named() const {
+    return in1_ && (is_forward(*in1_) || is_backward(*in1_) || is_forward(*in2_) || is_backward(*in2_));
+  }
 
   // Returns a value above 0 if the motor was mostly driven forward.
   double lean() const {
@@ -134,15 +144,13 @@ class Motor {
  private:
   void inputs(const PinEvidence* a, const PinEvidence* b) {
     const int order = named_order(*a, *b);
-    named_ = order != 0;
     in1_ = order < 0 ? b : a;
     in2_ = order < 0 ? a : b;
-    if (!named_ && lean() < 0.0) std::swap(in1_, in2_);
+    if (order == 0 && lean() < 0.0) std::swap(in1_, in2_);
   }
   void phase() {
     en_ = pwm_[0];
     phase_ = level_[0];
-    named_ = true;
   }
 
   const Evidence& clues_;
@@ -151,7 +159,6 @@ class Motor {
   const PinEvidence* phase_ = nullptr;
   const PinEvidence* in1_ = nullptr;
   const PinEvidence* in2_ = nullptr;
-  bool named_ = false;
 };
 
 constexpr std::size_t kMostPinsOfAMotor = 3;
@@ -205,7 +212,14 @@ Sides divide(const Evidence& evidence, const Pins& pins) {
     const Side side = side_of(clue->words);
     (side == Side::left ? sides.left : side == Side::right ? sides.right : unknown).push_back(clue);
   }
-  if (!sides.left.empty() && !sides.right.empty()) return sides;
+  if (!sides.left.empty() && !sides.right.empty() &&
+      sides.left.size() + sides.right.size() > unknown.size()) {
+    // Conventions, such as A for the left motor, are only a guess.
+    sides.named = std::all_of(pins.begin(), pins.end(), [](const PinEvidence* clue) {
+      return side_of(clue->words) == Side::unknown || spelled_side(clue->words) != Side::unknown;
+    });
+    return sides;
+  }
   sides = {given_together(evidence, pins, 0), given_together(evidence, pins, 1), false};
   if (!sides.left.empty() && !sides.right.empty()) return sides;
   sides = given_as_pair(evidence, pins);
@@ -230,6 +244,65 @@ void take_enable_without_name(Evidence& evidence, Pins& pins, RobotDraft& draft)
   pins.erase(enable);
 }
 
+// Adds the pin of the board's LED to three driven pins without names and PWM. Two motors have four such pins.
+void add_led_pin(const Evidence& evidence, Pins& pins) {
+  const PinEvidence& led = evidence.of(evidence.board().led_builtin);
+  const auto has_name = [](const PinEvidence* clue) { return !clue->name.empty(); };
+  const auto is_plain = [&](const PinEvidence* clue) { return !is_pwm(evidence, *clue); };
+  if (std::count_if(pins.begin(), pins.end(), is_plain) == 3 &&
+      std::none_of(pins.begin(), pins.end(), has_name) && led.name.empty() && led.facts->driven)
+    pins.push_back(&led);
+}
+
+// Arduino's Motor Shield R3 (docs.arduino.cc/hardware/motor-shield-rev3): for each channel PWM, direction and
+// brake.
+constexpr const char* kShieldPins[2][3] = {{"D3", "D12", "D9"}, {"D11", "D13", "D8"}};
+
+// Returns whether all pins belong to a Motor Shield R3, whose directions are at pins 12 and 13.
+bool is_motor_shield(const Evidence& evidence, const Pins& pins) {
+  const auto is_driven = [&](const char* name, bool with_pwm) {
+    const Pin pin = find_pin(evidence.board(), name);
+    if (pin == kNoPin) return false;
+    const PinEvidence& clue = evidence.of(pin);
+    return clue.facts->driven && is_pwm(evidence, clue) == with_pwm && !says(clue.words, {"in"});
+  };
+  const auto is_known = [&](const PinEvidence* clue) {
+    for (const auto& channel : kShieldPins)
+      for (const char* const name : channel)
+        if (find_pin(evidence.board(), name) == clue->pin) return true;
+    return false;
+  };
+  return is_driven("D3", true) && is_driven("D11", true) && is_driven("D12", false) &&
+         is_driven("D13", false) && std::all_of(pins.begin(), pins.end(), is_known);
+}
+
+Sides sides_of_shield(Evidence& evidence, Pins& pins, RobotDraft& draft) {
+  Sides sides;
+  pins.clear();
+  Side side_of_a = Side::unknown;
+  for (int channel = 0; channel < 2; ++channel) {
+    Pins& motor = channel == 0 ? sides.left : sides.right;
+    for (int use = 0; use < 3; ++use) {
+      const PinEvidence& clue = evidence.of(find_pin(evidence.board(), kShieldPins[channel][use]));
+      const Side side = spelled_side(clue.words);
+      if (channel == 0 && side != Side::unknown) side_of_a = side;
+      if (use == 2 && clue.is_used()) {
+        evidence.take(clue.pin);
+        draft.questions.push_back(
+            fmt::format("pin {} is the brake of channel {} of a Motor Shield R3: HIGH "
+                        "brakes on the shield, but has no effect here",
+                        evidence.toml(clue.pin), channel == 0 ? 'A' : 'B'));
+      } else if (use < 2) {
+        motor.push_back(&clue);
+        pins.push_back(&clue);
+      }
+    }
+  }
+  if (side_of_a == Side::right) std::swap(sides.left, sides.right);
+  sides.named = side_of_a != Side::unknown;
+  return sides;
+}
+
 }  // namespace
 
 void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
@@ -250,11 +323,13 @@ void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
     }
   }
   take_enable_without_name(evidence, pins, draft);
+  add_led_pin(evidence, pins);
   const auto has_name = [](const PinEvidence* clue) { return !clue->name.empty(); };
   if (std::count_if(pins.begin(), pins.end(), has_name) >= 2)
     pins.erase(std::stable_partition(pins.begin(), pins.end(), has_name), pins.end());
   if (pins.empty()) return;
-  const Sides sides = divide(evidence, pins);
+  const bool is_shield = is_motor_shield(evidence, pins);
+  const Sides sides = is_shield ? sides_of_shield(evidence, pins, draft) : divide(evidence, pins);
   const Motor left(evidence, sides.left), right(evidence, sides.right);
   for (const auto* side : {&sides.left, &sides.right}) {
     if (side->size() <= kMostPinsOfAMotor) continue;
@@ -264,28 +339,36 @@ void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
                     side->size()));
   }
   if (!left.found() || !right.found() || left.is_transistor() != right.is_transistor()) return;
-  draft.open.sides = !sides.named;
-  const bool backward =
-      left.order_is_named() && right.order_is_named() && left.lean() < 0.0 && right.lean() < 0.0;
+  draft.open.other_sides = !sides.named;
+  const bool both_lean_back = left.lean() < 0.0 && right.lean() < 0.0;
   for (const bool is_left : {true, false}) {
     const Motor& motor = is_left != ways.other_sides ? left : right;
+    const bool is_open = !motor.is_transistor() && !motor.direction_is_named();
+    (is_left ? draft.open.left_reversed : draft.open.right_reversed) = is_open;
     PartDraft part{is_left ? "left" : "right", "motor", {{"pins", motor.pins()}}, motor.why(), {}};
-    if (backward) {
-      part.keys.emplace_back("reversed", "true");
+    if (!sides.named)
+      part.doubts.push_back(
+          "which motor is the left one is guessed: from A and B, numbers, or the order of the pins");
+    // A motor that turns on the spot leans back, too, so only both motors disprove names.
+    const bool leans_back = is_open ? motor.lean() < 0.0 : both_lean_back;
+    const bool other_way = is_left ? ways.left_reversed : ways.right_reversed;
+    if (leans_back != other_way) part.keys.emplace_back("reversed", "true");
+    if (other_way) part.doubts.push_back(fmt::format("reversed or not: {}", kByTrial));
+    if (leans_back && !other_way)
       part.doubts.push_back("reversed, because the sketch mostly drives it backwards");
-    } else if (!sides.named) {
-      part.doubts.push_back("the left motor is guessed from the order of the pins");
-    }
     draft.parts.push_back(std::move(part));
   }
-  for (const PinEvidence* clue : pins) evidence.take(clue->pin);
+  for (const auto* side : {&sides.left, &sides.right})
+    for (const PinEvidence* clue : *side) evidence.take(clue->pin);
   const bool toshiba = has_standby || std::any_of(pins.begin(), pins.end(), [](const PinEvidence* clue) {
                          return says(clue->words, {"ain", "bin", "pwma", "pwmb"});
                        });
-  draft.driver = left.is_transistor() ? "transistor"
-                 : left.is_phase()    ? "drv8835"
-                 : toshiba            ? "tb6612"
-                                      : "l298n";
+  draft.driver = left.is_transistor()            ? "transistor"
+                 : left.is_phase() && !is_shield ? "drv8835"
+                 : toshiba                       ? "tb6612"
+                                                 : "l298n";
+  draft.open.strong_driver = draft.driver == "l298n";
+  if (ways.strong_driver) draft.driver = "tb6612";
 }
 
 }  // namespace robosim::wiring

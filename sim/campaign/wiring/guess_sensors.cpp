@@ -23,10 +23,13 @@ bool is_sensor_like(const Evidence& evidence, const PinEvidence& clue) {
   if (!clue.is_read() || clue.facts->toned) return false;
   // Encoders, buttons and remote-control receivers use these functions. For line sensors, edges are useless.
   if (evidence.is_given_to({"attachInterrupt", "digitalPinToInterrupt", "pulseIn"}, clue.pin)) return false;
+  if (clue.name.empty() && evidence.is_given_to({"randomSeed"}, clue.pin)) return false;
+  if (clue.name.empty() && is_of_serial(evidence.board(), clue.pin)) return false;
   if (clue.facts->driven && !clue.facts->discharged) return false;
-  if (says(clue.words, {"butt",  "btn",   "switch", "sw",   "start", "push", "bump", "echo",
-                        "trig",  "enc",   "batt",   "vbat", "volt",  "pot",  "dist", "sharp",
-                        "sonar", "ultra", "rx",     "tx",   "mode",  "key",  "temp", "curr"}))
+  if (says(clue.words, {"butt", "btn",  "switch", "sw",    "start",  "push", "bump",  "echo",   "trig",
+                        "enc",  "batt", "vbat",   "volt",  "pot",    "dist", "sharp", "sonar",  "ultra",
+                        "rx",   "tx",   "mode",   "key",   "temp",   "curr", "recv",  "receiv", "remote",
+                        "knob", "regl", "trim",   "color", "colour", "cor",  "vcc"}))
     return false;
   if (clue.facts->measured || clue.facts->discharged) return true;
   const bool named = says(clue.words, {"sens", "ir", "line", "track", "tcrt", "qtr", "left", "right", "mid",
@@ -34,9 +37,14 @@ bool is_sensor_like(const Evidence& evidence, const PinEvidence& clue) {
   return named || (!clue.facts->pulled_up && !is_named(clue));
 }
 
-// Returns the position that the name describes, from left to right: far left, left, middle, right, far right.
+// Returns the position that the name describes, from left to right: far left, left, half left, middle and so
+// on.
 int place_of(const PinEvidence& clue) {
-  const int far = says(clue.words, {"far", "out", "most", "extreme", "ll", "rr"}) ? 2 : 1;
+  const int far = says(clue.words, {"far", "out", "most", "extr", "ll", "rr", "en"}) ? 3
+                  : says(clue.words, {"mid", "mei", "med", "mil", "mitt", "orta", "tengah", "centr", "cent",
+                                      "inn", "int", "semi", "half"})
+                      ? 1
+                      : 2;
   switch (side_of(clue.words)) {
     case Side::left:
       return -far;
@@ -46,6 +54,26 @@ int place_of(const PinEvidence& clue) {
       return 0;
   }
   return 0;
+}
+
+// Returns the sensors in the order of an array that contains all of them. Elements may also have names of
+// their own.
+Pins in_order_of_array(const Evidence& evidence, Pins sensors) {
+  const auto sort_by = [&](const std::vector<Pin>& array) {
+    const auto place = [&](const PinEvidence* clue) {
+      return std::find(array.begin(), array.end(), clue->pin) - array.begin();
+    };
+    const auto size = static_cast<std::ptrdiff_t>(array.size());
+    if (sensors.size() < 2 || std::any_of(sensors.begin(), sensors.end(),
+                                          [&](const PinEvidence* clue) { return place(clue) == size; }))
+      return;
+    std::stable_sort(sensors.begin(), sensors.end(),
+                     [&](const PinEvidence* a, const PinEvidence* b) { return place(a) < place(b); });
+  };
+  for (const Given& given : evidence.names().given)
+    for (const std::vector<Pin>& array : given.each) sort_by(array);
+  for (const Named& named : evidence.names().named) sort_by(named.pins);
+  return sensors;
 }
 
 const char* kind_of(const PinEvidence& sensor) {
@@ -85,7 +113,10 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   Pins sensors;
   for (const PinEvidence* clue : evidence.left())
     if (is_sensor_like(evidence, *clue)) sensors.push_back(clue);
-  sensors = alike(sensors);
+  const auto has_name = [](const PinEvidence* clue) { return is_named(*clue); };
+  if (std::count_if(sensors.begin(), sensors.end(), has_name) > 1)
+    std::erase_if(sensors, [&](const PinEvidence* clue) { return !has_name(clue); });
+  sensors = in_order_of_array(evidence, alike(sensors));
   if (sensors.empty() || sensors.size() > kMostElements) return;
   const bool placed =
       std::any_of(sensors.begin(), sensors.end(), [](const PinEvidence* c) { return place_of(*c) != 0; });
@@ -112,11 +143,16 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   }
   part.keys.emplace_back("at", fmt::format("[\"{}\", \"0 mm\"]", layout.ahead));
   part.keys.emplace_back("footprint", fmt::format("\"{}\"", layout.footprint));
-  draft.open.order = !placed && sensors.size() > 1;
-  draft.open.distance = sensors.size() == 2;
-  draft.open.black = kind != "rc";
-  if (draft.open.order && ways.other_order) part.keys.emplace_back("first", "\"right\"");
-  if (draft.open.black && ways.black_low) part.keys.emplace_back("black", "\"low\"");
+  draft.open.other_order = !placed && sensors.size() > 1;
+  draft.open.close = sensors.size() == 2;
+  draft.open.black_low = kind != "rc";
+  if (ways.other_order) part.keys.emplace_back("first", "\"right\"");
+  if (ways.black_low) part.keys.emplace_back("black", "\"low\"");
+  if (draft.open.other_order && !ways.other_order)
+    part.doubts.push_back(
+        "the order from left to right is guessed; if it is the reverse, add first = \"right\"");
+  if (ways.other_order) part.doubts.push_back(fmt::format("first: {}", kByTrial));
+  if (ways.black_low) part.doubts.push_back(fmt::format("black: {}", kByTrial));
 
   for (const PinEvidence* clue : evidence.left()) {
     if (!clue->facts->driven || !says(clue->words, {"emit", "irled", "ledon"})) continue;

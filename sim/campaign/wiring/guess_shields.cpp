@@ -61,7 +61,7 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
   if (!named) {
     left = {motors.begin(), motors.begin() + static_cast<std::ptrdiff_t>((motors.size() + 1) / 2)};
     right = {motors.begin() + static_cast<std::ptrdiff_t>((motors.size() + 1) / 2), motors.end()};
-    draft.open.sides = true;
+    draft.open.other_sides = true;
     if (ways.other_sides) std::swap(left, right);
   }
   if (named)
@@ -116,7 +116,9 @@ void guess_shields(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
                            {{"pins", "{ data = 8, clock = 4, latch = 12, enable = 7 }"}},
                            "of a motor shield v1",
                            {}});
-    take({"D8", "D4", "D12", "D7", "D11", "D3", "D6", "D5"});
+    take({"D8", "D4", "D12", "D7"});
+    for (const Numbered& motor : motors)
+      take({("D" + std::string(kFirst.en[static_cast<std::size_t>(motor.number)])).c_str()});
     add_motors(ways, draft, motors, kFirst);
     draft.driver = "l293d";
   } else if (const auto second = motors_of(evidence, "getMotor"); !second.empty()) {

@@ -1,6 +1,7 @@
 #include "sim/campaign/wiring/name_words.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace robosim::wiring {
 namespace {
@@ -18,8 +19,8 @@ bool contains_one_of(const std::string& word, Words list) {
 
 // Matches lm, rmf, lpwm, rsensor: a letter, followed by a name of one motor or sensor.
 bool begins_side(const std::string& word, char letter) {
-  static const Words rests = {"",    "f",   "b",   "s",   "d",   "w",     "en",    "in",    "ir",    "fwd",
-                              "bwd", "rev", "pwm", "dir", "enc", "speed", "wheel", "servo", "sensor"};
+  static const Words rests = {"",    "f",   "b",   "s",   "d",   "e",   "w",     "en",    "in",    "ir",
+                              "fwd", "bwd", "rev", "pwm", "dir", "enc", "speed", "wheel", "servo", "sensor"};
   constexpr std::size_t kLongestShort = 4;
   if (word.empty() || word[0] != letter) return false;
   const bool is_motor = word.size() > 1 && word[1] == 'm';
@@ -36,15 +37,25 @@ bool is_turkish(const std::string& word, const char* side) {
          std::any_of(rests.begin(), rests.end(), [&](const char* one) { return rest.rfind(one, 0) == 0; });
 }
 
+// Matches the Indonesian ki (kiri) and ka (kanan) after another word: motorki, sensorkaf.
+bool is_indonesian(const std::string& word, const char* side) {
+  for (const char* const before : {"motor", "sensor"})
+    if (word.rfind(before, 0) == 0 && word.size() <= std::string_view(before).size() + 3)
+      return word.compare(std::string_view(before).size(), 2, side) == 0;
+  return false;
+}
+
 bool is_left(const std::string& word) {
-  return contains_one_of(word, {"left", "izquierd", "esquerd", "gauche", "sinistr", "kiri"}) ||
+  return is_indonesian(word, "ki") ||
+         contains_one_of(word, {"left", "izquierd", "esquerd", "gauche", "sinistr", "kiri"}) ||
          is_one_of(word, {"lft", "izq", "esq", "links", "linke", "linker", "linkes", "sx", "baya", "baye",
                           "baaye", "bayen", "bayan", "baayan", "baayen"}) ||
          is_turkish(word, "sol");
 }
 
 bool is_right(const std::string& word) {
-  return (contains_one_of(word, {"right", "derech", "direit", "droit", "rechts", "kanan"}) &&
+  return is_indonesian(word, "ka") ||
+         (contains_one_of(word, {"right", "derech", "direit", "droit", "rechts", "kanan"}) &&
           !contains_one_of(word, {"bright", "copyright"})) ||
          is_one_of(word, {"rgt", "rt", "der", "rechte", "rechter", "rechtes", "dx", "destra", "destro",
                           "daya", "daaye", "daye", "dayen", "dayan", "daayan", "dahina", "dahine"}) ||
@@ -80,14 +91,17 @@ Side spelled_side(const std::vector<std::string>& words) {
 
 Side side_of(const std::vector<std::string>& words) {
   if (const Side side = spelled_side(words); side != Side::unknown) return side;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (is_one_of(words[i], {"a", "ena", "pwma", "ain", "motora", "dira", "speeda", "ma"})) return Side::left;
-    if (is_one_of(words[i], {"b", "enb", "pwmb", "bin", "motorb", "dirb", "speedb", "mb"}))
-      return Side::right;
-    if (i + 1 == words.size()) break;
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {  // before the letters: motor1DirB
+    if (!is_one_of(words[i], {"m", "motor", "wheel"})) continue;
+    if (const Side side = numbered(words[i + 1], false); side != Side::unknown) return side;
+  }
+  for (const std::string& word : words) {  // before the other numbers: IN1_B
+    if (is_one_of(word, {"a", "ena", "pwma", "ain", "motora", "dira", "speeda", "ma"})) return Side::left;
+    if (is_one_of(word, {"b", "enb", "pwmb", "bin", "motorb", "dirb", "speedb", "mb"})) return Side::right;
+  }
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
     const bool is_input = is_one_of(words[i], {"in", "input"});
-    if (!is_input && !is_one_of(words[i], {"m", "e", "motor", "en", "dir", "pwm", "speed", "wheel"}))
-      continue;
+    if (!is_input && !is_one_of(words[i], {"e", "en", "dir", "pwm", "speed"})) continue;
     if (const Side side = numbered(words[i + 1], is_input); side != Side::unknown) return side;
   }
   return Side::unknown;

@@ -11,6 +11,29 @@ namespace {
 
 using namespace std::string_literals;
 
+// Replaces abbreviations that mean a side next to certain other names: in Spanish pwmi and pwmd next to izq
+// or der, and in Portuguese motorE and motorD.
+void read_letters_as_sides(std::vector<PinEvidence>& pins) {
+  const auto any = [&](const char* word) {
+    return std::any_of(pins.begin(), pins.end(), [&](const PinEvidence& clue) {
+      return std::find(clue.words.begin(), clue.words.end(), word) != clue.words.end();
+    });
+  };
+  const bool is_spanish = std::any_of(pins.begin(), pins.end(), [](const PinEvidence& clue) {
+    return says(clue.words, {"izq", "der"});
+  });
+  const bool has_e_and_d = any("e") && any("d") && !any("l") && !any("r");
+  for (PinEvidence& clue : pins) {
+    if (spelled_side(clue.words) != Side::unknown) continue;
+    for (std::string& word : clue.words) {
+      if (is_spanish && (word == "pwmi" || word == "i")) word = "izq";
+      if (is_spanish && (word == "pwmd" || word == "d")) word = "der";
+      if (has_e_and_d && word == "e") word = "esq";
+      if (has_e_and_d && word == "d") word = "direita";
+    }
+  }
+}
+
 // Replaces the word `dir` by `direita` (right) if another name contains `esq`, which is left in Portuguese.
 // In such a sketch, `dir` means right, not direction.
 void read_dir_as_right(std::vector<PinEvidence>& pins) {
@@ -22,14 +45,66 @@ void read_dir_as_right(std::vector<PinEvidence>& pins) {
       std::replace(clue.words.begin(), clue.words.end(), "dir"s, "direita"s);
 }
 
+// Returns whether an object has the pins of a whole robot, so that its name does not describe any of them.
+bool is_too_general(const Given& given) {
+  constexpr std::size_t kMost = 6;
+  return given.pins.size() > kMost &&
+         std::all_of(given.each.begin(), given.each.end(), [](const auto& pins) { return pins.size() < 2; });
+}
+
+// Returns the pins of an object. Next to an array of pins, a number is not a pin:
+// QTRSensorsRC qtr((unsigned char[]){A0, A1}, 2, 2500).
+std::vector<Pin> pins_with_names(const Given& given) {
+  const bool has_array =
+      std::any_of(given.each.begin(), given.each.end(), [](const auto& pins) { return pins.size() > 1; });
+  if (!has_array) return given.pins;
+  std::vector<Pin> pins;
+  for (std::size_t i = 0; i < given.each.size(); ++i) {
+    const bool is_name = std::isalpha(static_cast<unsigned char>(given.arguments[i][0])) != 0;
+    if (given.each[i].size() > 1 || (is_name && !is_quantity(given.arguments[i])))
+      pins.insert(pins.end(), given.each[i].begin(), given.each[i].end());
+  }
+  return pins;
+}
+
+// Returns the use of each pin by the calls in the source. A run need not reach these calls: the sketch may
+// wait for a button, or for a byte.
+std::vector<PinFacts> uses_in_source(const SketchNames& names, const BoardSpec& board) {
+  std::vector<PinFacts> facts(board.pin_count);
+  for (const Given& given : names.given)
+    for (const Pin pin : given.pins) {
+      if (pin == kNoPin) continue;
+      const bool is_analog = board.pins[pin].analog_channel >= 0;
+      const bool is_of_array = given.type == "setSensorPins" || given.type.starts_with("QTRSensors");
+      const bool is_rc = given.type == "QTRSensorsRC" || (is_of_array && !is_analog);
+      facts[pin].measured |= given.type == "analogRead" || (is_of_array && !is_rc);
+      facts[pin].looked |= given.type == "digitalRead" || (is_of_array && is_rc);
+      facts[pin].discharged |= is_of_array && is_rc;
+      facts[pin].pwm |= given.type == "analogWrite";
+      facts[pin].driven |=
+          given.type == "analogWrite" || given.type == "digitalWrite" || given.type == "OUTPUT";
+    }
+  return facts;
+}
+
 }  // namespace
 
 Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHistory& history)
-    : board_(board), names_(names), history_(history), by_pin_(board.pin_count) {
+    : board_(board),
+      names_(names),
+      history_(history),
+      by_pin_(board.pin_count),
+      assumed_(uses_in_source(names, board)) {
   for (Pin pin = 0; pin < board.pin_count; ++pin) {
-    by_pin_[pin].pin = pin;
-    by_pin_[pin].facts = &history.of(pin);
+    PinEvidence& clue = by_pin_[pin];
+    clue.pin = pin;
+    clue.facts = &history.of(pin);
+    if (clue.is_used()) continue;
+    clue.facts = &assumed_[pin];
+    clue.is_assumed = clue.is_used();
   }
+  std::vector<std::size_t> rank(board.pin_count);
+  std::size_t next_rank = 0;
   const auto name = [&](Pin pin, const std::string& text, bool in_array, const Spot& spot) {
     PinEvidence& clue = by_pin_[pin];
     if (!clue.name.empty()) return;
@@ -38,14 +113,28 @@ Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHi
     clue.in_array = in_array;
     clue.spot = spot;
     order_.push_back(pin);
+    rank[pin] = next_rank;
   };
-  for (const Named& named : names.named)
-    for (const Pin pin : named.pins)
-      if (named.sure || by_pin_[pin].is_used()) name(pin, named.name, named.is_array, named.spot);
+  // A name that the sketch passes to a pin function precedes a name whose value may be any number.
+  for (const bool sure : {true, false}) {
+    for (const Named& named : names.named) {
+      if (named.sure != sure) continue;
+      next_rank = static_cast<std::size_t>(&named - names.named.data());
+      for (const Pin pin : named.pins) {
+        const Pin channel = static_cast<Pin>(pin + board.analog_pin_0);
+        if (sure || by_pin_[pin].is_used())
+          name(pin, named.name, named.is_array, named.spot);
+        else if (channel < board.pin_count && by_pin_[channel].facts->measured)
+          name(channel, named.name, named.is_array, named.spot);
+      }
+    }
+  }
+  std::stable_sort(order_.begin(), order_.end(), [&](Pin a, Pin b) { return rank[a] < rank[b]; });
   for (const Given& given : names.given) {
-    if (given.name.empty()) continue;
-    for (std::size_t i = 0; i < given.pins.size() && given.pins[i] != kNoPin; ++i) {
-      PinEvidence& clue = by_pin_[given.pins[i]];
+    if (given.name.empty() || is_too_general(given)) continue;
+    const std::vector<Pin> pins = pins_with_names(given);
+    for (std::size_t i = 0; i < pins.size() && pins[i] != kNoPin; ++i) {
+      PinEvidence& clue = by_pin_[pins[i]];
       if (!clue.is_used()) continue;
       name(clue.pin, given.name, false, given.spot);
       if (clue.argument < 0) clue.argument = static_cast<int>(i);
@@ -54,6 +143,7 @@ Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHi
     }
   }
   read_dir_as_right(by_pin_);
+  read_letters_as_sides(by_pin_);
   for (Pin pin = 0; pin < board.pin_count; ++pin)
     if (by_pin_[pin].name.empty()) order_.push_back(pin);
 }
@@ -68,7 +158,8 @@ std::vector<const PinEvidence*> Evidence::left() const {
 std::vector<const PinEvidence*> Evidence::never_used() const {
   std::vector<const PinEvidence*> list;
   for (const Pin pin : order_)
-    if (!by_pin_[pin].is_used() && !by_pin_[pin].name.empty() && taken_.count(pin) == 0)
+    if (by_pin_[pin].is_assumed ||
+        (!by_pin_[pin].is_used() && !by_pin_[pin].name.empty() && taken_.count(pin) == 0))
       list.push_back(&by_pin_[pin]);
   return list;
 }

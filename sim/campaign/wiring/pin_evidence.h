@@ -20,6 +20,7 @@ struct PinEvidence {
   int argument = -1;  ///< position among the object's arguments; -1 = none
   Spot spot;
   const PinFacts* facts = nullptr;
+  bool is_assumed = false;  ///< not used in the runs: the facts come from calls in the source
 
   bool is_read() const { return facts->looked || facts->measured; }
   bool is_used() const { return facts->driven || is_read() || facts->pulled_up; }
@@ -38,7 +39,8 @@ class Evidence {
   const PinEvidence& of(Pin pin) const { return by_pin_[pin]; }
   /// Returns the used pins that have not been taken.
   std::vector<const PinEvidence*> left() const;
-  /// Returns the pins that have a name in the source, but were never used.
+  /// Returns the pins that were not used in the runs: pins that the source uses, and pins with a name that
+  /// have not been taken.
   std::vector<const PinEvidence*> never_used() const;
   /// Returns whether one of these functions receives the pin, or an array that contains it, as the first
   /// argument.
@@ -56,8 +58,12 @@ class Evidence {
   const SketchNames& names_;
   const PinHistory& history_;
   std::vector<PinEvidence> by_pin_;
+  std::vector<PinFacts> assumed_;  ///< per pin: its use by calls in the source
   std::vector<Pin> order_;
   std::set<Pin> taken_;
 };
+
+/// Returns whether the pin belongs to the serial line to the computer.
+inline bool is_of_serial(const BoardSpec& board, Pin pin) { return pin < 2 && board.analog_pin_0 > 2; }
 
 }  // namespace robosim::wiring

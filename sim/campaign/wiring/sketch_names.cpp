@@ -6,6 +6,7 @@
 #include <set>
 
 #include "sim/base/file.h"
+#include "sim/build/sketch.h"
 #include "sim/campaign/wiring/tokens.h"
 
 namespace robosim::wiring {
@@ -53,6 +54,9 @@ class Reader {
     tokens_ = tokens_of(text);
     for (at_ = 0; at_ < tokens_.size(); ++at_) {
       const Token& token = tokens_[at_];
+      if (token.kind == Token::Kind::word && token.text.size() > 1 && token.text[0] == 'A' &&
+          token.text.find_first_not_of("0123456789", 1) == std::string::npos)
+        analog_words_.insert(token.text);
       if (token.kind == Token::Kind::define)
         read_define();
       else if (token.is("enum"))
@@ -62,22 +66,28 @@ class Reader {
     }
   }
 
+  void read(const build::Sketch& sketch) {
+    for (const auto* files : {&sketch.headers, &sketch.inos, &sketch.sources})
+      for (const std::string& file : *files) read(read_file(sketch.folder / file), file);
+  }
+
   SketchNames names() const {
     SketchNames names;
     for (const std::string& name : order_) {
       const Value& value = values_.at(name);
       const bool used = used_.count(name) != 0;
-      if (!value.is_array && !used && handed_on_.count(name) == 0) continue;
+      if (!value.is_array && !used && (handed_on_.count(name) == 0 || is_quantity(name))) continue;
       Named named{name, {}, value.is_array, used || value.is_array, value.spot};
+      const bool is_channel = channels_.count(name) != 0 && numbers_.count(name) == 0;
       for (const std::string& word : value.words)
-        if (const auto pin = pin_of(word)) named.pins.push_back(*pin);
+        if (const auto pin = is_channel ? channel_of(word) : pin_of(word)) named.pins.push_back(*pin);
       const bool all = named.pins.size() == value.words.size();
       if (all && !named.pins.empty() && (!value.is_array || used || all_analog(named.pins)))
         names.named.push_back(std::move(named));
     }
     for (Given given : given_) {
       for (const std::string& argument : given.arguments) {
-        auto pins = pins_of(argument);
+        auto pins = given.type == "analogRead" ? channels_of(argument) : pins_of(argument);
         given.each.push_back(pins);
         if (pins.empty()) pins.push_back(kNoPin);
         given.pins.insert(given.pins.end(), pins.begin(), pins.end());
@@ -87,6 +97,30 @@ class Reader {
       if (any || is_device(given.type)) names.given.push_back(std::move(given));
     }
     return names;
+  }
+
+  /// Returns whether the board has all pins that the sketch passes to pin functions.
+  bool has_all_pins() const {
+    const auto lacks = [&](const std::string& word, bool is_channel) {
+      const std::string value = value_of(word);
+      const bool is_number = !value.empty() && value.find_first_not_of("0123456789") == std::string::npos;
+      const bool is_analog = value.size() > 1 && value[0] == 'A' &&
+                             value.find_first_not_of("0123456789", 1) == std::string::npos;
+      const auto pin = is_channel ? channel_of(value) : pin_of(value);
+      return (is_number || is_analog) && !(pin && (is_channel || is_analog || board_.pins[*pin].digital));
+    };
+    const auto lacks_any = [&](const std::set<std::string>& words, bool is_channel) {
+      return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+        const auto array = values_.find(word);
+        if (array == values_.end() || !array->second.is_array) return lacks(word, is_channel);
+        return std::any_of(array->second.words.begin(), array->second.words.end(),
+                           [&](const std::string& element) { return lacks(element, is_channel); });
+      });
+    };
+    return !lacks_any(numbers_, false) && !lacks_any(channels_, true) && !lacks_any(analog_words_, false) &&
+           std::none_of(modes_.begin(), modes_.end(), [&](const std::string& word) {
+             return lacks(word, false) && lacks(word, true);  // sketches pass channels to pinMode(), too
+           });
   }
 
  private:
@@ -141,6 +175,10 @@ class Reader {
       read_object();
     } else if (ahead(1).is("(") && at_ > 1 && tokens_[at_ - 1].is(".")) {
       read_call(tokens_[at_ - 2].text);  // such as qtr.setSensorPins(…)
+    } else if (token.is("randomSeed") && ahead(2).is("analogRead") && ahead(3).is("(")) {
+      if (const auto pin = channel_of(ahead(4).text))
+        given_.push_back({"randomSeed", "", {}, {board_.pins[*pin].name}, spot()});
+      at_ += 4;
     } else if (ahead(1).is("(")) {
       const auto list = arguments(1);  // such as motor(LEFT_PWM, LEFT_A, LEFT_B, speed)
       handed_on_.insert(list.begin(), list.end());
@@ -203,8 +241,25 @@ class Reader {
     return from;
   }
 
-  void note_use(const std::vector<std::string>& arguments) {
-    for (const std::string& argument : arguments) used_.insert(argument.substr(0, argument.find(' ')));
+  // The arguments of an object need not be pins: QTRSensorsRC qtr(pins, COUNT, TIMEOUT).
+  void note_arguments(const std::vector<std::string>& arguments) {
+    for (const std::string& argument : arguments) handed_on_.insert(argument.substr(0, argument.find(' ')));
+  }
+
+  // Records the pin of a call, with the name of the function.
+  void note_pin(const std::string& function, const std::vector<std::string>& list) {
+    const std::string word = list[0].substr(0, list[0].find(' '));
+    used_.insert(word);
+    const bool is_channel = function == "analogRead";
+    if (function == "pinMode")
+      modes_.insert(word);
+    else
+      (is_channel ? channels_ : numbers_).insert(word);
+    static const std::set<std::string> kUses = {"analogRead", "digitalRead", "analogWrite", "digitalWrite",
+                                                "pinMode"};
+    if (kUses.count(function) == 0) return;
+    const bool is_output = function == "pinMode" && list.size() > 1 && list[1] == "OUTPUT";
+    given_.push_back({is_output ? "OUTPUT" : function, "", {}, {list[0]}, spot()});
   }
 
   void read_call(const std::string& object) {
@@ -212,12 +267,10 @@ class Reader {
     const bool is_pin_function = pin_functions().count(tokens_[at_].text) != 0;
     if (!list.empty() && (tokens_[at_].is("digitalRead") || tokens_[at_].is("analogRead")))
       read_result(list[0]);
-    if (is_pin_function && !list.empty()) used_.insert(list[0].substr(0, list[0].find(' ')));
-    if (tokens_[at_].is("shiftOut")) note_use(list);
+    if (is_pin_function && !list.empty()) note_pin(object.empty() ? tokens_[at_].text : "attach", list);
+    if (tokens_[at_].is("shiftOut")) note_arguments(list);
     if (tokens_[at_].is("shiftOut") && list.size() > 1)
       given_.push_back({"shiftOut", "", {}, {list[0], list[1]}, spot()});
-    if (tokens_[at_].is("analogWrite") && !list.empty())
-      given_.push_back({"analogWrite", "", {}, {list[0]}, spot()});
     if (tokens_[at_].is("attachInterrupt")) {
       if (const auto pin = pin_of_interrupt(list))
         given_.push_back({"attachInterrupt", "", {}, {*pin}, spot()});
@@ -229,7 +282,7 @@ class Reader {
     static const std::set<std::string> kTakesPins = {"attach", "setSensorPins", "setEmitterPin", "setPins",
                                                      "setPin", "init",          "begin"};
     const bool takes_pins = kTakesPins.count(tokens_[at_].text) != 0;
-    if (!object.empty() && takes_pins) note_use(list);
+    if (!object.empty() && takes_pins) note_arguments(list);
     // Arguments of other methods are not pins: lcd.setCursor(0, 14).
     if (!object.empty() && !takes_pins && !tokens_[at_].is("getMotor")) return;
     if (tokens_[at_].is("begin") && is_size_of_display(list)) return;
@@ -265,7 +318,7 @@ class Reader {
          ahead(i).kind == Token::Kind::word && (ahead(i + 1).is("(") || ahead(i + 1).is("{"));) {
       const auto list = arguments(i + 1);
       if (list.empty()) return;
-      note_use(list);
+      note_arguments(list);
       given_.push_back({tokens_[at_].text, ahead(i).text, {}, list, spot()});
       for (const std::string& argument : list) read_inner_object(ahead(i).text, argument);
       i = behind_brackets(i + 1);
@@ -277,7 +330,7 @@ class Reader {
   // Reads `Type name = Type(5, 6);`.
   void read_made() {
     const auto list = arguments(4);
-    note_use(list);
+    note_arguments(list);
     given_.push_back({tokens_[at_].text, ahead(1).text, {}, list, spot()});
   }
 
@@ -285,7 +338,7 @@ class Reader {
   void read_new() {
     const bool has_name = at_ > 1 && tokens_[at_ - 1].is("=") && tokens_[at_ - 2].kind == Token::Kind::word;
     const auto list = arguments(2);
-    note_use(list);
+    note_arguments(list);
     given_.push_back({ahead(1).text, has_name ? tokens_[at_ - 2].text : ahead(1).text, {}, list, spot()});
   }
 
@@ -296,7 +349,7 @@ class Reader {
     std::vector<std::string> list;
     for (const Token& token : inner)
       if (&token != &inner[0] && token.kind != Token::Kind::punctuation) list.push_back(token.text);
-    note_use(list);
+    note_arguments(list);
     given_.push_back({inner[0].text, outer, {}, list, spot()});
   }
 
@@ -309,13 +362,28 @@ class Reader {
     return {};
   }
 
-  std::optional<Pin> pin_of(std::string word) const {
+  // Returns the word that a name stands for.
+  std::string value_of(std::string word) const {
     for (int step = 0; step < kMostSteps; ++step) {
-      if (word == "LED_BUILTIN") return board_.led_builtin;
       const auto value = values_.find(word);
       if (value == values_.end() || value->second.is_array) break;
       word = value->second.words[0];
     }
+    return word;
+  }
+
+  // Returns the pin of an argument of analogRead(), where 0 means A0.
+  std::optional<Pin> channel_of(const std::string& word) const {
+    const std::string value = value_of(word);
+    const bool is_number =
+        !value.empty() && value.size() < 4 && value.find_first_not_of("0123456789") == std::string::npos;
+    if (!is_number || std::stoi(value) >= board_.analog_pin_0) return pin_of(value);
+    return pin_of("A" + value);
+  }
+
+  std::optional<Pin> pin_of(const std::string& name) const {
+    const std::string word = value_of(name);
+    if (word == "LED_BUILTIN") return board_.led_builtin;
     const bool plain =
         !word.empty() && (std::isdigit(static_cast<unsigned char>(word[0])) != 0 || word[0] == 'A' ||
                           word[0] == 'D' || (word[0] == 'P' && word.size() > 2));
@@ -348,6 +416,17 @@ class Reader {
     return pins.size() == words.size() ? pins : std::vector<Pin>{};
   }
 
+  // Returns the pins of an argument of analogRead().
+  std::vector<Pin> channels_of(const std::string& argument) const {
+    if (const auto pin = channel_of(argument)) return {*pin};
+    std::vector<Pin> pins = pins_of(argument);
+    for (Pin& pin : pins)
+      if (pin + board_.analog_pin_0 < board_.pin_count && pin < board_.analog_pin_0 &&
+          board_.pins[pin].analog_channel < 0)
+        pin = static_cast<Pin>(pin + board_.analog_pin_0);
+    return pins;
+  }
+
   bool all_analog(const std::vector<Pin>& pins) const {
     return std::all_of(pins.begin(), pins.end(), [&](Pin pin) { return board_.pins[pin].name[0] == 'A'; });
   }
@@ -358,18 +437,42 @@ class Reader {
   std::size_t at_ = 0;
   std::map<std::string, Value> values_;
   std::vector<std::string> order_;
-  std::set<std::string> handed_on_;  // names in an array, or passed to any function
-  std::set<std::string> used_;       // names passed to a pin function or to an object
+  std::set<std::string> handed_on_;     // names in an array, or passed to any function
+  std::set<std::string> used_;          // names passed to a pin function or to an object
+  std::set<std::string> channels_;      // arguments of analogRead()
+  std::set<std::string> numbers_;       // arguments of the other pin functions, except pinMode()
+  std::set<std::string> modes_;         // arguments of pinMode()
+  std::set<std::string> analog_words_;  // A0, A1 …
   std::vector<Given> given_;
 };
 
 }  // namespace
 
+bool is_quantity(const std::string& name) {
+  static const std::set<std::string> kWords = {"num",     "number",   "numero", "nb",     "nombre", "n",
+                                               "cant",    "cantidad", "quant",  "anzahl", "sayi",   "sayisi",
+                                               "jumlah",  "count",    "cnt",    "size",   "total",  "samples",
+                                               "timeout", "max",      "min",    "baud"};
+  const std::vector<std::string> words = words_of(name);
+  return std::any_of(words.begin(), words.end(),
+                     [](const std::string& word) { return kWords.count(word) != 0; });
+}
+
 SketchNames read_names(const build::Sketch& sketch, const BoardSpec& board) {
   Reader reader(board);
-  for (const auto* files : {&sketch.headers, &sketch.inos, &sketch.sources})
-    for (const std::string& file : *files) reader.read(read_file(sketch.folder / file), file);
+  reader.read(sketch);
   return reader.names();
+}
+
+const BoardSpec& board_for(const build::Sketch& sketch) {
+  const std::vector<std::string> names = build::boards_of("avr");
+  for (const std::string& name : names) {
+    const BoardSpec& board = *find_board(name.c_str());
+    Reader reader(board);
+    reader.read(sketch);
+    if (reader.has_all_pins()) return board;
+  }
+  return *find_board(names.front().c_str());
 }
 
 SketchNames names_in_text(const std::string& text, const std::string& file, const BoardSpec& board) {

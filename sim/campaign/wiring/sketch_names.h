@@ -41,6 +41,12 @@ struct SketchNames {
 };
 
 SketchNames read_names(const build::Sketch& sketch, const BoardSpec& board);
+/// Returns whether a name is that of a number of things or of a limit, in the languages of published
+/// sketches.
+bool is_quantity(const std::string& name);
+/// Returns the first board with an AVR chip that has all pins of the sketch's calls, such as digitalRead(A6).
+/// Without such a board, returns the usual board.
+const BoardSpec& board_for(const build::Sketch& sketch);
 /// Reads one file's text, for tests.
 SketchNames names_in_text(const std::string& text, const std::string& file, const BoardSpec& board);
 

@@ -10,6 +10,7 @@
 namespace robosim::wiring {
 namespace guess_test {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -76,7 +77,7 @@ TEST(Guess, WithoutNamesTheWayThatItMostlyDrivesIsForward) {
   const std::string text = guessed("", run);
   EXPECT_THAT(text, HasSubstr("pins = { en = 5, in1 = 8, in2 = 7 }"));
   EXPECT_THAT(text, HasSubstr("pins = { en = 6, in1 = 9, in2 = 10 }"));
-  EXPECT_THAT(text, HasSubstr("# ? the left motor is guessed"));
+  EXPECT_THAT(text, HasSubstr("# ? which motor is the left one is guessed"));
 }
 
 TEST(Guess, WhereTheNamesSayForwardAndItDrivesTheOtherWayTheMotorsAreReversed) {
@@ -154,6 +155,122 @@ TEST(Guess, APinThatIsChargedAndThenReadIsAnRcSensor) {
   Seen run;
   for (const char* pin : {"A0", "A1"}) run.output(pin, true).drive({10'000, pin, "input"}).look(pin);
   EXPECT_THAT(guessed("int s[] = {A0, A1};", run), HasSubstr("read = \"rc\""));
+}
+
+TEST(Guess, ANameThatAPinFunctionTakesPrecedesANumberThatHappensToBeEqual) {
+  Seen run;
+  run.pwm("D5", 0.5)
+      .output("D7", true)
+      .output("D8", false)
+      .pwm("D6", 0.5)
+      .output("D9", true)
+      .output("D10", false);
+  const std::string text = guessed(
+      "const int STEP = 8, ENA = 5, IN1 = 7, IN2 = 8, ENB = 6, IN3 = 9, IN4 = 10;\n"
+      "void setup() { go(STEP); pinMode(ENA, OUTPUT); pinMode(IN1, OUTPUT); pinMode(IN2, OUTPUT); "
+      "pinMode(ENB, OUTPUT); pinMode(IN3, OUTPUT); pinMode(IN4, OUTPUT); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("pins = { en = 5, in1 = 7, in2 = 8 }"));
+  EXPECT_THAT(text, Not(HasSubstr("STEP")));
+}
+
+TEST(Guess, APinThatTheRunsDoNotReachIsGuessedFromTheCallsAndAskedFor) {
+  const std::string text = guessed(
+      "const int eyes[] = {A0, A1, A2};\n"
+      "void loop() { while (!Serial.available()) {} for (int i = 0; i < 3; i++) analogRead(eyes[i]); }",
+      Seen());
+  EXPECT_THAT(text, HasSubstr("read = \"analog\"\npins = [\"A0\", \"A1\", \"A2\"]"));
+  EXPECT_THAT(text, HasSubstr("# ? pin A0, A1, A2 (eyes, a.ino:1) were not used in the runs"));
+}
+
+TEST(Guess, ASeedForRandomNumbersIsNoSensor) {
+  const std::string text =
+      guessed("void setup() { randomSeed(analogRead(0)); }\nvoid loop() { digitalRead(2); digitalRead(3); }",
+              Seen().measure("A0").look("D2").look("D3"));
+  EXPECT_THAT(text, HasSubstr("pins = [2, 3]"));
+  EXPECT_THAT(text, Not(HasSubstr("pin A0")));
+}
+
+TEST(Guess, MotorsOnTheMotorShieldR3HaveFixedPins) {
+  Seen run;
+  run.pwm("D3", 0.5)
+      .output("D12", true)
+      .output("D9", false)
+      .pwm("D11", 0.5)
+      .output("D13", false)
+      .output("D8", false);
+  const std::string text = guessed("", run);
+  EXPECT_THAT(text, HasSubstr("pins = { en = 3, phase = 12 }\n"));
+  EXPECT_THAT(text, HasSubstr("pins = { en = 11, phase = 13 }\nreversed = true"));
+  EXPECT_THAT(text, HasSubstr("# ? pin 9 is the brake of channel A"));
+  EXPECT_THAT(guessed("", run.output("D7", true)), Not(HasSubstr("brake"))) << "pin 7 is not of the shield";
+}
+
+TEST(Guess, AMotorThatLeansBackAloneIsReversedAlone) {
+  Seen run;
+  run.pwm("D9", 0.5)
+      .output("D8", true)
+      .output("D7", false)
+      .pwm("D10", 0.5)
+      .output("D6", false)
+      .output("D5", true);
+  const std::string source =
+      "int lEN = 9, lIN1 = 8, lIN2 = 7, rEN = 10, rIN1 = 6, rIN2 = 5;\n"
+      "void setup() { pinMode(lEN, 1); pinMode(lIN1, 1); pinMode(lIN2, 1); pinMode(rEN, 1); pinMode(rIN1, "
+      "1); "
+      "pinMode(rIN2, 1); }";
+  EXPECT_THAT(guessed(source, run), HasSubstr("pins = { en = 9, in1 = 8, in2 = 7 }\n\n"));
+  EXPECT_THAT(guessed(source, run), HasSubstr("pins = { en = 10, in1 = 6, in2 = 5 }\nreversed = true"));
+  EXPECT_THAT(guessed(source, run, {.right_reversed = true}), Not(HasSubstr("reversed = true")));
+}
+
+TEST(Guess, NoPinOfADriverIsForgotten) {
+  Seen run;
+  run.pwm("D9", 0.5).output("D10", false).pwm("D11", 0.5).output("D12", false);
+  EXPECT_THAT(guessed("int motorE1 = 9, motorE2 = 10, motorD1 = 11, motorD2 = 12;\n"
+                      "void setup() { pinMode(motorE1, 1); pinMode(motorE2, 1); pinMode(motorD1, 1); "
+                      "pinMode(motorD2, 1); }",
+                      run),
+              AllOf(HasSubstr("{ in1 = 9, in2 = 10 }"), HasSubstr("{ in1 = 11, in2 = 12 }")));
+}
+
+TEST(Guess, SensorsStandInTheOrderOfTheirArrayAlsoIfOneHasANameOfItsOwn) {
+  Seen run;
+  run.measure("A2").measure("A1").measure("A0");
+  EXPECT_THAT(guessed("#define floorSensor A0\nint all[] = {A2, A1, A0};\n"
+                      "void loop() { analogRead(floorSensor); analogRead(all[1]); }",
+                      run),
+              HasSubstr("pins = [\"A2\", \"A1\", \"A0\"]"));
+}
+
+TEST(Guess, HalfLeftIsBetweenLeftAndTheMiddle) {
+  Seen run;
+  for (const char* pin : {"A0", "A1", "A2", "A3", "A4"}) run.measure(pin);
+  EXPECT_THAT(
+      guessed(
+          "#define sensorEsquerda A4\n#define sensorEsquerdaMeio A3\n#define sensorMeio A0\n"
+          "#define sensorDireita A2\n#define sensorDireitaMeio A1\n"
+          "void loop() { analogRead(sensorEsquerda); analogRead(sensorEsquerdaMeio); analogRead(sensorMeio); "
+          "analogRead(sensorDireita); analogRead(sensorDireitaMeio); }",
+          run),
+      HasSubstr("pins = [\"A4\", \"A3\", \"A0\", \"A1\", \"A2\"]"));
+}
+
+TEST(Guess, AServoNamedS1DoesNotClashWithTheFirstSensor) {
+  const std::string text =
+      guessed("Servo S1;\nvoid setup() { S1.attach(9); }\nvoid loop() { digitalRead(2); digitalRead(3); }",
+              Seen().look("D2").look("D3"));
+  EXPECT_THAT(text, HasSubstr("name = \"part_S1\""));
+}
+
+TEST(Guess, AColourSensorReadWithPulseInIsNoDistanceSensor) {
+  Seen run;
+  run.output("D10", true).look("D11").look("D16");
+  EXPECT_THAT(
+      guessed("#define trig 10\n#define echoPin 11\n#define colourOut 16\n"
+              "void loop() { pulseIn(colourOut, LOW); digitalWrite(trig, 1); pulseIn(echoPin, HIGH); }",
+              run),
+      HasSubstr("pins = { trig = 10, echo = 11 }"));
 }
 
 TEST(Guess, TheWaysThatNobodyCanKnowMakeDifferentRobots) {

@@ -22,11 +22,11 @@ TEST(Sides, AreKnownByTheNamesThatPeopleGive) {
 TEST(Sides, AreKnownInTheLanguagesOfPublishedSketches) {
   for (const char* name : {"motorIzquierdo", "sensor_izq", "motorEsquerdo", "MOTOR_ESQ", "moteurGauche",
                            "linksMotor", "sensorSX", "motoreSinistro", "solMotor", "SOL_ILERI", "solileri",
-                           "sensorkiri", "motor_baye", "bayenMotor"})
+                           "sensorkiri", "motorkif", "motor_baye", "bayenMotor", "MotorLE"})
     EXPECT_EQ(spelled_side(words_of(name)), Side::left) << name;
   for (const char* name : {"motorDerecho", "sensor_der", "motorDireito", "sensorDireita", "moteurDroit",
                            "capteur_droite", "rechtsVor", "sensorDX", "motoreDestro", "sagMotor", "SAG_GERI",
-                           "sagmotor", "sensorkanan", "motor_daye", "dahinaMotor"})
+                           "sagmotor", "sensorkanan", "sensorka", "motor_daye", "dahinaMotor", "MotorRE"})
     EXPECT_EQ(spelled_side(words_of(name)), Side::right) << name;
 }
 
@@ -35,6 +35,8 @@ TEST(Sides, OfLettersAndNumbersAreConventions) {
     EXPECT_EQ(spelled_side(words_of(name)), Side::unknown) << name;
   EXPECT_EQ(side_of(words_of("m12")), Side::left) << "the second input of motor 1";
   EXPECT_EQ(side_of(words_of("m21")), Side::right) << "the first input of motor 2";
+  EXPECT_EQ(side_of(words_of("IN1_B")), Side::right) << "the first input of motor B";
+  EXPECT_EQ(side_of(words_of("motor1DirB")), Side::left) << "the second input of motor 1";
 }
 
 TEST(Directions, AreKnownInTheLanguagesOfPublishedSketches) {

@@ -46,6 +46,22 @@ TEST(SketchNames, AnArrayOfAnalogPinsIsOneWhoeverTakesIt) {
   EXPECT_THAT(found.named[0].pins, ElementsAre(pin("A3"), pin("A2"), pin("A1")));
 }
 
+TEST(SketchNames, ANumberForAnalogReadIsAChannel) {
+  const SketchNames found =
+      names("int eye = 0, led = 3;\nvoid loop() { analogRead(eye); digitalWrite(led, 1); }\n");
+  ASSERT_EQ(found.named.size(), 2u);
+  EXPECT_THAT(found.named[0].pins, ElementsAre(pin("A0")));
+  EXPECT_THAT(found.named[1].pins, ElementsAre(pin("D3")));
+}
+
+TEST(SketchNames, ACountIsNoPin) {
+  const SketchNames found = names(
+      "#define NUM_SENSORS 6\n#define sensorSayisi 8\n#define EMITTER 3\n"
+      "QTRSensorsRC qtr((unsigned char[]){2, 4}, NUM_SENSORS, sensorSayisi, EMITTER);\n");
+  ASSERT_EQ(found.named.size(), 1u);
+  EXPECT_EQ(found.named[0].name, "EMITTER");
+}
+
 TEST(SketchNames, CommentsAndStringsSayNothing) {
   EXPECT_THAT(
       names("// #define A 5\n/* int b = 6; pinMode(b, OUTPUT); */ char* s = \"pinMode(7, OUTPUT)\";\n").named,
