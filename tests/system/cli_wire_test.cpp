@@ -97,8 +97,17 @@ TEST(CliWire, ChoosesABoardThatHasThePins) {
   const Folder folder;
   folder.write("Seven/Seven.ino", "void setup() {}\nvoid loop() { analogRead(A7); delay(5); }\n");
   folder.write("Many/Many.ino", "void setup() { pinMode(40, OUTPUT); }\nvoid loop() { delay(5); }\n");
+  folder.write("Lines/Lines.ino", "void setup() { Serial3.begin(9600); }\nvoid loop() { delay(5); }\n");
+  EXPECT_THAT(robosim_command({"wire", "./Lines"}, folder.path()).out, HasSubstr("board = \"mega\""));
   EXPECT_THAT(robosim_command({"wire", "./Seven"}, folder.path()).out, HasSubstr("board = \"nano\""));
   EXPECT_THAT(robosim_command({"wire", "./Many"}, folder.path()).out, HasSubstr("board = \"mega\""));
+}
+
+TEST(CliWire, UsesTheChipIfTheSketchCompilesOnlyThere) {
+  const Folder folder;
+  folder.write("Asm/Asm.ino",
+               "void setup() { asm(\"sbi 4, 1\"); }\nvoid loop() { digitalRead(2); delay(5); }\n");
+  EXPECT_THAT(robosim_command({"wire", "./Asm"}, folder.path()).out, HasSubstr("pin = 2"));
 }
 
 TEST(CliWire, WhatItCannotDoIsSaidInASentence) {

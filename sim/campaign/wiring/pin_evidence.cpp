@@ -94,14 +94,17 @@ Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHi
       names_(names),
       history_(history),
       by_pin_(board.pin_count),
-      assumed_(uses_in_source(names, board)) {
+      facts_(uses_in_source(names, board)) {
   for (Pin pin = 0; pin < board.pin_count; ++pin) {
     PinEvidence& clue = by_pin_[pin];
     clue.pin = pin;
-    clue.facts = &history.of(pin);
-    if (clue.is_used()) continue;
-    clue.facts = &assumed_[pin];
-    clue.is_assumed = clue.is_used();
+    clue.facts = &facts_[pin];
+    const bool is_read_in_source = facts_[pin].looked, is_in_source = clue.is_used();
+    PinFacts seen = history.of(pin);
+    seen.looked |= seen.looked_along && is_read_in_source;
+    const bool is_seen = seen.driven || seen.looked || seen.measured || seen.pulled_up;
+    clue.is_assumed = is_in_source && !is_seen;
+    if (is_seen) facts_[pin] = seen;
   }
   std::vector<std::size_t> rank(board.pin_count);
   std::size_t next_rank = 0;

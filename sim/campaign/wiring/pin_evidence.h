@@ -58,7 +58,7 @@ class Evidence {
   const SketchNames& names_;
   const PinHistory& history_;
   std::vector<PinEvidence> by_pin_;
-  std::vector<PinFacts> assumed_;  ///< per pin: its use by calls in the source
+  std::vector<PinFacts> facts_;  ///< per pin
   std::vector<Pin> order_;
   std::set<Pin> taken_;
 };

@@ -42,7 +42,9 @@ void PinHistory::add(const wire::Event& event) {
   } else if (const auto* level = std::get_if<wire::LevelSeen>(&event)) {
     const Pin pin = pin_of(level->pin);
     if (pin == kNoPin) return;
-    facts_[pin].looked = true;
+    if (level->t_ns != read_ns_) settle_reads();
+    read_ns_ = level->t_ns;
+    read_together_.push_back(pin);
     const auto lowered = lowered_.find(pin);
     if (lowered != lowered_.end() && level->t_ns - lowered->second < kLongestPulse_ns)
       facts_[pin].discharged = true;
@@ -52,7 +54,16 @@ void PinHistory::add(const wire::Event& event) {
   }
 }
 
-void PinHistory::end(std::int64_t t_ns) { end_ns_ = std::max(end_ns_, t_ns); }
+void PinHistory::end(std::int64_t t_ns) {
+  settle_reads();
+  end_ns_ = std::max(end_ns_, t_ns);
+}
+
+void PinHistory::settle_reads() {
+  for (const Pin pin : read_together_)
+    (read_together_.size() == 1 ? facts_[pin].looked : facts_[pin].looked_along) = true;
+  read_together_.clear();
+}
 
 double PinHistory::lean(Pin enable, Pin high, Pin low) const {
   double enabled = enable == kNoPin ? 1.0 : 0.0, up = 0.0, down = low == kNoPin ? 0.5 : 0.0, sum = 0.0;

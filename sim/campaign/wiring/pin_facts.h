@@ -11,14 +11,15 @@
 namespace robosim::wiring {
 
 struct PinFacts {
-  bool driven = false;      ///< used as an output
-  bool pwm = false;         ///< driven with analogWrite
-  bool toned = false;       ///< driven with tone()
-  bool looked = false;      ///< read with digitalRead or by an interrupt's edge, as an input
-  bool measured = false;    ///< read with the ADC
-  bool pulled_up = false;   ///< the pull-up was on
-  bool discharged = false;  ///< driven HIGH, then read: the timing of RC sensors
-  bool pulses = false;      ///< driven LOW, HIGH, LOW within 3 ms: a trigger, a servo
+  bool driven = false;        ///< used as an output
+  bool pwm = false;           ///< driven with analogWrite
+  bool toned = false;         ///< driven with tone()
+  bool looked = false;        ///< read with digitalRead or by an interrupt's edge, as an input
+  bool looked_along = false;  ///< read together with other pins of its port, as a chip's digitalRead() does
+  bool measured = false;      ///< read with the ADC
+  bool pulled_up = false;     ///< the pull-up was on
+  bool discharged = false;    ///< driven HIGH, then read: the timing of RC sensors
+  bool pulses = false;        ///< driven LOW, HIGH, LOW within 3 ms: a trigger, a servo
 };
 
 /// The use of each pin by a sketch, in one or more runs.
@@ -45,8 +46,13 @@ class PinHistory {
     double duty;  // share of the time at which the pin is high; 0 or 1 for a level
   };
 
+  /// Records the pins that were read at the same time.
+  void settle_reads();
+
   const BoardSpec& board_;
   std::vector<PinFacts> facts_;
+  std::vector<Pin> read_together_;  ///< the pins that were read at read_ns_
+  std::int64_t read_ns_ = -1;
   std::vector<Change> changes_;
   std::map<Pin, std::int64_t> raised_, lowered_;
   std::int64_t end_ns_ = 0;

@@ -57,6 +57,8 @@ class Reader {
       if (token.kind == Token::Kind::word && token.text.size() > 1 && token.text[0] == 'A' &&
           token.text.find_first_not_of("0123456789", 1) == std::string::npos)
         analog_words_.insert(token.text);
+      if (token.kind == Token::Kind::word && token.text.size() == 7 && token.text.starts_with("Serial"))
+        serial_lines_ = std::max(serial_lines_, token.text[6] - '0');
       if (token.kind == Token::Kind::define)
         read_define();
       else if (token.is("enum"))
@@ -99,8 +101,11 @@ class Reader {
     return names;
   }
 
-  /// Returns whether the board has all pins that the sketch passes to pin functions.
+  /// Returns whether the board has all pins that the sketch passes to pin functions, and all serial lines.
   bool has_all_pins() const {
+    // Serial is the line to the computer; it is a UART, except on boards with USB.
+    const int lines = board_.chip->uart_count - (board_.serial_line == 0 ? 1 : 0);
+    if (serial_lines_ <= 9 && serial_lines_ > lines) return false;
     const auto lacks = [&](const std::string& word, bool is_channel) {
       const std::string value = value_of(word);
       const bool is_number = !value.empty() && value.find_first_not_of("0123456789") == std::string::npos;
@@ -441,6 +446,7 @@ class Reader {
   std::set<std::string> used_;          // names passed to a pin function or to an object
   std::set<std::string> channels_;      // arguments of analogRead()
   std::set<std::string> numbers_;       // arguments of the other pin functions, except pinMode()
+  int serial_lines_ = 0;                // the highest number after Serial
   std::set<std::string> modes_;         // arguments of pinMode()
   std::set<std::string> analog_words_;  // A0, A1 …
   std::vector<Given> given_;

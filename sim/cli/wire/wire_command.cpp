@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 
 #include "sim/base/file.h"
 #include "sim/base/file_lock.h"
@@ -69,6 +70,48 @@ std::string table_of(std::vector<wiring::Trial> trials, const wiring::RobotDraft
   return text;
 }
 
+struct Drafted {
+  wiring::RobotDraft draft;
+  std::vector<wiring::Trial> trials;
+};
+
+Drafted drafted_on(const std::string& target, const WireArguments& arguments, const BoardSpec& board) {
+  launch::Launch launch;
+  launch.environment = arguments.environment;
+  launch.sketch = arguments.sketch;
+  launch.map = arguments.map;
+  launch.target = target;
+  launch.libraries = arguments.libraries;
+  terminal::Progress progress(true);
+  const build::Cache cache(build::cache_folder());
+  const build::WorkFolder scratch(cache);
+  wiring::CandidateTrial try_out(launch, board, scratch.path(),
+                                 listener_of(progress, {.choices = false, .warnings = false}));
+  progress.say("watching the sketch's pins …");
+  wiring::RobotDraft draft = try_out.draft();
+  progress.say("trying polarities and sides …");
+  std::vector<wiring::Trial> trials = try_out.choose(draft);
+  progress.clear();
+  return {std::move(draft), std::move(trials)};
+}
+
+// Drafts on the host. Without --target, drafts on the chip if the sketch compiles only there.
+Drafted drafted(const WireArguments& arguments, const BoardSpec& board) {
+  if (!arguments.target.empty()) return drafted_on(arguments.target, arguments, board);
+  try {
+    return drafted_on("host", arguments, board);
+  } catch (const build::MissingLibrary&) {
+    throw;
+  } catch (const build::CompileError&) {
+    const std::exception_ptr on_host = std::current_exception();
+    try {
+      return drafted_on("avr", arguments, board);
+    } catch (const InputError&) {
+      std::rethrow_exception(on_host);
+    }
+  }
+}
+
 }  // namespace
 
 int wire_command(const WireArguments& arguments) {
@@ -82,22 +125,7 @@ int wire_command(const WireArguments& arguments) {
   const BoardSpec& board = is_guessed                ? wiring::board_for(sketch)
                            : arguments.board.empty() ? *sketch.project.board
                                                      : board_named(arguments.board);
-  launch::Launch launch;
-  launch.environment = arguments.environment;
-  launch.sketch = arguments.sketch;
-  launch.map = arguments.map;
-  launch.target = arguments.target.empty() ? "host" : arguments.target;
-  launch.libraries = arguments.libraries;
-  terminal::Progress progress(true);
-  const build::Cache cache(build::cache_folder());
-  const build::WorkFolder scratch(cache);
-  wiring::CandidateTrial try_out(launch, board, scratch.path(),
-                                 listener_of(progress, {.choices = false, .warnings = false}));
-  progress.say("watching the sketch's pins …");
-  wiring::RobotDraft draft = try_out.draft();
-  progress.say("trying polarities and sides …");
-  const std::vector<wiring::Trial> trials = try_out.choose(draft);
-  progress.clear();
+  const auto [draft, trials] = drafted(arguments, board);
 
   std::vector<std::string> remarks = {
       "Drafted by `robosim wire` from the sketch's names and from its use of the pins in a run.",

@@ -29,9 +29,19 @@ struct Seen {
   }
   Seen& pull_up(const char* pin) { return drive({0, pin, "input_pullup"}); }
   Seen& look(const char* pin) {
-    history.add(wire::LevelSeen{1, pin, true});
+    history.add(wire::LevelSeen{++reads, pin, true});
+    history.end(10'000'000'000);
     return *this;
   }
+  /// Reads several pins of a port at once.
+  Seen& look_at_port(std::initializer_list<const char*> pins) {
+    ++reads;
+    for (const char* const pin : pins) history.add(wire::LevelSeen{reads, pin, true});
+    history.end(10'000'000'000);
+    return *this;
+  }
+  std::int64_t reads = 0;
+
   Seen& measure(const char* pin) {
     history.add(wire::VoltsSeen{1, pin, 2.0});
     return *this;
@@ -181,6 +191,12 @@ TEST(Guess, APinThatTheRunsDoNotReachIsGuessedFromTheCallsAndAskedFor) {
       Seen());
   EXPECT_THAT(text, HasSubstr("read = \"analog\"\npins = [\"A0\", \"A1\", \"A2\"]"));
   EXPECT_THAT(text, HasSubstr("# ? pin A0, A1, A2 (eyes, a.ino:1) were not used in the runs"));
+}
+
+TEST(Guess, APortsOtherPinsAreNotReadOnPurpose) {
+  EXPECT_THAT(guessed("void loop() { digitalRead(2); digitalRead(4); }",
+                      Seen().look_at_port({"D2", "D3", "D4", "D5"})),
+              HasSubstr("pins = [2, 4]"));
 }
 
 TEST(Guess, ASeedForRandomNumbersIsNoSensor) {
