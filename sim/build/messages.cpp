@@ -171,8 +171,14 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
                                           header));
   if (header.find('.') == std::string::npos)
     throw CompileError(
-        place, fmt::format("no such header {}: Arduino boards with an AVR chip have no C++ standard library",
-                           header));
+        place,
+        toolchain.board.chip->target == std::string_view("stm32")
+            ? fmt::format(
+                  "no such header {}: of the C++ standard library, Robosim has the headers of C for the "
+                  "STM32, such as cstdint, cstring and cmath",
+                  header)
+            : fmt::format("no such header {}: Arduino boards with an AVR chip have no C++ standard library",
+                          header));
   if (const std::string purpose = purpose_of_core_library(header); !purpose.empty()) {
     if (std::string_view(toolchain.target.name) == "stm32")
       throw CompileError(

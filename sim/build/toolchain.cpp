@@ -74,6 +74,9 @@ Core hal_core(const char* hal, const BoardSpec& board, const GenuineCore& genuin
   core.serving = core.root / "hal" / hal;
   core.includes = {core.root / "hal/arduino", core.root / "core", core.root};
   core.system_includes = {core.root / "hal/arduino/libc"};
+  // STM32duino has a C++ library, unlike Arduino's core for AVR chips.
+  if (board.chip->target == std::string_view("stm32"))
+    core.system_includes.push_back(core.root / "hal/stm32/cxx");
   core.places = {{core.root, "robosim"}, {core.root / "hal", "robosim"}};
   core.readable = {{core.root / "hal/arduino", ""},
                    {core.root / "hal", "hal/"},

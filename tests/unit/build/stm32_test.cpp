@@ -76,6 +76,22 @@ TEST_F(Stm32Test, PinNamesAreArduinosNumbersAndWidthsAreAnArms) {
       HasSubstr("the board uno cannot run the target stm32: expected a robot with bluepill or bluepill8"));
 }
 
+TEST_F(Stm32Test, TheHeadersOfCHaveTheirNamesForCxx) {
+  const std::string code =
+      "#include <cctype>\n#include <climits>\n#include <cmath>\n#include <cstddef>\n#include <cstdint>\n"
+      "#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n"
+      "std::uint8_t a; std::size_t b = std::strlen(\"ab\");\n"
+      "float c = std::sqrt(2.0) + std::fmod(5.0, 3.0); int d = std::abs(-3) + std::toupper('a') + INT_MAX;\n"
+      "void setup() { char text[9]; std::snprintf(text, sizeof text, \"%d\", d); }\nvoid loop() {}\n";
+  write("C/C.ino", code);
+  EXPECT_EQ(stm32_error_of("C"), "no error");
+  EXPECT_NO_THROW(build({folder_ / "C", *find_board("bluepill")})) << "the host has the same headers";
+  write("V/V.ino", "#include <vector>\n" + kEmptySketch);
+  EXPECT_THAT(stm32_error_of("V"),
+              HasSubstr("no such header vector: of the C++ standard library, Robosim has"));
+  EXPECT_THROW(build({folder_ / "C", *find_board("uno")}), CompileError) << "Arduino's core has none of them";
+}
+
 TEST_F(Stm32Test, TheSameSketchInAnotherFolderGivesTheSameBytesWithoutNamesOfThisMachine) {
   const std::string code = "#include <LineKit.h>\nDriveMotor m(1, 2, 3);\n" + kEmptySketch;
   write("a/Same/Same.ino", code);
