@@ -92,8 +92,8 @@ void MissedInterrupts::entered(int vector, Cycle at) {
 
 void MissedInterrupts::ticks_lost(std::int64_t ticks, Cycle at) {
   // If another handler delayed this interrupt, that handler has just returned. The last jump before this
-  // interrupt is then the RETI of that handler. After RETI, the chip executes one more instruction (data sheet
-  // DS40002061B, 7.7), which may be a jump, too.
+  // interrupt is then the RETI of that handler. After RETI, the chip executes one more instruction (data
+  // sheet DS40002061B, 7.7), which may be a jump, too.
   const std::vector<std::uint32_t> jumps = machine_.chip().last_jumps();
   const auto is_return = [&](std::size_t i) {
     return jumps.size() > i && cpu_.instruction(jumps[i] / 2).op == robosim::avr::Op::reti;
@@ -101,7 +101,8 @@ void MissedInterrupts::ticks_lost(std::int64_t ticks, Cycle at) {
   const bool handler = is_return(1) || is_return(2);
   // If the handler belongs to the core, reports the last jump of the handler that was in user code.
   SourceLine where = handler ? SourceLine{} : program_.debug.place(machine_.chip().interrupted_pc());
-  for (std::size_t i = 1; handler && where.file.empty() && i < std::min(jumps.size(), kJumpsOfHandler); ++i)
+  for (std::size_t i = is_return(1) ? 1 : 2;
+       handler && where.file.empty() && i < std::min(jumps.size(), kJumpsOfHandler); ++i)
     where = program_.debug.place(jumps[i]);
   if (where.file.empty()) where = program_.diagnosis().where_now();
   const double tick_us = 1e6 * static_cast<double>(period_) / machine_.chip().clock_hz();

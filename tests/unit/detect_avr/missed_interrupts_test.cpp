@@ -50,6 +50,32 @@ TEST_F(LossesTest, TicksThatComeWhileAHandlerRuns) {
   EXPECT_EQ(found.back().where.line, 2);
 }
 
+TEST_F(LossesTest, TicksThatComeWhileTwoHandlersRunInTurnAreNotLostToInterruptsThatAreOff) {
+  counted_ = {2, 3};
+  start(
+      "volatile int n;\nvoid tick() { delayMicroseconds(800); n++; }\nvoid tock() { delayMicroseconds(800); "
+      "n++; }\n"
+      "void setup() { attachInterrupt(0, tick, CHANGE); attachInterrupt(1, tock, CHANGE); }\n"
+      "void loop() { for (;;) asm volatile(\"rcall 1f\\nrjmp 2f\\n1: ret\\n2:\"); }\n");
+  // Two edges at each pin: the handlers run in turn for 3.2 ms. Each burst begins a cycle later.
+  for (int burst = 0; burst < 12; ++burst) {
+    const SimTime t = now_ + kMillisecond + 62 * burst;
+    for (const Pin pin : {2, 3}) {
+      board().schedule_edge(pin, true, t);
+      board().schedule_edge(pin, false, t + 1000 * kMicrosecond);
+    }
+    run(8 * kMillisecond);
+  }
+  const auto found = avr_->detected();
+  ASSERT_FALSE(found.empty());
+  for (const Detected& one : found) {
+    EXPECT_THAT(one.what, HasSubstr("handler was"));
+    if (one.detector == "lost_tick") {
+      EXPECT_NE(one.where.line, 5) << "loop() does not switch interrupts off";
+    }
+  }
+}
+
 TEST_F(LossesTest, BytesThatComeWhileInterruptsAreOff) {
   start(
       "void setup() { Serial.begin(115200); }\nvoid loop() {\n"
