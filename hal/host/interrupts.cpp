@@ -284,7 +284,9 @@ bool serve_interrupt() {
   if (vector != kTimer0Overflow) leave_round();
   if (vector != kTimer0Overflow) state.now += cycles(cost::kInterrupt);
   refresh_deadline();
+  const void* const place = state.place;  // a verdict names the place of the call that the handler interrupts
   handler();
+  state.place = place;
   settle_registers();
   --handler_depth;
   status_register |= 0x80;

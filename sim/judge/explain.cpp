@@ -370,12 +370,14 @@ constexpr const char* kTryWirings =
     "the order of the sensors, their values over black, or a motor's side or direction may differ from the "
     "robot file: robosim wire tries the alternatives";
 
-// Returns N if the sketch is in a long delay(N); else 0.
+// Returns N if the sketch is in a delay(N) in which a robot at mean speed drives 5 cm or more. This is enough
+// to lose a line. Otherwise returns 0.
 int long_delay(const Evidence& e) {
-  constexpr int kLong_ms = 50;
+  constexpr double kLong_m = 0.05;
   int ms = 0;
   if (std::sscanf(e.activity.call.c_str(), "delay(%9d)", &ms) != 1) return 0;
-  return ms >= kLong_ms ? ms : 0;
+  const SimTime until = e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t;
+  return until > 0 && e.distance_m / (1e-9 * static_cast<double>(until)) * ms * 1e-3 >= kLong_m ? ms : 0;
 }
 
 // Returns whether the sketch stopped reading its sensors at least half a second before the robot lost the
@@ -408,6 +410,11 @@ NextStep next_step(const Evidence& e) {
     return {
         fmt::format("the sketch has read no line sensor since {}: it must read them repeatedly, in loop()",
                     seconds(e.sensors_read))};
+  if (drives(e) && long_delay(e) > 0 && has_left_line(e))
+    return {
+        fmt::format("the sketch is in delay({}){}: during this time it reads no sensor, but the robot drives "
+                    "on",
+                    long_delay(e), place_of(e.activity.where))};
   if (steered_away(e)) {
     const std::string how =
         fmt::format("it steered away from the line: the line was under its {} sensors, but it turned {}; ",
@@ -415,11 +422,6 @@ NextStep next_step(const Evidence& e) {
     if (e.int_bits == 16) return {how + result::kTryHost + result::kIfNot + kTryWirings, NextStep::By::host};
     return {how + kTryWirings};
   }
-  if (drives(e) && long_delay(e) > 0 && has_left_line(e))
-    return {
-        fmt::format("the sketch is in delay({}){}: during this time it reads no sensor, but the robot drives "
-                    "on",
-                    long_delay(e), place_of(e.activity.where))};
   if (e.moved) {
     if (e.verdict == Verdict::lost && e.int_bits == 16) return {result::kTryHost, NextStep::By::host};
     if (e.verdict == Verdict::lost) return {result::kWatch, NextStep::By::watching};

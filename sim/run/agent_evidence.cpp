@@ -47,6 +47,7 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.faults = player_.faults();
   e.power = player_.power();
   e.moved = body_.wheel_travel() > 0.0;
+  e.distance_m = body_.distance();
   if (verdict != judge::Verdict::reached) e.activity = executor_.activity();
   const bool is_pulse = e.activity.call.starts_with("pulseIn");
   const Pin looked_at = e.activity.polled != kNoPin && !is_pulse ? e.activity.polled : e.activity.pin;

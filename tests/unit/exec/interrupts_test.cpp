@@ -29,6 +29,18 @@ void loop() {})");
   EXPECT_NEAR(static_cast<double>(byte_times_[0]), 10.3e6, 100e3);
 }
 
+TEST_F(InterruptsTest, AHandlerDoesNotChangeThePlaceOfTheCallThatItInterrupts) {
+  prepare(
+      "void tick() { digitalWrite(5, HIGH); }\n"
+      "void setup() { attachInterrupt(0, tick, RISING); }\n"
+      "void loop() {\n  delay(400);\n}\n");
+  board().schedule_edge(2, true, now_ + 300 * kMicrosecond);
+  run(20 * kMillisecond);
+  EXPECT_EQ(board().drive(5).mode, PinMode::input_pullup) << "the handler has run";
+  EXPECT_EQ(host_->activity().call, "delay(400)");
+  EXPECT_EQ(host_->activity().where.line, 4);
+}
+
 TEST_F(InterruptsTest, OnlyTheWantedEdgesCount) {
   for (const auto& [mode, expected] : {std::pair{"RISING", 3L}, {"FALLING", 2L}, {"CHANGE", 5L}}) {
     serial_.clear();

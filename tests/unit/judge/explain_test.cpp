@@ -475,15 +475,24 @@ TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
   robot_is_at(11900 * kMillisecond, {4, 1}, false, true);
   e.activity.call = "delay(500)";
   e.activity.where = {"loop", "My.ino", 9};
+  e.distance_m = 1.3;
   EXPECT_EQ(next(Verdict::lost),
             "the sketch is in delay(500) in loop, My.ino:9: during this time it reads no sensor, but the "
             "robot drives on");
+  e.steered = -0.4;
+  e.line_side = 0.018;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("delay(500)")) << "the late reaction looks like wrong steering";
+  e.steered = 0.0;
+  e.distance_m = 0.6;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << "2.5 cm in the delay";
+  e.distance_m = 1.3;
   for (const char* call : {"delay(5)", "delay()", "delayMicroseconds(500)"}) {
     e.activity.call = call;
     EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << call;
   }
   e.activity.call = "delay(500)";
   e.t = 20 * kSecond;
+  e.distance_m = 3.0;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << "the motors are off";
 }
 
