@@ -30,6 +30,7 @@
 #include <optional>
 
 #include "sim/base/did_you_mean.h"
+#include "sim/base/utf8.h"
 
 namespace robosim {
 namespace {
@@ -171,7 +172,7 @@ bool is_typographic_quote(std::string_view text) {
 // Finds the first fault that toml++ reports unclearly, or that would overflow the stack in toml++. For
 // example, the library's message for a non-ASCII character outside strings and comments is unclear.
 std::optional<Fault> find_fault(std::string_view text) {
-  std::size_t i = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // a byte order mark is allowed
+  std::size_t i = text.size() - without_byte_order_mark(text).size();
   Nesting nesting;
   while (i < text.size()) {
     const char c = text[i];

@@ -88,7 +88,7 @@ std::optional<FileKind> kind_of_bytes(std::string_view text) {
 
 std::optional<FileKind> kind_of(std::string_view text) {
   text = text.substr(0, kLooked_bytes);
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text = without_byte_order_mark(text);
   if (const auto kind = kind_of_bytes(text)) return kind;
   if (text.starts_with("+++")) return FileKind::map;
   bool only_rows = true, is_first = true;

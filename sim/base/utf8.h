@@ -9,6 +9,10 @@ namespace robosim {
 
 /// The bytes that some editors insert before a text to mark it as UTF-8.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+/// Returns the text without a byte order mark at its beginning, which some editors of Windows write.
+inline std::string_view without_byte_order_mark(std::string_view text) {
+  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
+}
 
 /// The first character of a text.
 struct Utf8Character {

@@ -10,6 +10,7 @@
 #include "sim/base/did_you_mean.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/utf8.h"
 #include "sim/build/lexing.h"
 #include "sim/build/project.h"
 #include "sim/build/sketch.h"
@@ -176,8 +177,8 @@ bool put_file_with_loop_first(std::vector<std::string>& inos, const fs::path& fo
   return true;
 }
 
-std::string unix_text(std::string text) {
-  if (text.rfind("\xEF\xBB\xBF", 0) == 0) text.erase(0, 3);
+std::string unix_text(std::string_view text) {
+  text = without_byte_order_mark(text);
   std::string result;
   result.reserve(text.size());
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -65,6 +65,7 @@ MapParser::MapParser(std::string file, std::size_t size_hint, std::string pictur
 }
 
 std::string MapParser::picture_named_in(std::string_view beginning, const std::string& file) {
+  beginning = without_byte_order_mark(beginning);
   if (!beginning.starts_with(kFence)) return "";
   MapParser parser(file, 0);
   while (parser.section_ != Section::grid && !beginning.empty()) {
@@ -110,6 +111,7 @@ void MapParser::take_line(std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   switch (section_) {
     case Section::beginning:
+      line = without_byte_order_mark(line);
       if (line == kFence) {
         section_ = Section::front_matter;
         return;

@@ -6,6 +6,7 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/base/utf8.h"
 #include "sim/build/project/files.h"
 
 namespace robosim::project {
@@ -30,9 +31,8 @@ std::string without_comment(const std::string& line) {
 }  // namespace
 
 IniFile::IniFile(const std::filesystem::path& path) {
-  std::string content = read_file(path, kMostProjectFile_bytes);
-  if (content.rfind("\xEF\xBB\xBF", 0) == 0) content.erase(0, 3);
-  std::istringstream lines(content);
+  const std::string content = read_file(path, kMostProjectFile_bytes);
+  std::istringstream lines{std::string(without_byte_order_mark(content))};
   std::string section;
   IniValue* open = nullptr;
   int number = 0;

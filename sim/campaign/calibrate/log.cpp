@@ -43,13 +43,11 @@ std::string shortened(std::string_view text) {
   return std::string(text.substr(0, 40)) + (text.size() > 40 ? " …" : "");
 }
 
-std::string_view without_mark(std::string_view text) {
-  return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
-}
-
 class Reader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(without_mark(text)) { log_.file = file; }
+  Reader(std::string_view text, const std::string& file) : text_(without_byte_order_mark(text)) {
+    log_.file = file;
+  }
 
   Log read() {
     if (text_.find_first_not_of(" \t\r\n") == text_.npos)

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/error.h"
+#include "sim/base/utf8.h"
 #include "sim/map/course/formats.h"
 
 namespace robosim::course {
@@ -47,7 +48,7 @@ Imported read_any(std::string_view text, const std::string& file, double walls_m
 
 Imported import_course(std::string_view text, const std::string& file, const std::string& name,
                        double walls_m) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  text = without_byte_order_mark(text);
   try {
     Imported imported = read_any(text, file, walls_m);
     imported.map.name = name;

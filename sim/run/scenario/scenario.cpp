@@ -294,7 +294,7 @@ namespace {
 std::vector<Step> parse_rows(std::string_view text, const std::string& file) {
   std::vector<Step> steps;
   int number = 0;
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text = without_byte_order_mark(text);
   while (!text.empty()) {
     ++number;
     const std::size_t end = text.find('\n');

@@ -219,10 +219,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"truncated UTF-8", "11\n1\xC3", "m.map:2:2: ", "not UTF-8"},
         Refused{"overlong UTF-8", "\xC0\xAF", "m.map:1:1: ", "not UTF-8"},
         Refused{"a letter beyond ASCII", "1\xC3\xA9\n", "m.map:1:2: ", "`\xC3\xA9` (U+00E9)"},
-        Refused{"a byte order mark",
-                "\xEF\xBB\xBF"
-                "11\n",
-                "m.map:1:1: ", "byte order mark"},
+        Refused{"a byte order mark within",
+                "1\xEF\xBB\xBF"
+                "1\n",
+                "m.map:1:2: ", "byte order mark"},
         Refused{"UTF-16",
                 "\xFF\xFE"
                 "1\0"
@@ -290,6 +290,8 @@ TEST(RefusedMap, AbsurdSizesEndSoon) {
 TEST(RefusedMap, ADenseGridWrittenInDigitsIsNoSwap) {
   EXPECT_EQ(complaint("11111\n12121\n11111\n"), "accepted");
   EXPECT_EQ(complaint("....\n....\n"), "accepted");
+  EXPECT_EQ(complaint("\xEF\xBB\xBF....\n....\n"), "accepted") << "an editor of Windows wrote the file";
+  EXPECT_EQ(complaint("\xEF\xBB\xBF+++\nname = \"m\"\n+++\n....\n"), "accepted");
 }
 
 TEST(Start, IsTheFirstDeadEndInRowOrderFacingItsLine) {
