@@ -177,6 +177,9 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
     const said = (is) => until(() => is($('map-said').textContent));
     $('edit').click();
     await until(() => $('map-text').value);
+    const opened = $('map-name').value;
+    $('map-new').click();
+    await until(() => $('map-name').value === 'my.map');
     $('map-text').value = $('map-text').value.replace('corner', 'corners');
     $('map-text').onchange();
     await said((text) => text.includes('corners'));
@@ -198,6 +201,7 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
     for (const [x, y] of [[1300, 300], [1600, 300], [1600, 700], [1300, 700], [1300, 300]])
       for (const kind of ['pointerdown', 'pointerup'])
         $('sheet').dispatchEvent(new PointerEvent(kind, { clientX: left + 8 + x * scale, clientY: top + 8 + (1200 - y) * scale, pointerId: 1 }));
+    $('map-name').value = 'my';
     $('map-save').click();
     await said((text) => text.startsWith('saved'));
     $('map-save').click();
@@ -215,10 +219,11 @@ TEST_F(Serve, DrawsAMapAndKeepsItAndAFileThatIsDropped) {
     image.items.add(new File(['no program'], 'Wrong.elf'));
     document.body.dispatchEvent(new DragEvent('drop', { dataTransfer: image, bubbles: true }));
     await until(() => $('said').textContent);
-    return { undone, own, wrong: $('said').textContent, broken, text: $('map-text').value, map: $('map').value, sketches: [...$('sketch').options].map((o) => o.value) };)");
+    return { opened, undone, own, wrong: $('said').textContent, broken, text: $('map-text').value, map: $('map').value, sketches: [...$('sketch').options].map((o) => o.value) };)");
   EXPECT_THAT(seen["broken"].get<std::string>(), HasSubstr("my.map:3"));
   EXPECT_EQ(seen["undone"], true) << "typed text is undone, too";
-  EXPECT_EQ(seen["map"], "./my.map");
+  EXPECT_EQ(seen["opened"], "my-oval.map") << "the run's map, as nothing else is chosen";
+  EXPECT_EQ(seen["map"], "./my.map") << "the name gets its ending";
   EXPECT_THAT(seen["text"].get<std::string>(), AllOf(HasSubstr("[legend]\n4 = \"wet line\"\n3 = \"wet\"\n"),
                                                      HasSubstr("\n_S.4......._________\n")))
       << "a line through a puddle";

@@ -116,6 +116,21 @@ std::string linked(const ReportExtras& extras, std::size_t run, const std::strin
              : fmt::format("<a href=\"{}\">{}</a>", markup_text(replay->second), markup);
 }
 
+std::vector<std::string> remarks_on(const ReportExtras& extras) {
+  std::vector<std::string> remarks;
+  if (extras.other > 0)
+    remarks.push_back(
+        fmt::format("{} of the runs had another result when they were repeated, and are not shown: give "
+                    "report the options "
+                    "of the sweep, or the sketch, map or robot has changed since.",
+                    extras.other));
+  if (extras.cannot_be > 0)
+    remarks.push_back(fmt::format(
+        "{} could not be repeated: {}",
+        extras.cannot_be == 1 ? "One run" : fmt::format("{} runs", extras.cannot_be), extras.cannot));
+  return remarks;
+}
+
 std::string places_left(const ReportExtras& extras) {
   std::string maps, text;
   std::size_t nowhere = 0;  // runs in which the line was never left
@@ -130,15 +145,8 @@ std::string places_left(const ReportExtras& extras) {
                         nowhere == 1 ? "The repeated run" : fmt::format("The {} repeated runs", nowhere));
   if (!maps.empty())
     text += "<h2>Where robots left the line</h2>\n<div class=\"maps\">\n" + maps + "</div>\n";
-  if (extras.other > 0)
-    text += fmt::format(
-        "<p class=\"bad\">{} of the runs had another result when they were repeated, and are not shown: "
-        "give report the options of the sweep, or the sketch, map or robot has changed since.</p>\n",
-        extras.other);
-  if (extras.cannot_be > 0)
-    text += fmt::format("<p class=\"bad\">{} could not be repeated: {}</p>\n",
-                        extras.cannot_be == 1 ? "One run" : fmt::format("{} runs", extras.cannot_be),
-                        markup_text(extras.cannot));
+  for (const std::string& remark : remarks_on(extras))
+    text += fmt::format("<p class=\"bad\">{}</p>\n", markup_text(remark));
   if (extras.not_made > 0)
     text +=
         fmt::format("<p class=\"dim\">{} more runs failed and were not repeated (--runs repeats more).</p>\n",

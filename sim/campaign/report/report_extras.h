@@ -38,6 +38,10 @@ struct ReportExtras {
   std::map<std::string, std::size_t> places_;  ///< index in `left`, by the map's text
 };
 
+/// Returns a sentence for each kind of run that is not shown: runs with another result, and runs that cannot
+/// be repeated.
+std::vector<std::string> remarks_on(const ReportExtras& extras);
+
 /// Reads the command of a run, as a table or robosim test has stored it. Throws InputError.
 using ReadCommand = std::function<launch::RunSettings(const std::string& command)>;
 

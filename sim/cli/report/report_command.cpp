@@ -62,6 +62,8 @@ int report_command(const ReportArguments& arguments) {
   const std::string replays = extras.written == 1 ? "a replay" : fmt::format("{} replays", extras.written);
   print(fmt::format("{} is written{}; open it in a browser\n", arguments.out,
                     extras.written == 0 ? "" : fmt::format(", and {} next to it", replays)));
+  for (const std::string& remark : campaign::remarks_on(extras))
+    complain(fmt::format("robosim: {}\n", remark));
   return 0;
 }
 

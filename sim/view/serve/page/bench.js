@@ -200,7 +200,13 @@ setInterval(() => {
 $('sketch').addEventListener('change', () => { targets(); scripts.forget(); });
 $('wanted').addEventListener('submit', (e) => { e.preventDefault(); run(); });
 const editor = new Editor({ listed: list, maps: $('map') });
-$('edit').addEventListener('click', () => editor.open($('map').value).catch((error) => say(`${error.message}\n`, true)));
+
+/** Returns the map of the run: the chosen one, the only one next to the sketch, or else oval. */
+function mapOfRun() {
+  const own = [...$('map').options].map(({ value }) => value).filter((map) => map.startsWith(`${$('sketch').value}/`));
+  return $('map').value || (own.length === 1 ? own[0] : 'oval');
+}
+$('edit').addEventListener('click', () => editor.open(mapOfRun()).catch((error) => say(`${error.message}\n`, true)));
 
 /** Chooses a file that was added to the folder. */
 function chooseFile(place) {

@@ -131,7 +131,9 @@ export class Editor {
 
   async save(replace) {
     try {
-      const answer = await post('/api/file', { name: $('map-name').value, text: this.text.value, replace });
+      const named = $('map-name').value.trim();
+      const name = named.endsWith('.map') ? named : `${named}.map`;
+      const answer = await post('/api/file', { name, text: this.text.value, replace });
       const { saved } = await answer.json();
       $('map-replace').hidden = true;
       await this.listed();
