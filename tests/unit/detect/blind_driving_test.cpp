@@ -12,6 +12,7 @@ namespace blind_driving_test {
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
+using testing::StartsWith;
 
 /// Firmware that drives straight on, and reads a sensor once per `looks_every`. With `plans`, it drives at
 /// half power in the second half of each interval.
@@ -30,8 +31,9 @@ class Distracted : public exec::Executor {
     }
   }
   const std::optional<exec::Crash>& crash() const override { return crash_; }
-  exec::Activity activity() override { return {0, "delay(700)", kNoPin, kNoPin, {"loop", "A.ino", 9}, ""}; }
+  exec::Activity activity() override { return {0, call, kNoPin, kNoPin, {"loop", "A.ino", 9}, ""}; }
   SimTime last_call() const override { return next_; }
+  std::string call = "delay(700)";
 
  protected:
   static constexpr Pin kMiddle = 16;
@@ -94,6 +96,19 @@ TEST(BlindDriving, IsWhoLosesTheLineBetweenTwoLooks) {
   EXPECT_THAT(found[0].what, HasSubstr("without reading a line sensor"));
   EXPECT_THAT(found[0].what, HasSubstr("the sketch was in delay(700)"));
   EXPECT_THAT(found[0].mend, HasSubstr("millis()"));
+}
+
+TEST(BlindDriving, IsMendedWhereTheSketchWasBusy) {
+  const auto mend = [](const std::string& call) {
+    Distracted firmware(700 * kMillisecond, false);
+    firmware.call = call;
+    const auto found = detected(firmware, 10 * kSecond);
+    return found.empty() ? "" : found[0].mend;
+  };
+  EXPECT_THAT(mend("pulseIn(4, 1)"), StartsWith("Give pulseIn() a timeout"));
+  EXPECT_THAT(mend("write()"), StartsWith("Print less, less often"));
+  EXPECT_THAT(mend("delay(700)"), StartsWith("Return from loop() and check with millis()"));
+  EXPECT_EQ(mend(""), "Read the sensors in there as well, or return from loop() in between.");
 }
 
 TEST(BlindDriving, IsNobodyWhoLooksInTime) {

@@ -74,6 +74,7 @@ TEST(BoardDetectors, TellOfAPinThatWasNeverSetToOutputAndOfWornEeprom) {
   EXPECT_EQ(found[0].detector, "forgotten_output");
   EXPECT_EQ(found[0].where.line, 9);
   EXPECT_THAT(found[0].what, HasSubstr("pin 13 (LED) was never set to OUTPUT"));
+  EXPECT_THAT(found[0].what, HasSubstr("(an Uno R3 has an amplifier before its own LED;"));
   EXPECT_THAT(found[0].mend, HasSubstr("pinMode(13, OUTPUT)"));
   EXPECT_EQ(found[1].detector, "eeprom_wear");
   EXPECT_EQ(found[1].where.file, "A.ino");
@@ -120,6 +121,8 @@ TEST(BoardDetectors, TellOfAPinThatIsReadBeforeItsWeakSourceHasChargedTheConvert
   EXPECT_THAT(found[0].what, HasSubstr("A1 was read up to 0.30 V too high"));
   EXPECT_EQ(found[0].where.file, "A.ino");
   EXPECT_EQ(found[0].times, 3) << "the last reading is not yet known to be wrong";
+  EXPECT_THAT(found_in({{14, 0.3}, {15, 0.0}})[0].what, HasSubstr("A0 was read up to 0.30 V too high"));
+  EXPECT_THAT(found_in({{14, 0.0}, {15, -0.3}})[0].what, HasSubstr("A1 was read up to 0.30 V too low"));
   EXPECT_THAT(found_in({{14, 0.0}, {15, 0.3}, {15, 0.1}, {15, 0.03}}), IsEmpty()) << "read again";
   EXPECT_THAT(found_in({{14, 0.0}, {15, 0.03}}), IsEmpty()) << "less than 8 steps";
 }

@@ -91,6 +91,15 @@ TEST_F(LossesTest, BytesThatComeWhileInterruptsAreOff) {
   EXPECT_EQ(found[0].where.line, 3);
 }
 
+TEST_F(LossesTest, BytesThatComeWhileInterruptsAreOnAreNotLost) {
+  start(
+      "void setup() { Serial.begin(115200); }\nvoid loop() { while (Serial.available()) Serial.read(); }\n");
+  run(5 * kMillisecond);
+  for (int i = 0; i < 100; ++i) board().receive_byte('x', now_);
+  run(20 * kMillisecond);
+  EXPECT_THAT(avr_->detected(), IsEmpty());
+}
+
 TEST_F(LossesTest, AreNoneWhereInterruptsAreOffForAMoment) {
   EXPECT_THAT(seen("noInterrupts(); unsigned n = count; interrupts(); Serial.println(n);"), IsEmpty());
   EXPECT_THAT(seen("noInterrupts(); delayMicroseconds(600); interrupts(); delayMicroseconds(100);"),

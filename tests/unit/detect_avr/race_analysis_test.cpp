@@ -8,7 +8,9 @@
 namespace robosim::detect {
 namespace race_analysis_test {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class TearingTest : public AvrDetectorTest, public testing::WithParamInterface<bool> {
  protected:
@@ -77,6 +79,10 @@ TEST_P(TearingTest, ANumberThatAHandlerMayChangeWhileItIsWritten) {
   start(pluralize("if (++seen % 500 == 0) ticks = 0;", "ticks += 400;"));
   run(100 * kMillisecond);
   EXPECT_EQ(torn().kind, "torn_write");
+  EXPECT_THAT(torn().text,
+              AllOf(HasSubstr("torn write of ticks, whose 4 bytes the chip writes one by one: the handler at "
+                              "Test.ino:3 changes them in an interrupt"),
+                    HasSubstr("rite it with interrupts off"), Not(HasSubstr("opy it"))));
   EXPECT_EQ(torn().where.line, 5);
 }
 
@@ -92,6 +98,7 @@ TEST_P(TearingTest, AByteThatAHandlerMayChangeWhileItIsChanged) {
     EXPECT_THAT(torn().text,
                 HasSubstr("lost update of flags, which is read, changed and written back: the handler at "
                           "Test.ino:4 changes it in an interrupt"));
+    EXPECT_THAT(torn().text, AllOf(HasSubstr("hange it with interrupts off"), Not(HasSubstr("opy it"))));
     EXPECT_EQ(torn().where.line, 6);
   }
 }

@@ -32,6 +32,15 @@ TEST_F(WatchdogMarginTest, IsSmallWhereAPassTakesNearlyAsLong) {
   EXPECT_EQ(found[0].where.line, 3);
 }
 
+TEST_F(WatchdogMarginTest, HasNoLongerTimeoutThanEightSeconds) {
+  const auto found = found_in(
+      "#include <avr/wdt.h>\nvoid setup() { wdt_enable(WDTO_8S); }\n"
+      "void loop() { wdt_reset(); delay(7500); }\n",
+      16 * kSecond);
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].mend, "Call wdt_reset() within the code that takes so long.");
+}
+
 TEST_F(WatchdogMarginTest, IsEnoughWithAFifthToSpareOrWhileItIsOff) {
   EXPECT_THAT(seen("delay(195);"), IsEmpty());
   EXPECT_THAT(seen("wdt_disable(); delay(235); wdt_enable(WDTO_250MS);"), IsEmpty());

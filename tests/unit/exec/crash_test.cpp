@@ -44,6 +44,10 @@ TEST_F(CrashTest, NullPointerToAFunction) {
 TEST_F(CrashTest, DeepRecursion) {
   expect(crash("int deep(int k) { volatile char b[64]; b[0] = k; return deep(k + 1) + b[0]; }", "deep(1);"),
          "stack overflow (deep recursion?)", "deep", 2);
+  EXPECT_EQ(crash("int deep(int k) { volatile char b[64]; b[0] = k; return k < 9 ? deep(k + 1) + b[0] : 0; }",
+                  "deep(1);")
+                .reason,
+            "none");
 }
 
 TEST_F(CrashTest, AWildPointer) {
@@ -58,6 +62,20 @@ TEST_F(CrashTest, AWildPointer) {
 TEST_F(CrashTest, Abort) {
   expect(crash("void faulty() { if (zero == 0) abort(); }"), "abort() called", "faulty", 2);
 }
+
+TEST_F(CrashTest, AFailedAssertion) {
+  const std::string text = "#include <assert.h>\nvoid faulty() { assert(n == zero); }";
+  EXPECT_EQ(crash(text).reason, "none");
+  expect(crash("#include <assert.h>\nvoid faulty() { assert(n > zero); }"), "assert() failed", "faulty", 3);
+}
+
+#if defined(__x86_64__)  // the instruction is one of this processor
+TEST_F(CrashTest, AnInstructionThatDoesNotExist) {
+  expect(crash("void faulty() { asm volatile(\"ud2\"); }"), "an instruction that does not exist", "faulty",
+         2);
+  EXPECT_EQ(crash("void faulty() { asm volatile(\"nop\"); }").reason, "none");
+}
+#endif
 
 TEST_F(CrashTest, InsideALibraryFunctionTheSketchsLineIsNamed) {
   expect(crash("char* volatile target; void faulty() { strcpy(target, \"hello\"); ++n; }"), "null pointer",
@@ -121,6 +139,16 @@ TEST_F(CrashTest, ExitIsNoCrash) {
   EXPECT_FALSE(host_->crash());
   EXPECT_EQ(host_->activity().stopped_by, "exit(0)");
   EXPECT_TRUE(board().drive(13).level);
+}
+
+TEST_F(CrashTest, TheEndOfMainIsNoCrash) {
+  start("int main() { return 0; }");
+  run(100 * kMillisecond);
+  EXPECT_FALSE(host_->crash());
+  EXPECT_EQ(host_->activity().stopped_by, "the end of main()");
+  start("int main() { for (;;) delay(1); }");
+  run(100 * kMillisecond);
+  EXPECT_EQ(host_->activity().stopped_by, "");
 }
 
 TEST_F(CrashTest, AFileThatIsNoImageIsAnErrorOfTheUser) {

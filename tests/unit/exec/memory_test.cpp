@@ -73,6 +73,17 @@ void loop() {})");
   EXPECT_EQ(host_->crash()->where.file, "Test.ino");
 }
 
+TEST_F(MemoryTest, FreeOfWhatMallocDidNotGiveIsACrash) {
+  const auto reason = [&](const std::string& frees) {
+    start("char own[64]; char* volatile p;\nvoid setup() { p = (char*)malloc(9); " + frees +
+          " }\nvoid loop() {}");
+    run(100 * kMillisecond);
+    return host_->crash() ? host_->crash()->reason : "";
+  };
+  EXPECT_EQ(reason("p = own + 32; free(p);"), "free() or realloc() of something that malloc() did not give");
+  EXPECT_EQ(reason("free(p);"), "");
+}
+
 TEST_F(MemoryTest, OneFirmwaresOverrunDoesNotHarmAnother) {
   const std::filesystem::path good = build(
       "int n; void setup() { Serial.begin(115200); } void loop() { char* p = (char*)malloc(16); strcpy(p, "

@@ -64,6 +64,38 @@ TEST_F(SanitizeTest, ADivisionByZero) {
   expect_found("volatile int zero, n;", "n = 10 % zero;", "division by zero");
 }
 
+TEST_F(SanitizeTest, AnEmptyRangeOfMap) {
+  expect_found("volatile int n, least = 3, most = 3;", "n = map(5, least, most, 0, 9);",
+               "division by zero in map()");
+  expect_nothing("volatile int n, least = 3, most = 4;", "n = map(5, least, most, 0, 9);");
+}
+
+TEST_F(SanitizeTest, APointerThatArithmeticSpoils) {
+  expect_found("char* volatile p; volatile int by = -1;", "p = p + by;", "arithmetic with a null pointer");
+  expect_found("char there; volatile long by = -(1L << 62); char* volatile p = &there;", "p = p + by;",
+               "arithmetic moved a pointer beyond the end of memory");
+  expect_nothing("char there[3]; volatile int by = 1; char* volatile p = there;", "p = p + by; p = p - by;");
+}
+
+TEST_F(SanitizeTest, AnArrayOfVariableLengthWithoutElements) {
+  expect_found("volatile int n = -3; char* volatile p;", "char all[n]; p = all;", "an array of -3 elements");
+  expect_nothing("volatile int n = 3; char* volatile p;", "char all[n]; p = all;");
+}
+
+TEST_F(SanitizeTest, ANullPointerAsAnArgument) {
+  const std::string takes =
+      "__attribute__((noinline, nonnull(1))) void take(char* at) { asm volatile(\"\" : : "
+      "\"r\"(at)); } char there; char* volatile p";
+  expect_found(takes + ";", "take(p);", "argument 1 is a null pointer, which is not allowed");
+  expect_nothing(takes + " = &there;", "take(p);");
+}
+
+TEST_F(SanitizeTest, APlaceThatIsNeverReached) {
+  expect_found("volatile int n;", "if (n == 0) __builtin_unreachable();",
+               "a place that the program marks as never reached");
+  expect_nothing("volatile int n;", "if (n != 0) __builtin_unreachable();");
+}
+
 TEST_F(SanitizeTest, ANullPointer) {
   expect_found("int* volatile p;", "*p = 1;", "write of an int through a null pointer");
   expect_found("struct Motor { int speed; void go() { speed = 1; } }; Motor* volatile p;", "p->speed = 1;",
@@ -101,6 +133,7 @@ TEST_F(SanitizeTest, ALocalVariableThatWasNeverSet) {
 TEST_F(SanitizeTest, AFunctionWithoutItsReturn) {
   expect_found("volatile int n; int turn() { if (n) return 1; }", "n = turn();",
                "the function should return a value, but ends without return", "turn", 1);
+  expect_nothing("volatile int n = 1; int turn() { if (n) return 1; }", "n = turn();");
 }
 
 TEST_F(SanitizeTest, AnAccessBesideAGlobalVariable) {

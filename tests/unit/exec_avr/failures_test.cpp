@@ -124,6 +124,18 @@ void loop() { delay(1); go(); }
   EXPECT_THAT(avr_->crash()->reason, testing::StartsWith("jump to address 0"));
 }
 
+TEST_F(FailuresTest, AnAddressAfterTheEndOfTheFlashIsNamedSo) {
+  start(R"(
+volatile uint16_t target = 0x4100;  // a word address; the flash has 0x4000 words
+void __attribute__((noinline)) go() { ((void (*)())target)(); delay(1); }
+void setup() {}
+void loop() { go(); }
+)");
+  run(20 * kMillisecond);
+  ASSERT_TRUE(avr_->crash());
+  EXPECT_THAT(avr_->crash()->reason, HasSubstr("after the end of the flash"));
+}
+
 TEST_F(FailuresTest, AHangIsNoCrashAndItsPlaceIsKnown) {
   EXPECT_FALSE(crash_of("ChipHang"));
   const Activity activity = avr_->activity();
@@ -277,6 +289,28 @@ TEST_F(FailuresTest, AStackInTheLastVariableOutgrowsIt) {
   run(50 * kMillisecond);
   ASSERT_TRUE(avr_->crash());
   EXPECT_THAT(avr_->crash()->reason, HasSubstr("bytes of RAM that the variables leave free"));
+}
+
+TEST_F(FailuresTest, AStackInTheHeapOutgrowsItsBlock) {
+  // The heap's end is read once per tick, so the sketch waits after malloc().
+  const auto with = [](int depth) {
+    return fmt::format(
+        "uint8_t* block;\nvolatile int sum;\n"
+        "int deep(int n) {{ volatile char room[20]; room[n % 20] = n; return n == 0 ? 0 : deep(n - 1) + "
+        "room[n % 20]; }}\n"
+        "void __attribute__((noinline)) work() {{ sum = deep({}); }}\n"
+        "void setup() {{ malloc(20); block = (uint8_t*)malloc(200); delay(5); }}\n"
+        "void loop() {{ uint16_t was = SP; cli(); SP = (uint16_t)(block + 199); work(); SP = was; sei(); }}",
+        depth);
+  };
+  start(with(1));
+  run(20 * kMillisecond);
+  EXPECT_FALSE(avr_->crash()) << avr_->crash()->reason;
+  start(with(19));
+  run(20 * kMillisecond);
+  ASSERT_TRUE(avr_->crash());
+  EXPECT_EQ(avr_->crash()->reason,
+            "stack overflow: a stack that the sketch has allocated in the heap has outgrown its block");
 }
 
 // If a stack begins at `stack + sizeof stack`, its first byte is after the variable. All other bytes of the

@@ -150,6 +150,7 @@ void loop() { sleep_mode(); })");
   ASSERT_TRUE(used);
   EXPECT_LT(used->cpu_load, 0.02);
   EXPECT_EQ(avr_->last_call(), now_) << "sleep is not a hang";
+  EXPECT_EQ(avr_->activity().stopped_by, "");
 }
 
 TEST_F(PowerTest, PowerDownStopsTheTimersAndAnEdgeWakesIt) {

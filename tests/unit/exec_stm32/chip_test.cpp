@@ -166,8 +166,15 @@ TEST_F(Stm32ChipTest, EveryFaultIsToldWithItsReasonAndPlace) {
         Case{"asm volatile(\"bkpt 1\");", "breakpoint instruction"},
         Case{"((void (*)())0x30000001)(); n = 1;",
              "call through a wrong function pointer to address 0x30000000"},
-        Case{"*(volatile int*)0xE000ED14 |= 16; n = 100 / n;", "division by zero"},
-        Case{"*(volatile int*)0x40005C40 = 1;", "write of 0x1 to register 0x40005C40 (USB)"},
+        Case{"asm volatile(\"ldr r0, =0x30000001\\n bx r0\\n .ltorg\" ::: \"r0\");",
+             "jump to address 0x30000000, where there is no code"},
+        Case{"asm volatile(\"ldr lr, =0x30000001\\n bx lr\\n .ltorg\" ::: \"lr\");",
+             "return to address 0x30000000, where there is no code (the return address on the stack was "
+             "overwritten)"},
+        Case{"*(volatile int*)0xE000ED14 |= 16; n = 100 / n;",
+             "division by zero, which SCB_CCR makes a fault"},
+        Case{"*(volatile int*)0x40005C40 = 1;",
+             "write of 0x1 to register 0x40005C40 (USB), which Robosim does not model"},
         Case{"n = *(volatile int*)0x40006408;", "read of register 0x40006408 (CAN1)"}}) {
     const auto& crash = crash_of(c.statement);
     ASSERT_TRUE(crash) << c.statement;
@@ -177,6 +184,24 @@ TEST_F(Stm32ChipTest, EveryFaultIsToldWithItsReasonAndPlace) {
     EXPECT_EQ(crash->where.line, 2) << c.statement;
     EXPECT_THAT(crash->registers, AllOf(HasSubstr("PC 0x080"), HasSubstr("r12"))) << c.statement;
   }
+}
+
+TEST_F(Stm32ChipTest, AReturnFromAnInterruptThatHasNotBegunIsACrash) {
+  const auto& crash = crash_of("asm volatile(\"ldr r0, =0xFFFFFFF9\\n bx r0\\n .ltorg\" ::: \"r0\");");
+  ASSERT_TRUE(crash);
+  EXPECT_EQ(crash->reason, "return from an interrupt that has not begun or whose stack was overwritten");
+}
+
+TEST_F(Stm32ChipTest, AnExceptionWithoutAHandlerIsACrash) {
+  const auto& crash = crash_of(
+      "static volatile int none[128] __attribute__((aligned(512))); *(volatile int*)0xE000ED08 = (int)none; "
+      "*(volatile int*)0xE000ED04 = 1 << 28; asm volatile(\"isb\"); n = 1;");
+  ASSERT_TRUE(crash);
+  EXPECT_EQ(crash->reason, "exception 14 without a handler");
+}
+
+TEST_F(Stm32ChipTest, AStackThatFitsIsNoCrash) {
+  EXPECT_FALSE(crash_of("volatile char room[4000]; room[n] = 1; n = room[n];"));
 }
 
 TEST_F(Stm32ChipTest, AStackThatReachesTheVariablesIsACrash) {

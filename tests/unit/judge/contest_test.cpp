@@ -12,6 +12,7 @@
 namespace robosim::judge {
 namespace contest_test {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 struct Pushed : HandMoved {
@@ -49,6 +50,7 @@ TEST(DragRace, IsTimedFromTheSignalToTheFinishLineAndEndsWhereTheRobotStops) {
   // The robot starts half a second after the signal. It moves at 1 m/s from x = 0.2 m to x = 3.3 m - 0.06 m.
   EXPECT_NEAR(race.score().run_s, 3.54, 0.01);
   EXPECT_FALSE(race.progress.reached());
+  EXPECT_EQ(race.summary(), "the finish line was passed after 3.54 s, but the robot did not stop after it");
   race.wait(500 * kMillisecond);
   EXPECT_TRUE(race.progress.reached());
   EXPECT_NEAR(race.score().score, 3.54, 0.01);
@@ -107,13 +109,16 @@ TEST(RescueLine, GivesThePointsOfItsRules) {
   run.push({1.2, 0.7});                // drives around the obstacle at 1.35 m
   run.push({1.5, 0.7});
   EXPECT_EQ(run.lacks(), 0);
+  EXPECT_THAT(run.summary(), EndsWith("5 of 6 tiles, 0 lacks of progress"));
   run.push({1.55, 0.45});
   EXPECT_EQ(run.score().score, 35.0 + 20.0 + 3 * 5.0);
   EXPECT_FALSE(run.progress.reached());
+  EXPECT_THAT(run.summary(), EndsWith("6 of 6 tiles, 0 lacks of progress, but the robot was not at rest on "
+                                      "the end tile for 5 s"));
   run.wait(5100 * kMillisecond);
   EXPECT_TRUE(run.progress.reached());
   EXPECT_EQ(run.score().score, 130.0);
-  EXPECT_THAT(run.summary(), HasSubstr("130 points, 6 of 6 tiles, 0 lacks of progress"));
+  EXPECT_EQ(run.summary(), "130 points, 6 of 6 tiles, 0 lacks of progress");
 }
 
 TEST(RescueLine, EntryCountsItsOwnHazardsOnlyAndLessForAnObstacle) {

@@ -49,6 +49,21 @@ class Explain : public ::testing::Test {
   }
   /// Reports that the robot sees the line for the last time, at 2 s in the middle of cell 3,1.
   void lose_the_line() { robot_is_at(2 * kSecond, {3, 1}, true, true); }
+  /// Reports that the robot creeps forward at 1 cm/s for 5.5 s, with its motors driven.
+  void creep(bool touches) {
+    Pose pose{map_.centre({3, 1}), {1.0, 0.0}};
+    e.moved = true;
+    for (SimTime t = 0; t <= 5500 * kMillisecond; t += kTick) {
+      pose.position.x += 1e-5;
+      Situation now;
+      now.pose = &pose;
+      now.driven = true;
+      now.in_contact = touches;
+      now.t = now.last_call = t;
+      judge_.look(now);
+    }
+    e.at = pose.position;
+  }
   /// Reports that the robot drives circles around the middle of cell 5,2 for 10 s. Each quarter of a circle
   /// takes 250 ms; `direction` is 1 for anticlockwise. If `crosses`, the robot sees the line once in each
   /// circle.
@@ -116,6 +131,43 @@ TEST_F(Explain, ATimeoutSaysSinceWhenTheSketchIsSilent) {
       << "a chip's calls without effect are not seen";
 }
 
+TEST_F(Explain, ATimeoutSaysByWhatTheSketchStoppedItself) {
+  e.activity.stopped_by = "exit(0)";
+  EXPECT_THAT(why(Verdict::timeout), EndsWith("visited; the sketch stopped itself by exit(0)."));
+  e.activity.stopped_by.clear();
+  EXPECT_THAT(why(Verdict::timeout), EndsWith("visited."));
+}
+
+TEST_F(Explain, ATimeoutNamesThePlaceIfNoCallIsKnown) {
+  e.activity.where = {"loop", "My.ino", 9};
+  EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was in loop, My.ino:9."));
+  e.activity.call = "delay(5)";
+  EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in delay(5) in loop, My.ino:9."));
+}
+
+TEST_F(Explain, AnExceededBudgetIsNamed) {
+  e.exceeded = "its stack took 900 bytes, but the robot file allows 800";
+  EXPECT_EQ(why(Verdict::over_budget),
+            "The sketch is over its budget: its stack took 900 bytes, but the robot file allows 800 (0 of 3 "
+            "stations visited).");
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("budget")));
+}
+
+TEST_F(Explain, AnInterruptedRunSaysWhenItEnded) {
+  EXPECT_EQ(why(Verdict::interrupted),
+            "Interrupted after 12.00 s of simulated time (0 of 3 stations visited).");
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("nterrupted")));
+}
+
+TEST_F(Explain, ARobotThatToppledIsToldWhetherItFell) {
+  robot_is_at(12 * kSecond, {3, 1}, true, true);
+  e.toppled = world::Toppled::off_an_edge;
+  EXPECT_EQ(why(Verdict::toppled),
+            "The robot fell off an edge near column 3, row 1 (0 of 3 stations visited).");
+  e.toppled = world::Toppled::no;
+  EXPECT_EQ(why(Verdict::toppled), "The robot tipped over near column 3, row 1 (0 of 3 stations visited).");
+}
+
 TEST_F(Explain, ARobotWithoutPowerIsToldWhy) {
   e.activity.last_call = 3 * kSecond;
   e.power = {.on = false, .since = 7 * kSecond, .charge = -0.01, .volts = 4.4, .needed = 4.5};
@@ -123,9 +175,11 @@ TEST_F(Explain, ARobotWithoutPowerIsToldWhy) {
               EndsWith(" visited; the board has had no power since 7.00 s: its battery is empty."));
   EXPECT_THAT(next(Verdict::timeout), HasSubstr("charge, in [battery]"));
   e.power.charge = 0.127;
+  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("[battery]"))) << "the battery is not empty";
   EXPECT_THAT(why(Verdict::timeout), EndsWith("since 7.00 s: its battery, at 13 % of its charge, gives "
                                               "4.40 V of the required 4.50 V."));
   e.power.charge.reset();
+  EXPECT_THAT(why(Verdict::timeout), EndsWith("; the board has had no power since 7.00 s."));
   e.faults = {{"power", {"sag", "3V"}, {}, 7 * kSecond}};
   EXPECT_THAT(why(Verdict::timeout),
               EndsWith(" since 7.00 s: power got the fault \"sag 3V\" by the script."));
@@ -135,6 +189,8 @@ TEST_F(Explain, ARobotWithoutPowerIsToldWhy) {
                        "the script."));
   e.faults.clear();
   EXPECT_THAT(why(Verdict::timeout), EndsWith(" since 7.00 s: the script switched it off."));
+  e.power = {};
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("power")));
 }
 
 TEST_F(Explain, AWeakBatteryIsNamedWhereItsRobotIsStuckOrLost) {
@@ -202,7 +258,10 @@ TEST_F(Explain, AnalogPinsHaveTheirNames) {
 
 TEST_F(Explain, ALostRobotIsToldFromWhereItSawTheLineLast) {
   lose_the_line();
-  EXPECT_THAT(why(Verdict::lost), HasSubstr("at 2.00 s near column 3, row 1 ("));
+  EXPECT_EQ(
+      why(Verdict::lost),
+      "The robot lost the line: its wheels have turned 1 m since the line was last under or between its "
+      "sensors, at 2.00 s near column 3, row 1 (0 of 3 stations visited).");
 }
 
 TEST_F(Explain, ARobotThatNeverSawALineLostNoneAtAPlace) {
@@ -224,6 +283,27 @@ TEST_F(Explain, ARobotThatHadLeftTheLineWhenItGotStuckLeftTheLineFirst) {
       "driven, but it neither moved 1 mm nor turned 1 degree; it touches a wall, an obstacle or the map's "
       "edge (0 of 3 stations visited).");
   EXPECT_EQ(decisive_moment(e).text, "the robot left the line");
+}
+
+TEST_F(Explain, ARobotThatCreepsAlongAnotherPushesAgainstIt) {
+  creep(true);
+  e.in_contact = true;
+  e.stopped_by = "another robot";
+  EXPECT_EQ(why(Verdict::stuck),
+            "The robot is stuck: for 5 s it has pushed against another robot, and has moved less than 10 cm "
+            "(0 of 3 stations visited).");
+  e.verdict = Verdict::stuck;
+  EXPECT_EQ(decisive_moment(e).text, "from here on it pushed against another robot");
+}
+
+TEST_F(Explain, ARobotThatCreepsAndTouchesNothingDoesNotPush) {
+  creep(false);
+  EXPECT_THAT(why(Verdict::stuck), AllOf(Not(HasSubstr("pushed")), Not(HasSubstr("touches"))));
+  EXPECT_EQ(decisive_moment(e).text, "its motors were driven from here on, but it did not move");
+  e.in_contact = true;
+  EXPECT_THAT(why(Verdict::stuck), HasSubstr("degree; it touches a wall, an obstacle or the map's edge ("));
+  EXPECT_EQ(decisive_moment(e).text,
+            "from here on its motors were driven, but it only touched a wall, an obstacle or the map's edge");
 }
 
 TEST_F(Explain, ARobotThatTurnsOnTheSpotIsSaidToAndNotWhatItReadLast) {
@@ -335,8 +415,12 @@ TEST_F(Explain, EachKindOfFaultIsToldInItsWords) {
   };
   using robot::Failure;
   EXPECT_THAT(told({"left", {"stuck"}, Failure::stuck}), HasSubstr(" after left was stuck by the script"));
+  EXPECT_THAT(told({"S1", {"stuck", "512"}, Failure::stuck}), HasSubstr("S1 was stuck at 512 by the script"));
+  EXPECT_THAT(told({"left", {"dead"}, Failure::dead}), HasSubstr("left was made dead by"));
   EXPECT_THAT(told({"left", {"reversed"}, Failure::reversed}), HasSubstr("left was made reversed by"));
   EXPECT_THAT(told({"START", {"pressed"}, Failure::pressed}), HasSubstr("START was stuck pressed by"));
+  EXPECT_THAT(told({"START", {"released"}, Failure::released}),
+              AllOf(HasSubstr("START was stuck released by"), Not(HasSubstr("pressed"))));
   EXPECT_THAT(told({"S1", {"swapped", "S2"}, Failure::swapped}), HasSubstr("S1 was swapped with S2 by"));
   EXPECT_THAT(told({"S1", {"noisy", "0.1"}, Failure::noisy}), HasSubstr("S1 got the fault \"noisy 0.1\" by"));
   EXPECT_THAT(told({"power", {"sag", "6V"}}), HasSubstr("power got the fault \"sag 6V\" by"));
@@ -442,7 +526,7 @@ TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
   EXPECT_THAT(next(Verdict::lost),
               AllOf(StartsWith("it steered away from the line: the line was under its left "
                                "sensors, but it turned right; "),
-                    HasSubstr("robosim wire")));
+                    HasSubstr("robosim wire"), Not(HasSubstr("16 bits"))));
   e.line_side = -0.018;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("under its right sensors, but it turned left"));
   e.int_bits = 16;
@@ -520,11 +604,59 @@ TEST_F(Explain, NothingIsAdvisedWhereTheVerdictSaysItAll) {
 
 TEST_F(Explain, ALineThatWasLostIsLookedForOnTheHostIfTheFirmwaresIntIsNarrow) {
   e.moved = true;
-  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));
+  EXPECT_EQ(next(Verdict::lost), "watch it in slow motion, or record what the sensors saw");
   EXPECT_EQ(next_step(e).by, NextStep::By::watching);
   e.int_bits = 16;
-  EXPECT_THAT(next(Verdict::lost), HasSubstr("16 bits"));
+  EXPECT_THAT(next(Verdict::lost),
+              AllOf(StartsWith("run it on the host as well: if it keeps the line there, "),
+                    HasSubstr("16 bits"), Not(HasSubstr("slow motion"))));
   EXPECT_EQ(next_step(e).by, NextStep::By::host);
+}
+
+TEST_F(Explain, TheDecisiveMomentIsWhereTheSketchEndedIfItEndedTheRun) {
+  const auto moment = [&](Verdict verdict) {
+    e.verdict = verdict;
+    return decisive_moment(e).text;
+  };
+  EXPECT_EQ(moment(Verdict::crashed), "the sketch crashed");
+  EXPECT_EQ(moment(Verdict::toppled), "the robot toppled");
+  for (const Verdict verdict : {Verdict::hung, Verdict::ended}) {
+    e.activity.stopped_by.clear();
+    EXPECT_EQ(moment(verdict), "the sketch loops here and calls no functions any more");
+    e.activity.stopped_by = "exit(0)";
+    EXPECT_EQ(moment(verdict), "the sketch stopped itself here");
+  }
+  for (const Verdict verdict : {Verdict::reached, Verdict::over_budget, Verdict::interrupted})
+    EXPECT_EQ(moment(verdict), "");
+}
+
+TEST_F(Explain, TheDecisiveMomentOfALostRobotIsItsLastSightOfTheLine) {
+  e.verdict = Verdict::lost;
+  e.moved = true;
+  EXPECT_EQ(decisive_moment(e).text, "the robot drove, but no sensor had seen a line");
+  lose_the_line();
+  EXPECT_EQ(decisive_moment(e).text, "the robot left the line");
+  EXPECT_EQ(decisive_moment(e).t, 2 * kSecond);
+}
+
+TEST_F(Explain, TheDecisiveMomentOfATimeoutIsWhatEndedTheDrive) {
+  e.verdict = Verdict::timeout;
+  EXPECT_EQ(decisive_moment(e).text, "the robot has not moved, and the sketch was here");
+  e.power = {.on = false, .since = 7 * kSecond};
+  EXPECT_EQ(decisive_moment(e).text, "the board lost its power");
+  lose_the_line();
+  EXPECT_EQ(decisive_moment(e).text, "the robot left the line") << "it left the line before";
+  e.power = {};
+  robot_is_at(9 * kSecond, {5, 1}, true, true);
+  robot_is_at(12 * kSecond, {5, 1}, true, false);
+  EXPECT_EQ(decisive_moment(e).text, "its motors stopped here and stayed off");
+  EXPECT_EQ(decisive_moment(e).t, 9 * kSecond);
+  robot_is_at(12 * kSecond, {6, 1}, true, true);
+  EXPECT_EQ(decisive_moment(e).text, "the robot was still driving when its time was up");
+  robot_is_at(12 * kSecond + 500 * kMillisecond, {6, 1}, true, false);
+  e.t += 500 * kMillisecond;
+  EXPECT_EQ(decisive_moment(e).text,
+            "the robot's motors were driven until less than a second before its time was up");
 }
 
 TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {

@@ -64,6 +64,16 @@ TEST(Goal, TourWantsEveryStationAndThenTheStart) {
   EXPECT_THAT(visited, testing::ElementsAre("1", testing::_, testing::_));
 }
 
+TEST(Goal, ATourSaysWhetherStationsOrTheWayBackAreMissing) {
+  Course c(kFork, "tour");
+  EXPECT_EQ(c.summary(), "0 of 3 stations visited");
+  c.visit(5, 1);
+  EXPECT_EQ(c.summary(), "1 of 3 stations visited");
+  for (const auto& [x, y] : std::vector<std::pair<int, int>>{{1, 1}, {3, 3}}) c.visit(x, y);
+  c.visit(3, 1);
+  EXPECT_EQ(c.summary(), "all 3 stations visited, but not back at the start");
+}
+
 TEST(Goal, LapsCountEitherWayRoundButOnlyInOrder) {
   const std::vector<std::pair<int, int>> ring = {{2, 1}, {3, 1}, {3, 2}, {3, 3},
                                                  {2, 3}, {1, 3}, {1, 2}, {1, 1}};
@@ -200,6 +210,7 @@ TEST(Goal, UkmarsIsTimedInTheSameWayAndNeedsNoStop) {
   c.progress.score(metrics);
   EXPECT_NEAR(metrics.score, 0.7913, 0.002);
   EXPECT_FALSE(c.progress.reached());
+  EXPECT_EQ(c.progress.summary(), "the goal line was passed after 0.79 s");
   c.drive(length + 1.0, 3 * length);
   c.drive(length, 3 * length);
   EXPECT_TRUE(c.progress.reached());
@@ -238,10 +249,24 @@ TEST(Goal, StationWantsRestThere) {
   Course c(kFork, "station:2");
   EXPECT_FALSE(c.wait(2 * kSecond)) << "the robot rests at the start";
   EXPECT_FALSE(c.visit(3, 1));
+  EXPECT_EQ(c.summary(), "station 2 not visited");
   const Vec2 two = c.progress.stations()[1].centre;
   c.body.place({two, {1.0, 0.0}});
   EXPECT_FALSE(c.wait(400 * kMillisecond));
+  EXPECT_EQ(c.summary(), "station 2 visited, but not at rest there for 0.5 s");
   EXPECT_TRUE(c.wait(200 * kMillisecond));
+  EXPECT_EQ(c.summary(), "station 2 reached, and at rest there");
+}
+
+TEST(Goal, StillSaysWhetherTheRobotEverMoved) {
+  Course c(kFork, "still");
+  c.wait(2 * kSecond);
+  EXPECT_EQ(c.summary(), "it never moved");
+}
+
+TEST(Goal, NoneSaysThatNoneWasSet) {
+  EXPECT_EQ(Course(kFork, "none").summary(), "no goal was set");
+  EXPECT_NE(Course(kFork, "still").summary(), "no goal was set");
 }
 
 TEST(Goal, NamesTheStationsThatExistAndTheGoalThatFits) {

@@ -31,7 +31,9 @@ struct Maze : HandMoved {
 TEST(LineMaze, TheBetterOfTwoTriesCountsAndStoppingOnTheDiscTakesTenSecondsOff) {
   Maze maze;
   maze.wait(3 * kSecond);
+  EXPECT_EQ(maze.summary(), "0 of 2 tries made, the disc was not reached");
   maze.push(1.1);  // moves over the goal's disc, which ends at 1.1 m
+  EXPECT_EQ(maze.summary(), "0 of 2 tries made, the disc is touched");
   EXPECT_TRUE(std::isnan(maze.score().score));
   EXPECT_EQ(maze.score().score_unit, "s");
   maze.push(1.25);

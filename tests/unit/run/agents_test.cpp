@@ -10,9 +10,12 @@
 namespace robosim::run {
 namespace agents_test {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 struct Witness final : Listener {
   void happened(const result::RunEvent& event) override { events.push_back(event); }
@@ -30,6 +33,28 @@ class Parked final : public exec::Executor {
   RobotPort& board() override { return board_; }
   exec::BoardProbe& probe() override { return board_; }
   void power_on(SimTime) override {}
+  void power_off(SimTime t) override { board_.reset(t); }
+  void run_until(SimTime t) override { now_ = t; }
+  const std::optional<exec::Crash>& crash() const override { return crash_; }
+  exec::Activity activity() override { return {}; }
+  SimTime last_call() const override { return now_; }
+
+ private:
+  exec::BoardState board_{*find_board("uno")};
+  SimTime now_ = 0;
+  std::optional<exec::Crash> crash_;
+};
+
+/// Firmware that drives straight ahead.
+class Straight final : public exec::Executor {
+ public:
+  RobotPort& board() override { return board_; }
+  exec::BoardProbe& probe() override { return board_; }
+  void power_on(SimTime t) override {
+    for (const Pin enable : {5, 6}) board_.set_drive(enable, {PinMode::output, false, true, 0.3, 0}, t);
+    for (const Pin ahead : {7, 9}) board_.set_drive(ahead, {PinMode::output, true, false, 1.0, 0}, t);
+    for (const Pin back : {8, 10}) board_.set_drive(back, {PinMode::output, false, false, 0.0, 0}, t);
+  }
   void power_off(SimTime t) override { board_.reset(t); }
   void run_until(SimTime t) override { now_ = t; }
   const std::optional<exec::Crash>& crash() const override { return crash_; }
@@ -91,6 +116,40 @@ TEST_F(AgentsTest, CollideOnOneFloorAndEachHasItsOwnGoalAndVerdict) {
   EXPECT_EQ(moving.events[0].t_ns, standing.events[0].t_ns);
   EXPECT_TRUE(std::get<result::CollisionBegan>(moving.events[0].what).with_robot);
   EXPECT_NE(outcomes[0].trace_hash, outcomes[1].trace_hash);
+}
+
+TEST_F(AgentsTest, ThatPushAgainstEachOtherAreStuckAtAnotherRobot) {
+  Straight east, west;
+  run::Setup setup;
+  setup.map = &map_;
+  setup.agents = {agent(east, "none", "14,2,E"), agent(west, "none", "18,2,W")};
+  setup.limit = 20 * kSecond;
+  setup.profile = Profile::ideal;
+  for (const judge::Outcome& one : simulate(setup)) {
+    EXPECT_EQ(one.verdict, judge::Verdict::stuck) << one.why;
+    EXPECT_THAT(one.why, HasSubstr("another robot ("));
+  }
+}
+
+TEST_F(AgentsTest, ThatPushAgainstAnObstructionNameIt) {
+  const auto why = [&](const char* rows) {
+    map_ = map::parse_map(rows, "m.map");
+    Straight straight;
+    return run({agent(straight, "none", "3,2,E")}).front().why;
+  };
+  EXPECT_THAT(why("_________\n_________\n__S11111x\n_________\n_________\n"),
+              HasSubstr("pushed against an obstacle, "));
+  EXPECT_THAT(why("________#\n________#\n__S11111#\n________#\n________#\n"),
+              HasSubstr("pushed against a wall, "));
+  EXPECT_THAT(why("_________\n_________\n__S111111\n_________\n_________\n"),
+              HasSubstr("pushed against the map's edge, "));
+}
+
+TEST_F(AgentsTest, ThatNeverStopSayHowFarTheirGoalIs) {
+  const judge::Outcome drives = run({agent(driver_, "still")}, 2 * kSecond).front();
+  EXPECT_THAT(drives.why, AllOf(HasSubstr("it moved, but did not stop for 1 s"), Not(HasSubstr("never"))));
+  const judge::Outcome stands = run({agent(parked_, "still")}, 2 * kSecond).front();
+  EXPECT_THAT(stands.why, AllOf(HasSubstr("before the goal still: it never moved"), Not(HasSubstr("stop"))));
 }
 
 TEST_F(AgentsTest, ThatNeverMeetLeaveEachOthersRunAsItIsAlone) {

@@ -87,6 +87,42 @@ TEST(EndScreen, NamesTheLinesThatDividedByZero) {
                         "goes on there"));
 }
 
+TEST(EndScreen, NamesWhatTheHostLacks) {
+  Report r = report();
+  EXPECT_THAT(end_screen(r, nullptr, 200, kPlain), Not(HasSubstr("lacks")));
+  r.result.lacks = {{"CLKPR", {"setup", "Slow.ino", 3}}};
+  EXPECT_THAT(end_screen(r, nullptr, 200, kPlain),
+              HasSubstr("lacks        CLKPR in Slow.ino:3. The host does not have that; what it does, "
+                        "--target avr shows."));
+}
+
+TEST(EndScreen, NamesPinsWithoutPartsAndPartsWithoutUse) {
+  Report r = report();
+  EXPECT_THAT(end_screen(r, nullptr, 200, kPlain), Not(HasSubstr("wiring ")));
+  r.result.usage.unwired = {{"D3", "driven"}};
+  EXPECT_THAT(end_screen(r, nullptr, 200, kPlain),
+              HasSubstr("wiring       nothing is wired to: D3 (driven)\n"));
+  r.result.usage.unused = {"buzzer", "LED2"};
+  r.result.usage.steady = {{"start", "HIGH"}};
+  EXPECT_THAT(end_screen(r, nullptr, 200, kPlain),
+              HasSubstr("D3 (driven) · never used: buzzer, LED2 · never changed: start (HIGH)\n"));
+}
+
+TEST(EndScreen, PointsToTheCausesOfAFailureOnAnAvr) {
+  Report r = report();
+  const auto screen = [&](const char* target, const char* verdict) {
+    r.target = target;
+    r.result.verdict = verdict;
+    return end_screen(r, nullptr, 200, kPlain);
+  };
+  EXPECT_THAT(screen("avr", "lost"), HasSubstr("why: robosim why, with the same arguments, goes back from "
+                                               "this to the lines that caused it"));
+  for (const char* verdict : {"reached", "interrupted", "over_budget"})
+    EXPECT_THAT(screen("avr", verdict), Not(HasSubstr("robosim why"))) << verdict;
+  for (const char* target : {"host", "stm32"})
+    EXPECT_THAT(screen(target, "lost"), Not(HasSubstr("robosim why"))) << target;
+}
+
 TEST(EndScreen, NamesTheTargetOfTheRobotsChipWhereItRanOnTheHost) {
   Report r = report();
   r.chip_target = "avr";

@@ -1,0 +1,48 @@
+// Tests the verdict of runs on target avr that exceed a budget of the robot file.
+#include <gmock/gmock.h>
+
+#include "sim/exec/avr/avr_executor.h"
+#include "tests/support/noted_run.h"
+#include "tests/support/require_target.h"
+
+namespace robosim::run {
+namespace budget_test {
+
+using testing::HasSubstr;
+
+class Budgets : public testing::Test {
+ protected:
+  void SetUp() override { ROBOSIM_NEEDS_TARGET("avr"); }
+  /// Returns the outcome of PidFollower for 2 s, with a robot of this budget.
+  static judge::Outcome outcome(const robot::Budget& budget) {
+    const StockRun follower{"PidFollower", "uno5", "oval", 2 * kSecond};
+    const map::Map map = map::read_map(map::find_map(follower.map));
+    robot::Description robot = robot::load_description(follower.robot);
+    robot.budget = budget;
+    exec::AvrExecutor executor(*robot.board, NotedRun::image_of(follower, "avr"));
+    run::Setup setup;
+    setup.map = &map;
+    setup.agents = {{.robot = &robot, .executor = &executor, .goal = judge::parse_goal("none")}};
+    setup.limit = follower.limit;
+    return simulate(setup).front();
+  }
+};
+
+TEST_F(Budgets, OfTheStackEndsARunThatExceedsIt) {
+  const judge::Outcome over = outcome({.stack_bytes = 20});
+  EXPECT_EQ(over.verdict, judge::Verdict::over_budget);
+  EXPECT_THAT(over.why, testing::MatchesRegex("The sketch is over its budget: its stack took [0-9]+ bytes, "
+                                              "but the robot file allows 20 .*"));
+  EXPECT_EQ(outcome({.stack_bytes = 1000}).verdict, judge::Verdict::reached);
+}
+
+TEST_F(Budgets, OfAPassOfLoopEndsARunThatExceedsIt) {
+  const judge::Outcome over = outcome({.loop_s = 0.0055});
+  EXPECT_EQ(over.verdict, judge::Verdict::over_budget);
+  EXPECT_THAT(over.why, HasSubstr("a pass of loop() took "));
+  EXPECT_THAT(over.why, HasSubstr(" ms, but the robot file allows 5.500 ms"));
+  EXPECT_EQ(outcome({.loop_s = 0.02}).verdict, judge::Verdict::reached);
+}
+
+}  // namespace budget_test
+}  // namespace robosim::run

@@ -1,0 +1,85 @@
+// Tests the links of the chain from a verdict to the lines of the sketch (sim/runner/verdict_trace.h).
+#include "sim/runner/verdict_trace.h"
+
+#include <gmock/gmock.h>
+
+#include "sim/base/file.h"
+#include "sim/build/sketch.h"
+#include "sim/exec/avr/avr_executor.h"
+#include "sim/robot/describe.h"
+#include "tests/support/require_target.h"
+
+namespace robosim::runner {
+namespace verdict_trace_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class VerdictTrace : public testing::Test {
+ protected:
+  void SetUp() override {
+    ROBOSIM_NEEDS_TARGET("avr");
+    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+  }
+  /// Returns the texts of the chain's links for a sketch that sets its motors' pins, then repeats `loop`.
+  static std::string links_of(const std::string& loop, const std::string& more = "") {
+    const std::filesystem::path folder = testing::TempDir() + "robosim-why/Test";
+    std::filesystem::create_directories(folder);
+    write_file(folder / "Test.ino", more + R"(
+void setup() {
+  for (int pin = 5; pin <= 10; pin++) pinMode(pin, OUTPUT);
+  digitalWrite(7, HIGH);
+  digitalWrite(9, HIGH);
+}
+void loop() { )" + loop + " }\n");
+    const map::Map map = map::read_map(map::find_map("oval"));
+    const robot::Description robot = robot::load_description("uno5");
+    build::Request request{folder, *robot.board};
+    request.target = "avr";
+    exec::AvrExecutor executor(*robot.board, build::build(request).image);
+    run::Setup setup;
+    setup.map = &map;
+    setup.agents = {{.robot = &robot, .executor = &executor, .goal = judge::parse_goal("laps:1")}};
+    setup.limit = 10 * kSecond;
+    std::vector<robot::WiredPin> wiring;
+    for (const robot::PartSummary& part : robot::describe(robot).parts)
+      for (const auto& [role, pin] : part.pins) wiring.push_back({part.name, part.type, role, pin});
+    std::string texts;
+    for (const result::Cause& cause : Inquiry(setup, *robot.board, wiring).go().because)
+      texts += cause.text + "\n";
+    return texts;
+  }
+};
+
+constexpr const char* kDrives =
+    "int seen = analogRead(A2); analogWrite(5, 160); analogWrite(6, 120 + seen / 64);";
+
+TEST_F(VerdictTrace, NamesTheMotorsIfTheRobotDrove) {
+  EXPECT_THAT(links_of(std::string(kDrives) + " delay(2);"),
+              AllOf(HasSubstr("the robot left the line; motors: left 63 %, right "),
+                    Not(HasSubstr("interrupt")), Not(HasSubstr("read no line sensor"))));
+  EXPECT_THAT(links_of("noInterrupts(); for (;;) {}"),
+              AllOf(HasSubstr("calls no functions any more"), Not(HasSubstr("motors: "))));
+}
+
+TEST_F(VerdictTrace, NamesATimeWithoutReads) {
+  EXPECT_THAT(links_of(std::string(kDrives) + " delay(300);"),
+              HasSubstr("ms it read no line sensor, and was here"));
+}
+
+TEST_F(VerdictTrace, NamesHandlersThatTakeMuchOfTheTime) {
+  EXPECT_THAT(links_of("static bool on; if (!on) { TCCR2A = _BV(WGM21); OCR2A = 99; TCCR2B = _BV(CS21); "
+                       "TIMSK2 = _BV(OCIE2A); } on = true; " +
+                           std::string(kDrives) + " delay(2);",
+                       "volatile int n; ISR(TIMER2_COMPA_vect) { delayMicroseconds(25); n++; }"),
+              HasSubstr("interrupt handlers took "));
+}
+
+TEST_F(VerdictTrace, NamesWhereInterruptsWentOff) {
+  EXPECT_THAT(links_of("noInterrupts(); for (;;) {}"),
+              HasSubstr("interrupts went off here, and were off at all later checks"));
+}
+
+}  // namespace verdict_trace_test
+}  // namespace robosim::runner
