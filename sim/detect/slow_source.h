@@ -1,5 +1,5 @@
-// Finds an analog pin whose voltage source has too high an impedance for the ADC. The voltage of the pin that
-// was read before then distorts the readings.
+// Finds an analog pin whose voltage source has too high an impedance for the ADC. The voltage of the
+// previously read pin distorts the readings of such a pin.
 //
 //   left = analogRead(A0);  right = analogRead(A1);        // A1: a photo diode with 2.2 MOhm to 5 V
 //

@@ -6,16 +6,14 @@
 namespace robosim::judge {
 
 Decisive decisive_moment(const Evidence& e) {
-  constexpr SimTime kJustNow = kSecond / 2;
   const auto& seen = e.judge->line_last_seen();
-  const auto left_line = [&](SimTime before) { return e.moved && seen && before - seen->at >= kJustNow; };
   Decisive leaves_line{seen ? seen->at : 0, "the robot left the line", true, false};
   switch (e.verdict) {
     case Verdict::lost:
       return seen ? leaves_line
                   : Decisive{e.t, "the robot drove, but no sensor had seen a line", true, false};
     case Verdict::stuck:
-      if (left_line(e.judge->stuck_since())) return leaves_line;
+      if (left_line_before(e, e.judge->stuck_since())) return leaves_line;
       return {e.judge->stuck_since(),
               e.judge->pushes() ? "from here on it pushed against " + e.stopped_by
               : e.in_contact
@@ -33,10 +31,10 @@ Decisive decisive_moment(const Evidence& e) {
                                             : "the sketch stopped itself here",
               false, true};
     case Verdict::timeout:
-      if (!e.power.on && !(left_line(e.t) && seen->at < e.power.since))
+      if (!e.power.on && !(left_line_before(e, e.t) && seen->at < e.power.since))
         return {e.power.since, "the board lost its power", true, false};
       if (e.moved && !e.judge->drives(e.t)) leaves_line.off_since = e.judge->last_driven();
-      if (left_line(e.t)) return leaves_line;
+      if (left_line_before(e, e.t)) return leaves_line;
       if (!e.moved) return {e.t, "the robot has not moved, and the sketch was here", true, true, e.t};
       if (!e.judge->drives(e.t))
         return {e.judge->last_driven(), kMotorsStayOff, true, true, e.judge->last_driven()};

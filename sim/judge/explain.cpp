@@ -113,14 +113,10 @@ std::string waiting(const Evidence& e) {
   return fmt::format("; the sketch was last in {}{}", a.call, place_of(a.where));
 }
 
-// Returns a clause such as "left the line at 3.20 s near column 20, row 4". Returns "" if a sensor saw the
-// line in the half second before `t`.
+// Returns a clause such as "left the line at 3.20 s near column 20, row 4", or "".
 std::string left_line(const Evidence& e, SimTime t) {
-  constexpr SimTime kJustNow = kSecond / 2;
-  constexpr double kSomewhereElse = 0.01;  // m; a robot that stands may lose the line to a script
   const auto& seen = e.judge->line_last_seen();
-  if (!e.moved || !seen || t - seen->at < kJustNow || length(e.at - seen->position) < kSomewhereElse)
-    return "";
+  if (!left_line_before(e, t)) return "";
   return fmt::format("left the line at {} near {}", seconds(seen->at), cell_of(*e.map, seen->position));
 }
 
@@ -226,6 +222,13 @@ std::string causes(const Evidence& e) {
 std::string sentence(const Evidence& e);
 
 }  // namespace
+
+bool left_line_before(const Evidence& e, SimTime t) {
+  constexpr SimTime kJustNow = kSecond / 2;
+  constexpr double kSomewhereElse = 0.01;  // m
+  const auto& seen = e.judge->line_last_seen();
+  return e.moved && seen && t - seen->at >= kJustNow && length(e.at - seen->position) >= kSomewhereElse;
+}
 
 std::string explain(const Evidence& e) {
   std::string text = sentence(e);

@@ -55,6 +55,9 @@ struct Evidence {
   SupplySummary power;
 };
 
+/// Returns whether the robot has left the place where a sensor last saw the line, half a second or longer
+/// before `t`. A script may take the line from a robot that stands.
+bool left_line_before(const Evidence& evidence, SimTime t);
 /// Returns one sentence that explains why the run ended.
 std::string explain(const Evidence& evidence);
 NextStep next_step(const Evidence& evidence);

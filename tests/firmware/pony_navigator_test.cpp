@@ -1,4 +1,4 @@
-// Tests PonyNavigator, on the robot of the m-graph paper: it explores a tree of lines and obeys radio
+// Tests the sketch PonyNavigator on the robot `pony`. The sketch explores a tree of lines and obeys radio
 // commands.
 #include <robosim/testing.h>
 
@@ -56,7 +56,7 @@ TEST_P(PonyNavigator, ShowsWhereItIs) {
   EXPECT_EQ(robot().reading("ones"), 2);
 }
 
-TEST_P(PonyNavigator, LightsOneLedForWhatItIsOn) {
+TEST_P(PonyNavigator, LightsOneLedForJunctionLineEndOrDriving) {
   const auto lights = [this] {
     std::string on;
     for (const char* led : {"LED1", "LED2", "LED3"})
@@ -84,7 +84,7 @@ TEST_P(PonyNavigator, RefusesToDriveBeforeItKnowsWhereItIs) {
   EXPECT_THAT(robot().run_for(2_s), AllOf(SerialSays("refused: where am I?"), NeverDrives(at_all())));
 }
 
-TEST_P(PonyNavigator, KeepsItsMapWhenItIsSwitchedOffAndIsToldWhereItIs) {
+TEST_P(PonyNavigator, KeepsItsMapThroughAPowerCycle) {
   scan();
   robot().power_off(200_ms);
   ASSERT_TRUE(robot().run_until(serial_says("map in memory, stations: 3"), within(2_s)));
@@ -114,7 +114,7 @@ TEST_P(PonyNavigator, GivesUpBeforeAnObstacleThatStays) {
   go_to(1);
 }
 
-TEST(PonyNavigatorsObstacle, LeavesItRoomToTurnBack) {
+TEST(PonyNavigatorsObstacle, MakesTheRobotBackOffBeforeItTurns) {
   Simulation robot({.sketch = "PonyNavigator", .map = kTee, .robot = "pony"});
   ASSERT_TRUE(robot.run_until(serial_says("ready"), within(1_s)));
   robot.press("scan");

@@ -1,6 +1,6 @@
-// Tests effects of light, height, slow sensors, a noisy ADC, a weak battery and a shut door on a sketch. Each
-// test compares runs without and with an effect. Either a value changes as docs/explanation/models.md
-// describes, or only one of two ways to read sensors succeeds.
+// Tests effects of light, paint, sensors, ADC, gyroscope, battery, line width and a door on a sketch. Most
+// tests compare runs without and with an effect. They expect the value that docs/explanation/models.md gives,
+// or that only one of two ways to read sensors succeeds.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -47,8 +47,7 @@ class Effects : public testing::Test {
     return runner_of("host").run(request, {});
   }
 
-  /// Returns the last readings that the sketch prints, standing on the line: the middle sensor and the
-  /// battery.
+  /// Returns the last printed readings of the middle sensor and the battery. The robot stands on the line.
   std::pair<int, int> prints(const std::string& robot, const std::string& floor, double seconds,
                              const std::string& script = "", const std::string& profile = "ideal") {
     const std::string serial = run(robot, floor, profile, 'p', 1, seconds, script).serial;
@@ -79,7 +78,7 @@ std::string loop(const std::string& paint, const std::string& more = "") {
          " },\n{ radius = \"300 mm\", angle = \"180 deg\" }]\n" + more + "+++\n";
 }
 
-// Returns dust in spots on one straight of the oval.
+// Returns five white spots, as of dust, over the line on one straight of the oval.
 std::string dirt() {
   std::string all;
   for (int i = 0; i < 5; ++i)
@@ -126,9 +125,9 @@ TEST_F(Effects, OfPaintAreAsTheModelSays) {
   EXPECT_EQ(seen(", worn = \"100 %\""), code(kWhite));
 }
 
-// A straight line of 0.2 m. The gyroscope reports 15 deg/s at rest. Only a sketch that subtracts this bias
-// points straight ahead after a turn.
-TEST_F(Effects, OfAGyroscopeThatTellsATurnAtRest) {
+// A straight line of 0.2 m. With a bias, the gyroscope reports 15 deg/s at rest. Then only a sketch that
+// subtracts the bias points straight ahead after a turn.
+TEST_F(Effects, OfAGyroscopeWithABias) {
   const auto reaches = [&](const std::string& bias, char way) {
     const std::filesystem::path map = folder_.path() / "strip.map", file = folder_.path() / "turns.toml";
     std::ofstream(map) << "______\n_S.G__\n______\n";
@@ -161,8 +160,8 @@ TEST_F(Effects, OfAReferenceThatSinksHideAWeakBattery) {
   EXPECT_FALSE(notices("[electronics]\nfed_by_battery = true\n"));
 }
 
-// 24 to 43 % of the black line's voltage, 4.4 V, remain on the converter's capacitor.
-TEST_F(Effects, OfAWeakSourceAreReadingsOfTheChannelBefore) {
+// The battery's reading is too high by 24 to 43 % of its difference to the 4.4 V of the previous channel.
+TEST_F(Effects, OfAWeakSourceShiftReadingsTowardsThePreviousChannel) {
   EXPECT_EQ(prints("", "", 0.1).second, code(3.7));
   const int read = prints(kDivider + kWeak, "", 0.1).second;
   EXPECT_GE(read, code(3.7 + 0.24 * (kBlack - 3.7)));
@@ -171,7 +170,7 @@ TEST_F(Effects, OfAWeakSourceAreReadingsOfTheChannelBefore) {
 
 // The path is 90 mm wide, although the map's `line` is 20 mm. A robot on the path's edge must not count as
 // lost.
-TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
+TEST_F(Effects, OfAWideLineDoNotIncludeLosingItAtItsEdge) {
   const std::string loop =
       "+++\nline = \"20 mm\"\nsize = [\"1.8 m\", \"1.2 m\"]\n[[path]]\nwidth = \"90 mm\"\nfrom = [\"500 "
       "mm\", "
@@ -183,8 +182,8 @@ TEST_F(Effects, OfAWideLineAreNotThatWhoFollowsItsEdgeIsLost) {
   EXPECT_GT(result.metrics.distance_m, 2.0);
 }
 
-// A script switches on a light of level 0.6 over the whole floor. After a calibration in the dark, black
-// still differs enough from white. A threshold at half scale is no longer reached.
+// A script switches on a light of level 0.6 over the whole floor. A sketch that was calibrated without the
+// light still detects black. A sketch with a threshold at half scale no longer does.
 TEST_F(Effects, OfALightThatIsSwitchedOnInTheRun) {
   const std::string lit = "[[light]]\nlevel = 0.6\n", off = "at 0s light all off\n";
   EXPECT_EQ(prints("", lit, 0.1, off).first, code(kBlack));
@@ -221,7 +220,7 @@ TEST_F(Effects, OfADoorThatIsShut) {
 
 class Survival : public Effects, public testing::WithParamInterface<Effect> {};
 
-TEST_P(Survival, DependsOnHowTheSketchLooks) {
+TEST_P(Survival, DependsOnHowTheSketchReadsSensors) {
   const Effect& effect = GetParam();
   EXPECT_EQ(laps(effect, false, effect.survives), 3) << "without the effect, both ways succeed";
   EXPECT_EQ(laps(effect, false, effect.fails), 3) << "without the effect, both ways succeed";

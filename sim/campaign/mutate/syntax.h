@@ -1,4 +1,4 @@
-// Reads the syntax tree of a sketch's own files from clang's dump (-ast-dump=json).
+// Reads the syntax tree of a sketch and of chosen library files from clang's dump (-ast-dump=json).
 #pragma once
 
 #include <cstddef>
@@ -22,17 +22,16 @@ struct Range {
 struct File {
   std::string name;  ///< relative to the sketch's folder; for a library, the whole path
   std::string text;
-  std::filesystem::path path;  ///< path as parsed: .ino files are joined
-  std::size_t offset = 0;      ///< where the file's text begins in the parsed file
+  std::filesystem::path path;  ///< the file that clang parses; for .ino files, the joined file
+  std::size_t offset = 0;      ///< where the text begins in the joined file without prototypes
 };
 
 struct Tree {
-  std::vector<File> files;  ///< all files; joined .ino files are in their order
-  /// The declarations in these files. Each source location in them has a member "in": the number of the
-  /// location's file, or -1. Locations in any of the joined .ino files have the number of the first .ino
-  /// file.
+  std::vector<File> files;  ///< all files; .ino files are in the order in which they are joined
+  /// The declarations in `files`. Each source location of a declaration has a member "in": an index in
+  /// `files`, or -1 for another file. For all joined .ino files, "in" is the index of the first.
   std::vector<nlohmann::json> declarations;
-  std::size_t added_at = 0, added = 0;  ///< function prototypes in the joined .ino files: offset and size
+  std::size_t added_at = 0, added = 0;  ///< offset and size of the inserted prototypes
 };
 
 /// Parses all sources of the sketch, and files of its libraries (`of_libraries`, whole paths). A header that

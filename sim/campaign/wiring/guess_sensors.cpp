@@ -26,9 +26,9 @@ bool is_sensor_like(const Evidence& evidence, const PinEvidence& clue) {
   if (clue.name.empty() && evidence.is_given_to({"randomSeed"}, clue.pin)) return false;
   if (clue.name.empty() && is_of_serial(evidence.board(), clue.pin)) return false;
   if (clue.facts->driven && !clue.facts->discharged) return false;
-  if (says(clue.words, {"butt", "btn",  "switch", "sw",    "start",  "push", "bump",  "echo",   "trig",
-                        "enc",  "batt", "vbat",   "volt",  "pot",    "dist", "sharp", "sonar",  "ultra",
-                        "rx",   "tx",   "mode",   "key",   "temp",   "curr", "recv",  "receiv", "remote",
+  if (says(clue.words, {"butt", "btn",  "switch", "sw",    "start",  "push", "bump",  "echo",    "trig",
+                        "enc",  "batt", "vbat",   "volt",  "pot",    "dist", "sharp", "sonar",   "ultra",
+                        "rx",   "tx",   "mode",   "key",   "temp",   "curr", "recv",  "receive", "remote",
                         "knob", "regl", "trim",   "color", "colour", "cor",  "vcc"}))
     return false;
   if (clue.facts->measured || clue.facts->discharged) return true;

@@ -455,10 +455,10 @@ class Reader {
 }  // namespace
 
 bool is_quantity(const std::string& name) {
-  static const std::set<std::string> kWords = {"num",     "number",   "numero", "nb",     "nombre", "n",
-                                               "cant",    "cantidad", "quant",  "anzahl", "sayi",   "sayisi",
-                                               "jumlah",  "count",    "cnt",    "size",   "total",  "samples",
-                                               "timeout", "max",      "min",    "baud"};
+  static const std::set<std::string> kWords = {"num",      "number", "numero", "nb",    "nombre",  "n",
+                                               "cantidad", "quant",  "anzahl", "sayi",  "sayisi",  "jumlah",
+                                               "count",    "cnt",    "size",   "total", "samples", "timeout",
+                                               "max",      "min",    "baud"};
   const std::vector<std::string> words = words_of(name);
   return std::any_of(words.begin(), words.end(),
                      [](const std::string& word) { return kWords.count(word) != 0; });

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Parses `words`, after "calibrate". Throws InputError.
+/// Parses `words`, which follow "calibrate" on the command line. Throws InputError.
 Command parse_calibrate(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

@@ -8,9 +8,9 @@
 
 namespace robosim::cli {
 
-/// Parses `words`, after "test". Throws InputError.
+/// Parses `words`, which follow "test" on the command line. Throws InputError.
 Command parse_test(const std::vector<std::string>& words);
-/// Parses `words`, after "new". Throws InputError.
+/// Parses `words`, which follow "new" on the command line. Throws InputError.
 Command parse_new(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Parses `words`, after "compare". Throws InputError.
+/// Parses `words`, which follow "compare" on the command line. Throws InputError.
 Command parse_compare(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Parses `words`, after "hunt". Throws InputError.
+/// Parses `words`, which follow "hunt" on the command line. Throws InputError.
 Command parse_hunt(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

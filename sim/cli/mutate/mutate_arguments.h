@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Parses `words`, after "mutate". Throws InputError.
+/// Parses `words`, which follow "mutate" on the command line. Throws InputError.
 Command parse_mutate(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

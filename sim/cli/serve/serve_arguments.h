@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Parses `words`, after the command's name. Throws InputError.
+/// Parses `words`, which follow the command's name on the command line. Throws InputError.
 Command parse_serve(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Parses `words`, after "sweep". Throws InputError.
+/// Parses `words`, which follow "sweep" on the command line. Throws InputError.
 Command parse_sweep(const std::vector<std::string>& words);
 
 }  // namespace robosim::cli

@@ -37,10 +37,11 @@ MissedInterrupts::MissedInterrupts(const RunningProgram& program, const std::vec
 
 MissedInterrupts::~MissedInterrupts() { machine_.chip().chip().core().on_lost = nullptr; }
 
-/// Returns the reason why the handler is delayed at this moment, such as "because interrupts were off".
+/// Returns the reason why the handler is delayed at this moment, such as "because a handler was still
+/// running".
 std::string MissedInterrupts::held_off() const {
   return machine_.chip().in_handler() ? "because a handler was still running"
-                                      : "because interrupts were off (noInterrupts(), cli())";
+                                      : "because interrupts, or this one, were off (noInterrupts(), cli())";
 }
 
 void MissedInterrupts::see(const char* detector, const std::string& what, const SourceLine& where,

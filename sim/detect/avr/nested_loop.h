@@ -2,9 +2,9 @@
 //
 //   void goTo(int n) { drive(n); for (;;) loop(); }      each destination starts another nested loop()
 //
-// Each call pushes a return address, saved registers and local variables, which are never popped. The chip
-// has 2 KB of RAM. Within a minute or a week, the stack therefore reaches the variables. The stack then
-// overwrites a threshold or a pointer, and the sketch misbehaves or restarts.
+// Each call pushes a return address, saved registers and local variables, which are never popped. An
+// ATmega328P has 2 KB of RAM. After minutes or days, the stack therefore reaches the variables. The stack
+// then overwrites a threshold or a pointer, and the sketch misbehaves or restarts.
 //
 //   nested_loop   three calls of loop() are active at once, each within the previous call
 //

@@ -1,5 +1,5 @@
-// Converts between processor cycles and the chip's time. The cycle duration changes when firmware switches
-// the clock.
+// Converts between processor cycles and simulated time. The cycle duration changes when firmware switches the
+// clock.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@ class Clock {
   SimTime limit = kNever;  ///< end of the tick; the last instruction of the tick may end later
 
   std::uint32_t hz() const { return static_cast<std::uint32_t>(hz_); }
-  /// Sets the cycle duration to 1/hz from now on. Times are rounded down to a nanosecond. The rounding errors
-  /// do not accumulate from cycle to cycle, only from call to call.
+  /// Sets the cycle duration to 1/hz from `now` on. Times are rounded down to a nanosecond. Rounding errors
+  /// accumulate only from one call of set_hz() to the next.
   void set_hz(std::uint32_t hz) {
     if (static_cast<SimTime>(hz) == hz_) return;
     base_time_ = time_of(now);

@@ -26,7 +26,8 @@ SerialWiring read_serial_wiring(PartReader& reader);
 
 class SerialLine final : public PinSource, public PinWatcher, public SerialWatcher {
  public:
-  /// The function that is called for each byte from the sketch; `sound` is true if the stop bit was high.
+  /// The function that is called for each byte from the sketch. `sound` is true if the start bit was low and
+  /// the stop bit was high.
   using Heard = std::function<void(std::uint8_t byte, bool sound, SimTime t)>;
 
   SerialLine(const SerialWiring& wiring, PartContext& context, Heard heard);

@@ -81,7 +81,8 @@ TEST_F(Stm32Test, TheHeadersOfCHaveTheirNamesForCxx) {
       "#include <cctype>\n#include <climits>\n#include <cmath>\n#include <cstddef>\n#include <cstdint>\n"
       "#include <cstdio>\n#include <cstdlib>\n#include <cstring>\n"
       "std::uint8_t a; std::size_t b = std::strlen(\"ab\");\n"
-      "float c = std::sqrt(2.0) + std::fmod(5.0, 3.0); int d = std::atoi(\"3\") + std::toupper('a') + INT_MAX;\n"
+      "float c = std::sqrt(2.0) + std::fmod(5.0, 3.0); int d = std::atoi(\"3\") + std::toupper('a') + "
+      "INT_MAX;\n"
       "void setup() { char text[9]; std::snprintf(text, sizeof text, \"%d\", d); }\nvoid loop() {}\n";
   write("C/C.ino", code);
   EXPECT_EQ(stm32_error_of("C"), "no error");

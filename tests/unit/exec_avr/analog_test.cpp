@@ -8,7 +8,7 @@ using testing::ElementsAre;
 
 class AnalogTest : public AvrTest {};
 
-TEST_F(AnalogTest, ACodeIsTheShareOfTheReferenceIn1024Steps) {
+TEST_F(AnalogTest, AReadingIsTheRatioToTheReferenceTimes1024) {
   start(R"(void setup() {
   Serial.begin(115200);
   Serial.println(analogRead(A0)); Serial.println(analogRead(A1)); Serial.println(analogRead(A2));
@@ -46,9 +46,9 @@ void loop() {})");
 }
 
 // Reads a pin with 4 V, then a pin with 1 V. With a source of 1 MOhm, the reading is too high by 24 to 43 %
-// of the 3 V difference. Each further reading reduces the error by the same factor. A source of 10 kOhm
-// causes no error.
-TEST_F(AnalogTest, AWeakSourceLeavesSomeOfTheChannelBeforeInAReading) {
+// of the 3 V difference. In each further reading, 24 to 43 % of the previous error remain. A source of 10
+// kOhm causes no error.
+TEST_F(AnalogTest, AWeakSourceShiftsReadingsTowardsThePreviousChannel) {
   start(R"(void setup() {
   Serial.begin(115200);
   analogRead(A0);
@@ -82,7 +82,7 @@ TEST_F(AnalogTest, FreeRunningSamplesEvery104Microseconds) {
   EXPECT_NEAR(static_cast<double>(source.asked_at[50] - source.asked_at[10]) / 40, 104e3, 200.0);
 }
 
-TEST_F(AnalogTest, TheBandgapTellsTheSupply) {
+TEST_F(AnalogTest, TheBandgapReadingDependsOnTheSupply) {
   EXPECT_EQ(output("void setup() { Serial.begin(115200); ADMUX = 0x4E; delay(2); ADCSRA |= _BV(ADSC); "
                    "while (ADCSRA & _BV(ADSC)) {} Serial.println(ADC); }\nvoid loop() {}"),
             "225\r\n");

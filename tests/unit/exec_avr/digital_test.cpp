@@ -36,7 +36,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(101));
 }
 
-TEST_F(DigitalTest, ADigitalReadAsksNoOtherPinOfThePort) {
+TEST_F(DigitalTest, ADigitalReadSamplesOnlyItsPin) {
   start(
       "volatile byte n;\nvoid setup() { for (int i = 0; i < 10; ++i) n += digitalRead(4); }\nvoid loop() {}");
   FixedSource four(5.0), seven(5.0);
@@ -89,7 +89,7 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(testing::AllOf(testing::Ge(98), testing::Le(100))));
 }
 
-TEST_F(DigitalTest, PinChangeInterruptsKnowTheirPins) {
+TEST_F(DigitalTest, PinChangeInterruptsAreRequestedOnlyByEnabledPins) {
   start(R"(volatile int b, d;
 ISR(PCINT0_vect) { ++b; }
 ISR(PCINT2_vect) { ++d; }
@@ -117,7 +117,7 @@ TEST_F(DigitalTest, PulseInMeasuresAnEcho) {
   board().connect(7, echo);
   run(20 * kMillisecond);
   EXPECT_THAT(numbers(), ElementsAre(testing::AllOf(testing::Ge(1154), testing::Le(1168))))
-      << "it counts rounds, and timer 0's interrupt takes some of them";
+      << "pulseIn() counts iterations, and timer 0's interrupt delays some of them";
 }
 
 TEST_F(DigitalTest, WritingAOneToAPinRegisterTogglesThatPinAlone) {

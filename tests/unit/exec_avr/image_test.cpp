@@ -25,7 +25,7 @@ class ImageTest : public AvrTest {
   }
 };
 
-TEST_F(ImageTest, WhatIsNoAvrProgramIsRefusedWithItsName) {
+TEST_F(ImageTest, AFileThatIsNotAnAvrProgramIsRefusedByFileName) {
   EXPECT_THAT(refusal("hello"),
               testing::AllOf(HasSubstr("x.elf"), HasSubstr("expected a program for a chip")));
   const std::string good = read_file(build("void setup() {}\nvoid loop() {}"));
@@ -59,11 +59,12 @@ TEST_F(ImageTest, AnImageForAnotherChipIsRefusedWithBothNames) {
     EXPECT_THAT(got, HasSubstr(std::string("got one for the ") + other + ": compile it with"));
     EXPECT_THAT(got, HasSubstr("-mmcu=atmega328p"));
   }
-  EXPECT_EQ(refusal(for_device("atmega328")), "accepted") << "the same chip, with more power";
-  EXPECT_EQ(refusal(for_device("")), "accepted") << "older avr-libc has no name";
+  EXPECT_EQ(refusal(for_device("atmega328")), "accepted") << "the same chip, with a higher power consumption";
+  EXPECT_EQ(refusal(for_device("")), "accepted")
+      << "images built with an older avr-libc contain no device name";
 }
 
-TEST_F(ImageTest, ADamagedFileNeverReachesTheChip) {
+TEST_F(ImageTest, ATruncatedFileIsRefusedAndADamagedOneDoesNotCrash) {
   const std::string good = read_file(build("void setup() { Serial.begin(9600); }\nvoid loop() {}"));
   for (std::size_t size = 52; size < good.size(); size += 97)
     EXPECT_THAT(refusal(good.substr(0, size)), testing::Not(HasSubstr("accepted"))) << size;
@@ -130,7 +131,7 @@ std::string hex_of(const std::vector<std::uint8_t>& flash) {
   return text;
 }
 
-TEST_F(ImageTest, AHexRunsAsItsElfDoesAndItsVariablesAreThoseOfTheStartUpCode) {
+TEST_F(ImageTest, AHexFileRunsLikeItsElfWithTheSameMemoryUse) {
   const std::string text =
       "int counted[50];\nint begins = 40;\n"
       "int __attribute__((noinline)) down(int n) { volatile char room[100]; room[n] = n; return n ? down(n - "
@@ -173,7 +174,7 @@ TEST_F(ImageTest, AHexRunsAsItsElfDoesAndItsVariablesAreThoseOfTheStartUpCode) {
     EXPECT_THAT(refusal(other, "x.hex"), HasSubstr("Intel HEX file")) << other;
 }
 
-TEST_F(ImageTest, AHexWithItsBootLoaderRunsAsTheSketchBehindIt) {
+TEST_F(ImageTest, AHexFileWithABootLoaderStartsTheSketch) {
   start("void setup() { Serial.begin(115200); Serial.println(\"hello\"); }\nvoid loop() {}");
   const std::string hex = hex_of(avr::Firmware::read(built_.image, *find_board("uno")).flash);
   const std::size_t end = hex.find(":00000001FF");
@@ -188,7 +189,7 @@ TEST_F(ImageTest, AHexWithItsBootLoaderRunsAsTheSketchBehindIt) {
   EXPECT_EQ(serial_, "hello\r\n");
 }
 
-TEST_F(ImageTest, TheEepromBeginsWithWhatTheImageHasForItAndFusesChangeNothing) {
+TEST_F(ImageTest, TheImageInitialisesTheEepromAndFusesAreIgnored) {
   EXPECT_EQ(output("#include <avr/eeprom.h>\n#include <avr/fuse.h>\n#include <avr/lock.h>\n"
                    "byte level EEMEM = 42;\nint trim EEMEM = -300;\n"
                    "FUSES = {0xFF, 0xDE, 0xFD};\nLOCKBITS = 0xCF;\n"

@@ -99,7 +99,7 @@ class TwoRobots : public ARecording {
   wire::RunColumns of[2]{wire::RunColumns{{"D2"}}, wire::RunColumns{{"D2"}}};
 };
 
-TEST_F(TwoRobots, HaveEachTheirOwnInOneRecording) {
+TEST_F(TwoRobots, HaveSeparateRecordsInOneRecording) {
   const Recording recording = written();
   const RecordingHeader& header = recording.header();
   ASSERT_EQ(header.robot_count(), 2u);
@@ -122,7 +122,7 @@ TEST_F(TwoRobots, HaveEachTheirOwnInOneRecording) {
   EXPECT_THAT(told, ElementsAre("0at100", "0a\n", "1at101", "1bb\n", "0it happened", "1it happened"));
 }
 
-TEST_F(TwoRobots, AreThinnedEachWhereItsShareIsUsedUp) {
+TEST_F(TwoRobots, AreThinnedSeparatelyBeyondHalfTheLimit) {
   for (int i = 0; i < 100; ++i)
     of[1].add_pin(kD2, 1'000'000 * i, i % 2 == 0 ? wire::PinLevel::high : wire::PinLevel::low, i % 2, 0);
   const Recording recording = written();
@@ -131,7 +131,7 @@ TEST_F(TwoRobots, AreThinnedEachWhereItsShareIsUsedUp) {
   EXPECT_THAT(recording.stream("pin D2", 1)[0], SizeIs(5));
 }
 
-TEST_F(ARecording, GivesBackEverySampleAsFineAsItIsDrawn) {
+TEST_F(ARecording, PreservesSamplesToTheResolutionOfDrawings) {
   const wire::Sample sample{10000,     1352.123, 248.956,       -3.14, -310.04,        1.256,
                             -0.503921, 1.0,      {0.25, -41.5}, "",    {-300.0, 12.34}};
   columns.add(wire::Sample{0, 0.0, 0.0, 3.1, 0.0, 0.0, 0.0, 0.0, {0.0, 0.0}});
@@ -163,7 +163,7 @@ TEST_F(ARecording, KeepsTimesOfPinsToTheNanosecond) {
   EXPECT_THAT(pin[2], ElementsAre(0.25, 1.0));
 }
 
-TEST_F(ARecording, KeepsTheLinesThatDrovePins) {
+TEST_F(ARecording, StoresTheSourceLineOfEachPinChange) {
   const result::SourceLine on{"setup", "Blink.ino", 3}, off{"loop", "Blink.ino", 7};
   wire::RunColumns known{{"D2"}, true};
   known.add_pin(0, 10, wire::PinLevel::high, 1.0, 0, &on);
@@ -179,7 +179,7 @@ TEST_F(ARecording, KeepsTheLinesThatDrovePins) {
   EXPECT_EQ(recording.header().sources[1].line, 7);
 }
 
-TEST_F(ARecording, LeavesOutWhatSaysNothingNew) {
+TEST_F(ARecording, SkipsPinEventsWithoutAChange) {
   for (int i = 0; i < 100; ++i)
     columns.add_pin(kD2, i * 1000, i >= 50 ? wire::PinLevel::high : wire::PinLevel::low, i >= 50, 0);
   EXPECT_THAT(written().stream("pin D2")[0], ElementsAre(0, 50'000));
@@ -198,7 +198,7 @@ TEST_F(ARecording, TellsSerialTextAndEventsInTheOrderOfTime) {
   EXPECT_THAT(told, ElementsAre("a collision", "grüße\r\n", "zwei\n"));
 }
 
-TEST_F(ARecording, HoldsTheFloorAsItIsDrivenOn) {
+TEST_F(ARecording, StoresTheShapesOfTheFloor) {
   const Recording recording = written();
   const auto& floor = recording.header().floor;
   ASSERT_TRUE(floor);
@@ -210,7 +210,7 @@ TEST_F(ARecording, HoldsTheFloorAsItIsDrivenOn) {
 
 TEST_F(ARecording, NamesNoFolderOfThisMachine) { EXPECT_EQ(written().header().robot_info.file, "uno5.toml"); }
 
-TEST_F(ARecording, KeepsTheLastOfEachSpanWhereAllWouldBeTooMuch) {
+TEST_F(ARecording, KeepsOnlyTheLastChangePerSpanBeyondTheLimit) {
   constexpr int kChanges = 10'000;
   Gatherer small(std::make_unique<Deflater>(), 20'000);
   small.begin(run);
@@ -226,7 +226,7 @@ TEST_F(ARecording, KeepsTheLastOfEachSpanWhereAllWouldBeTooMuch) {
   EXPECT_DOUBLE_EQ(volts[1][0], 0.001 * (199 * 7919 % 5000));
 }
 
-/// Packs and unpacks like Deflater, and counts the bytes.
+/// Packs and unpacks like Deflater, and counts the uncompressed bytes of both operations.
 class CountingPacker final : public Packer {
  public:
   explicit CountingPacker(std::size_t& bytes, std::size_t* unpacked_bytes = nullptr)
@@ -246,11 +246,11 @@ class CountingPacker final : public Packer {
   Deflater deflater_;
 };
 
-TEST_F(ARecording, IsThinnedALittleAtATimeAndHoldsWhatItWouldHoldOtherwise) {
+TEST_F(ARecording, HasTheSameContentIfItIsThinnedGradually) {
   constexpr std::size_t kMost_bytes = 400'000;
   std::size_t packed_bytes = 0, unpacked_bytes = 0, most_at_a_time = 0;
   Gatherer slowly(std::make_unique<CountingPacker>(packed_bytes, &unpacked_bytes), kMost_bytes);
-  Gatherer at_once(nullptr, kMost_bytes);  // packs nothing until the limit is reached
+  Gatherer at_once(nullptr, kMost_bytes);  // without a packer, thins nothing until the limit is reached
   for (Gatherer* both : {&slowly, &at_once}) both->begin(run);
   for (std::int64_t i = 0; i < 200'000; ++i) {
     columns.add_volts(kA0, i * 1'000'000, 0.001 * static_cast<double>(i * 7919 % 5000));
@@ -262,13 +262,13 @@ TEST_F(ARecording, IsThinnedALittleAtATimeAndHoldsWhatItWouldHoldOtherwise) {
     for (Gatherer* both : {&slowly, &at_once}) both->add(piece);
     most_at_a_time = std::max(most_at_a_time, unpacked_bytes - before);
   }
-  EXPECT_GT(unpacked_bytes, kMost_bytes * 3 / 4) << "everything before the limit";
+  EXPECT_GT(unpacked_bytes, kMost_bytes * 3 / 4) << "thinning unpacks most of what was packed before";
   EXPECT_LT(most_at_a_time, kMost_bytes / 10) << "each step unpacks only a small part";
   EXPECT_EQ(slowly.content({}), at_once.content({}));
   EXPECT_EQ(slowly.header().thinned_ns, Gatherer::kThinned_ns);
 }
 
-TEST_F(ARecording, IsCompressedWhileTheRunGoesOnAndHoldsTheSame) {
+TEST_F(ARecording, HasTheSameContentIfItIsCompressedDuringTheRun) {
   std::size_t packed_bytes = 0;
   Gatherer packing(std::make_unique<CountingPacker>(packed_bytes));
   packing.begin(run);
@@ -318,7 +318,7 @@ TEST_F(ARecording, ThatIsDamagedIsRefusedWithASentence) {
   EXPECT_THAT(refusal(kRecordingMagic + deflated("no JSON")), HasSubstr("its header is damaged"));
 }
 
-TEST_F(ARecording, ThatUnpacksToTooMuchIsRefusedBeforeItIsUnpacked) {
+TEST_F(ARecording, ThatIsTooLargeOrNestedTooDeeplyIsRefused) {
   const auto refusal_of = [&](const std::string& content) {
     return refusal(kRecordingMagic + deflated(content));
   };
@@ -346,7 +346,7 @@ TEST_F(ARecording, ThatPromisesMoreThanItHoldsIsRefused) {
   EXPECT_THAT(refusal(kRecordingMagic + deflated(all)), HasSubstr("longer than the file"));
 }
 
-TEST_F(ARecording, ThatSplitsTheColumnsOfAStreamIsRefused) {
+TEST_F(ARecording, WithTwoStreamsOfOneNameIsRefused) {
   columns.add(wire::Sample{});
   std::string all = inflated(encoded().substr(std::string(kRecordingMagic).size()), 1 << 20);
   const std::size_t streams = all.find("\"streams\":[");

@@ -68,7 +68,7 @@ std::vector<std::string> add_all(BatchWriter& writer) {
   return lines;
 }
 
-TEST(Batches, GiveBackEachEventToTheLastBitInTheirOrder) {
+TEST(Batches, PreserveEventsExactlyAndInOrder) {
   BatchWriter writer;
   BatchReader reader(of_all());
   for (int again = 0; again < 2; ++again) {
@@ -80,7 +80,7 @@ TEST(Batches, GiveBackEachEventToTheLastBitInTheirOrder) {
   }
 }
 
-TEST(Batches, MakeTheYawOfAHeading) {
+TEST(Batches, ComputeYawFromSineAndCosine) {
   BatchWriter writer;
   const double sine = -0.6, cosine = 0.8;
   ASSERT_TRUE(writer.add_sample(1, 20'000, {1, 2, sine, cosine, 4, 5, 6, 7, 8, 9}, {0.5}));
@@ -103,7 +103,7 @@ TEST(Batches, GoOnInAnotherMemory) {
   }
 }
 
-TEST(Batches, TellWhatIsAskedForAndNothingElse) {
+TEST(Batches, ReportPinsLevelsAndSamplesOnlyOnRequest) {
   BatchWriter writer;
   RunRequest request;
   request.batches = true;
@@ -112,7 +112,7 @@ TEST(Batches, TellWhatIsAskedForAndNothingElse) {
     BatchReader reader(request);
     return told(reader, writer.take().bytes).size();
   };
-  EXPECT_EQ(kinds(), 2u) << "serial bytes are reported only on request";
+  EXPECT_EQ(kinds(), 2u) << "a reader always reports serial bytes";
   request.pins = true;
   EXPECT_EQ(kinds(), 5u);
   request.io = true;
@@ -121,7 +121,7 @@ TEST(Batches, TellWhatIsAskedForAndNothingElse) {
   EXPECT_EQ(kinds(), 9u);
 }
 
-TEST(Batches, HaveNoPlaceForWhatIsRareOrHasMoreToSay) {
+TEST(Batches, RejectEventsOtherThanPlainSamplesAndBytes) {
   Sample at_station, endless;
   at_station.at_station = "8";
   endless.readings.resize(BatchMemory::kRoom_bytes / sizeof(double));
@@ -178,7 +178,7 @@ TEST(Batches, MakeTheColumnsThatTheRunWouldMake) {
   EXPECT_EQ(line_of(made[1]), line_of(meant.take()));
 }
 
-TEST(Batches, AreReadFromMemoryThatOutlivesWhoWroteThem) {
+TEST(Batches, CanBeReadAfterTheirWriterIsDestroyed) {
   BatchMemory memory;
   const std::vector<std::string> meant = add_all(*std::make_unique<BatchWriter>(&memory));
   BatchReader reader(of_all());
@@ -204,7 +204,7 @@ TEST(Batches, ThatAreCutOffOrDamagedAreRefused) {
   EXPECT_EQ(refusal(whole), "");
   std::size_t refused = 0;
   for (std::size_t size = 1; size < whole.size(); ++size) refused += !refusal(whole.substr(0, size)).empty();
-  EXPECT_GE(refused, whole.size() - 20) << "except at the end of an event";
+  EXPECT_GE(refused, whole.size() - 20) << "a batch that ends between two events is accepted";
   EXPECT_THAT(refusal("?" + whole.substr(1)), HasSubstr("a batch with an incomplete event"));
   const std::string zero(8, '\0'), back = std::string("b\0\0\0\xFF\xFF\xFF\xFF", 8);
   EXPECT_THAT(refusal(back), HasSubstr("incomplete event")) << "a time before 0";
