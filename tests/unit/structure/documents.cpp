@@ -127,6 +127,20 @@ std::vector<std::string> dead_functions(const Files& documents, const Files& sou
   return {dead.begin(), dead.end()};
 }
 
+std::vector<std::string> dead_tests(const Files& documents, const Files& sources) {
+  static const std::regex test(R"(`([A-Z]\w+)\.([A-Z]\w+)`)");
+  static const std::regex definition(R"(TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\))");
+  std::set<std::string> tests, dead;
+  for (const auto& [file, content] : sources)
+    for (std::sregex_iterator it(content.begin(), content.end(), definition), end; it != end; ++it)
+      tests.insert((*it)[1].str() + "." + (*it)[2].str());
+  for (const auto& [file, content] : documents)
+    for (std::sregex_iterator it(content.begin(), content.end(), test), end; it != end; ++it)
+      if (!tests.contains((*it)[1].str() + "." + (*it)[2].str()))
+        dead.insert(fmt::format("{}: names the test {}, and no source has it", file, it->str()));
+  return {dead.begin(), dead.end()};
+}
+
 std::vector<std::string> dead_mentions(const Files& sources, const std::string& root) {
   constexpr std::string_view kFolder = "docs/";
   std::vector<std::string> dead;

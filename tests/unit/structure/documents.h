@@ -16,6 +16,10 @@ std::vector<std::string> dead_references(const Files& documents, const std::stri
 /// but no source contains.
 std::vector<std::string> dead_functions(const Files& documents, const Files& sources);
 
+/// Returns a message for each test, such as `Explain.EveryVerdictIsASentenceOfItsOwn`, that the documents
+/// name but no source contains.
+std::vector<std::string> dead_tests(const Files& documents, const Files& sources);
+
 /// Returns a message for each document, such as docs/reference/maps.md, that sources name but that is
 /// missing.
 std::vector<std::string> dead_mentions(const Files& sources, const std::string& root);

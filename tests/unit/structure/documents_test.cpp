@@ -29,6 +29,13 @@ TEST(Documents, NameOnlyFunctionsThatExist) {
   for (const std::string& sentence : dead_functions(guides, read_sources(kRoot))) ADD_FAILURE() << sentence;
 }
 
+TEST(Documents, NameOnlyTestsThatExist) {
+  Files pages = read_documents(kRoot);
+  std::erase_if(pages, [](const auto& file) { return !file.first.starts_with("docs/evidence/"); });
+  EXPECT_TRUE(pages.count("docs/evidence/sentences.md"));
+  for (const std::string& sentence : dead_tests(pages, read_sources(kRoot))) ADD_FAILURE() << sentence;
+}
+
 TEST(Documents, AreThereWhenSourcesNameThem) {
   Files sources = read_sources(kRoot);
   std::erase_if(sources, [](const auto& file) { return file.first.starts_with("tests/unit/structure/"); });
@@ -60,6 +67,12 @@ TEST(References, ToAFunctionThatNoSourceHasAreDead) {
   EXPECT_THAT(dead_functions({{"a.md", "`Floor::coverage()`, `gone()`, `read_NAME()`, not `sin(x)`"}},
                              {{"sim/x.h", "double coverage(Vec2 p) const;"}}),
               ElementsAre("a.md: names `gone()`, and no source has that function"));
+}
+
+TEST(References, ToATestThatNoSourceHasAreDead) {
+  EXPECT_THAT(dead_tests({{"a.md", "`Suite.IsThere`, `Suite.Gone`, not `Serial.print`"}},
+                         {{"tests/x.cpp", "TEST_F(Suite,\n       IsThere) {}"}}),
+              ElementsAre("a.md: names the test `Suite.Gone`, and no source has it"));
 }
 
 TEST(References, OfSourcesAreDeadIfThePageIsGone) {
