@@ -49,7 +49,11 @@ void BlindDriving::look(const Steering& now) {
         std::abs(now.left - stretch.left) > kSamePower || std::abs(now.right - stretch.right) > kSamePower;
     const bool is_too_long =
         stretch.saw_line && !stretch.planned && !now.sees_line && now.distance_m - stretch.from_m > most_m_;
-    if (is_too_long && !stretch.is_too_long) stretch.busy = executor_.activity();
+    if (is_too_long && !stretch.is_too_long) {
+      stretch.busy = executor_.activity();
+      // A call that did not last for most of the stretch is not the reason.
+      if (2 * (now.t - stretch.busy.last_call) < now.t - stretch.began) stretch.busy.call.clear();
+    }
     stretch.is_too_long |= is_too_long;
   }
   state_.before = now;

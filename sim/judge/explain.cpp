@@ -369,10 +369,6 @@ bool has_left_line(const Evidence& e) {
           !left_line(e, e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t).empty());
 }
 
-constexpr const char* kTryWirings =
-    "the order of the sensors, their values over black, or a motor's side or direction may differ from the "
-    "robot file: robosim wire tries the alternatives";
-
 // Returns N if the sketch is in a delay(N) in which a robot at mean speed drives 5 cm or more. This is enough
 // to lose a line. Otherwise returns 0.
 int long_delay(const Evidence& e) {
@@ -383,12 +379,32 @@ int long_delay(const Evidence& e) {
   return until > 0 && e.distance_m / (1e-9 * static_cast<double>(until)) * ms * 1e-3 >= kLong_m ? ms : 0;
 }
 
+// Returns whether motors are driven, and no floor sensor has been read just now. An interrupt handler may
+// read sensors during a delay.
+bool is_driven_blindly(const Evidence& e) {
+  constexpr SimTime kJustNow = 50 * kMillisecond;
+  const bool has_power = e.left_command != 0.0 || e.right_command != 0.0;
+  return e.moved && has_power && (e.sensors_read == kNever || e.t - e.sensors_read >= kJustNow);
+}
+
 // Returns whether the sketch stopped reading its sensors at least half a second before the robot lost the
 // line.
 bool reads_no_more(const Evidence& e) {
   constexpr SimTime kLong = kSecond / 2;
   const auto& seen = e.judge->line_last_seen();
   return e.moved && has_left_line(e) && seen && e.sensors_read != kNever && e.sensors_read + kLong < seen->at;
+}
+
+// A robot with wrong wiring leaves the line within this distance.
+constexpr double kFollowed_m = 1.0;
+
+// Returns how far the robot had driven when a sensor last saw the line, from its mean speed.
+double driven_until_lost(const Evidence& e) {
+  const auto& seen = e.judge->line_last_seen();
+  const SimTime until = e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t;
+  return seen && until > 0
+             ? e.distance_m * static_cast<double>(std::min(seen->at, until)) / static_cast<double>(until)
+             : 0.0;
 }
 
 // Returns whether the robot steered away from the line before losing it, in a run without script faults.
@@ -413,7 +429,7 @@ NextStep next_step(const Evidence& e) {
     return {
         fmt::format("the sketch has read no line sensor since {}: it must read them repeatedly, in loop()",
                     seconds(e.sensors_read))};
-  if (drives(e) && long_delay(e) > 0 && has_left_line(e))
+  if (is_driven_blindly(e) && long_delay(e) > 0 && has_left_line(e))
     return {
         fmt::format("the sketch is in delay({}){}: during this time it reads no sensor, but the robot drives "
                     "on",
@@ -422,8 +438,12 @@ NextStep next_step(const Evidence& e) {
     const std::string how =
         fmt::format("it steered away from the line: the line was under its {} sensors, but it turned {}; ",
                     e.line_side > 0.0 ? "left" : "right", e.line_side > 0.0 ? "right" : "left");
-    if (e.int_bits == 16) return {how + result::kTryHost + result::kIfNot + kTryWirings, NextStep::By::host};
-    return {how + kTryWirings};
+    if (const double before = driven_until_lost(e); before >= kFollowed_m)
+      return {fmt::format("{}it had driven {:.1f} m until then: {}", how, before, result::kWatch),
+              NextStep::By::watching};
+    if (e.int_bits == 16)
+      return {how + result::kTryHost + result::kIfNot + result::kTryWirings, NextStep::By::host};
+    return {how + result::kTryWirings};
   }
   if (e.moved) {
     if (e.verdict == Verdict::lost && e.int_bits == 16) return {result::kTryHost, NextStep::By::host};
@@ -461,7 +481,7 @@ NextStep next_step(const Evidence& e) {
                 : "; its motors were never driven";
   const Pin pin = e.verdict == Verdict::crashed ? kNoPin : awaited_pin(e);
   if (pin == kNoPin) return {text};
-  text += fmt::format("; the only pin that the sketch reads is {}, which is {}", pin_name(e, pin),
+  text += fmt::format("; the pin that the sketch keeps reading is {}, which is {}", pin_name(e, pin),
                       e.pin_level ? "HIGH" : "LOW");
   for (const robot::WiredPin& wired : e.wiring) {
     if (wired.pin == pin && wired.type == "button" && !e.pin_changed)

@@ -11,6 +11,11 @@ inline constexpr const char* kTryHost =
 inline constexpr const char* kIfNot = ". If not, ";  ///< joins kTryHost and further advice
 inline constexpr const char* kWatch = "watch it in slow motion, or record what the sensors saw";
 
+inline constexpr const char* kTryWirings =
+    "either the sketch reacts too late or the wrong way, or the wiring differs from the robot file (the "
+    "order of "
+    "the sensors, their values over black, a motor's side or direction): robosim wire tries the alternatives";
+
 /// Returns advice without kTryHost. If nothing else remains, returns kWatch.
 std::string without_host(std::string advice);
 

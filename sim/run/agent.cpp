@@ -183,8 +183,9 @@ void Agent::look_to_the_side() {
     state_.steered = 0.0;
   }
   state_.line_side = side;
-  if (left == state_.side_command) return;
-  state_.steered += kShare * ((side > 0.0 ? left : -left) - state_.steered);
+  const double towards = side > 0.0 ? left : -left;
+  if (left == state_.side_command && towards <= 0.0) return;
+  state_.steered += kShare * (towards - state_.steered);
 }
 
 // Reads the sensors that are due. Does nothing if called too early.

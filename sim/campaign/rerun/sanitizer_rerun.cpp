@@ -97,6 +97,15 @@ AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request,
   return found;
 }
 
+bool drives_blindly(const result::RunResult& result) {
+  return std::any_of(result.detected.begin(), result.detected.end(),
+                     [](const result::Detected& one) { return one.detector == "blind"; });
+}
+
+std::string without_wirings(const std::string& next) {
+  return next.find(result::kTryWirings) == next.npos ? next : "";
+}
+
 std::string next_of(const result::RunResult& result) {
   const char* const flags = result.next_by == "host"       ? " (--target host)"
                             : result.next_by == "watching" ? " (--view --speed 0.2, or --record run.csv)"

@@ -173,6 +173,9 @@ void guess_wheel_servos(RobotDraft& draft) {
     if (side == Side::right && right == nullptr) right = &part;
   }
   if (left == nullptr || right == nullptr) return;
+  for (PartDraft* const part : {left, right})
+    if (spelled_side(words_of(part->name)) == Side::unknown)
+      part->doubts.push_back("which servo is the left one is guessed from its name");
   left->type = right->type = "wheel-servo";
   left->name = right->name = "";
   left->name = part_name(draft, "left");

@@ -166,6 +166,7 @@ constexpr std::size_t kMostPinsOfAMotor = 3;
 struct Sides {
   Pins left, right;
   bool named = true;
+  bool paired = true;  ///< false: which direction pins belong to which PWM pin is only guessed
 };
 
 // Returns the pins of one motor that the sketch passes to one object, as in Motor(5, 7, 8). `number` selects
@@ -229,6 +230,7 @@ Sides divide(const Evidence& evidence, const Pins& pins) {
   for (const PinEvidence* clue : pins) (is_pwm(evidence, *clue) ? pwm : level).push_back(clue);
   put_half(pwm, sides);
   put_half(level, sides);
+  sides.paired = pwm.empty() || level.empty();
   return sides;
 }
 
@@ -264,7 +266,8 @@ bool is_motor_shield(const Evidence& evidence, const Pins& pins) {
     const Pin pin = find_pin(evidence.board(), name);
     if (pin == kNoPin) return false;
     const PinEvidence& clue = evidence.of(pin);
-    return clue.facts->driven && is_pwm(evidence, clue) == with_pwm && !says(clue.words, {"in"});
+    return clue.facts->driven && is_pwm(evidence, clue) == with_pwm &&
+           !says(clue.words, {"in", "ain", "bin", "pwma", "pwmb"});
   };
   const auto is_known = [&](const PinEvidence* clue) {
     for (const auto& channel : kShieldPins)
@@ -349,6 +352,8 @@ void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
     if (!sides.named)
       part.doubts.push_back(
           "which motor is the left one is guessed: from A and B, numbers, or the order of the pins");
+    if (!sides.paired)
+      part.doubts.push_back("which inputs belong to which PWM pin is guessed from the order of the pins");
     // A motor that turns on the spot leans back, too, so only both motors disprove names.
     const bool leans_back = is_open ? motor.lean() < 0.0 : both_lean_back;
     const bool other_way = is_left ? ways.left_reversed : ways.right_reversed;

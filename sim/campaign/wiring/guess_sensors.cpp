@@ -151,6 +151,8 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   if (draft.open.other_order && !ways.other_order)
     part.doubts.push_back(
         "the order from left to right is guessed; if it is the reverse, add first = \"right\"");
+  if (draft.open.black_low && !ways.black_low)
+    part.doubts.push_back("HIGH over black is guessed; if it is LOW, add black = \"low\"");
   if (ways.other_order) part.doubts.push_back(fmt::format("first: {}", kByTrial));
   if (ways.black_low) part.doubts.push_back(fmt::format("black: {}", kByTrial));
 

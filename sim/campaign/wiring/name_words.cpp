@@ -49,7 +49,7 @@ bool is_left(const std::string& word) {
   return is_indonesian(word, "ki") ||
          contains_one_of(word, {"left", "izquierd", "esquerd", "gauche", "sinistr", "kiri"}) ||
          is_one_of(word, {"lft", "izq", "esq", "links", "linke", "linker", "linkes", "sx", "baya", "baye",
-                          "baaye", "bayen", "bayan", "baayan", "baayen"}) ||
+                          "sl", "ml", "baaye", "bayen", "bayan", "baayan", "baayen"}) ||
          is_turkish(word, "sol");
 }
 
@@ -57,8 +57,9 @@ bool is_right(const std::string& word) {
   return is_indonesian(word, "ka") ||
          (contains_one_of(word, {"right", "derech", "direit", "droit", "rechts", "kanan"}) &&
           !contains_one_of(word, {"bright", "copyright"})) ||
-         is_one_of(word, {"rgt", "rt", "der", "rechte", "rechter", "rechtes", "dx", "destra", "destro",
-                          "daya", "daaye", "daye", "dayen", "dayan", "daayan", "dahina", "dahine"}) ||
+         is_one_of(word,
+                   {"rgt", "rt", "sr", "mr", "der", "rechte", "rechter", "rechtes", "dx", "destra", "destro",
+                    "daya", "daaye", "daye", "dayen", "dayan", "daayan", "dahina", "dahine"}) ||
          is_turkish(word, "sag");
 }
 

@@ -72,7 +72,7 @@ std::vector<Pin> pins_with_names(const Given& given) {
 std::vector<PinFacts> uses_in_source(const SketchNames& names, const BoardSpec& board) {
   std::vector<PinFacts> facts(board.pin_count);
   for (const Given& given : names.given)
-    for (const Pin pin : given.pins) {
+    for (const Pin pin : pins_with_names(given)) {
       if (pin == kNoPin) continue;
       const bool is_analog = board.pins[pin].analog_channel >= 0;
       const bool is_of_array = given.type == "setSensorPins" || given.type.starts_with("QTRSensors");
@@ -101,7 +101,7 @@ Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHi
     clue.facts = &facts_[pin];
     const bool is_read_in_source = facts_[pin].looked, is_in_source = clue.is_used();
     PinFacts seen = history.of(pin);
-    seen.looked |= seen.looked_along && is_read_in_source;
+    seen.looked |= seen.looked_along && (is_read_in_source || names.reads_ports);
     const bool is_seen = seen.driven || seen.looked || seen.measured || seen.pulled_up;
     clue.is_assumed = is_in_source && !is_seen;
     if (is_seen) facts_[pin] = seen;

@@ -57,6 +57,8 @@ class Reader {
       if (token.kind == Token::Kind::word && token.text.size() > 1 && token.text[0] == 'A' &&
           token.text.find_first_not_of("0123456789", 1) == std::string::npos)
         analog_words_.insert(token.text);
+      reads_ports_ |= token.kind == Token::Kind::word && token.text.size() == 4 &&
+                      token.text.starts_with("PIN") && token.text[3] >= 'A' && token.text[3] <= 'L';
       if (token.kind == Token::Kind::word && token.text.size() == 7 && token.text.starts_with("Serial"))
         serial_lines_ = std::max(serial_lines_, token.text[6] - '0');
       if (token.kind == Token::Kind::define)
@@ -75,6 +77,7 @@ class Reader {
 
   SketchNames names() const {
     SketchNames names;
+    names.reads_ports = reads_ports_;
     for (const std::string& name : order_) {
       const Value& value = values_.at(name);
       const bool used = used_.count(name) != 0;
@@ -442,10 +445,11 @@ class Reader {
   std::size_t at_ = 0;
   std::map<std::string, Value> values_;
   std::vector<std::string> order_;
-  std::set<std::string> handed_on_;     // names in an array, or passed to any function
-  std::set<std::string> used_;          // names passed to a pin function or to an object
-  std::set<std::string> channels_;      // arguments of analogRead()
-  std::set<std::string> numbers_;       // arguments of the other pin functions, except pinMode()
+  std::set<std::string> handed_on_;  // names in an array, or passed to any function
+  std::set<std::string> used_;       // names passed to a pin function or to an object
+  std::set<std::string> channels_;   // arguments of analogRead()
+  std::set<std::string> numbers_;    // arguments of the other pin functions, except pinMode()
+  bool reads_ports_ = false;
   int serial_lines_ = 0;                // the highest number after Serial
   std::set<std::string> modes_;         // arguments of pinMode()
   std::set<std::string> analog_words_;  // A0, A1 …

@@ -36,6 +36,7 @@ struct Given {
 };
 
 struct SketchNames {
+  bool reads_ports = false;  ///< the source names input registers, such as PINC
   std::vector<Named> named;
   std::vector<Given> given;
 };

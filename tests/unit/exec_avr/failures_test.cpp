@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "sim/exec/avr/demangle.h"
 #include "sim/exec/avr/firmware.h"
 #include "tests/unit/exec_avr/fixture.h"
 
@@ -32,6 +33,12 @@ class FailuresTest : public AvrTest {
     return found ? fmt::format("0x{:04X}", *found + offset) : "no variable";
   }
 };
+
+TEST(Demangle, KeepsNamesThatAreNotMangled) {
+  EXPECT_EQ(avr::demangle("n"), "n") << "not the code of the type __int128";
+  EXPECT_EQ(avr::demangle("i"), "i");
+  EXPECT_EQ(avr::demangle("_ZN3Foo3barE"), "Foo::bar");
+}
 
 TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
   struct Case {

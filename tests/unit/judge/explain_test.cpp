@@ -229,7 +229,7 @@ TEST_F(Explain, ASketchThatDrivesItsMotorsWaitsForNoPinThatItLooksAt) {
   e.activity.call = "analogWrite(5, 20)";
   e.left_command = 0.08;
   EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in analogWrite(5, 20)."));
-  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("the only pin")));
+  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("keeps reading is")));
 }
 
 TEST_F(Explain, ASketchThatReadsSeveralInputsWaitsForNone) {
@@ -237,7 +237,7 @@ TEST_F(Explain, ASketchThatReadsSeveralInputsWaitsForNone) {
   e.activity.pin = 4;
   e.activity.where = {"loop", "My.ino", 9};
   EXPECT_THAT(why(Verdict::timeout), EndsWith("; the sketch was last in digitalRead(4) in loop, My.ino:9."));
-  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("the only pin")));
+  EXPECT_THAT(next(Verdict::timeout), Not(HasSubstr("keeps reading is")));
 }
 
 TEST_F(Explain, ASketchInPulseInWaitsForItsPin) {
@@ -512,10 +512,10 @@ TEST_F(Explain, AButtonThatIsWaitedForComesWithTheLineThatPressesIt) {
   e.pin_level = true;
   EXPECT_THAT(
       next(Verdict::timeout),
-      EndsWith("the only pin that the sketch reads is pin 4 (button \"start\"), which is HIGH: if it "
+      EndsWith("the pin that the sketch keeps reading is pin 4 (button \"start\"), which is HIGH: if it "
                "waits for this button, press it with this line in a script: at 1s press start 200ms"));
   EXPECT_EQ(next_step(e).by, NextStep::By::script);
-  EXPECT_THAT(next(Verdict::crashed), Not(HasSubstr("the only pin"))) << "it reads nothing any more";
+  EXPECT_THAT(next(Verdict::crashed), Not(HasSubstr("keeps reading is"))) << "it reads nothing any more";
   e.pin_changed = true;
   EXPECT_THAT(next(Verdict::timeout), EndsWith("which is HIGH")) << "the button has been pressed";
 }
@@ -530,6 +530,12 @@ TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
                     HasSubstr("robosim wire"), Not(HasSubstr("16 bits"))));
   e.line_side = -0.018;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("under its right sensors, but it turned left"));
+  e.distance_m = 9.0;  // 1.5 m until 2 s
+  EXPECT_EQ(next(Verdict::lost),
+            "it steered away from the line: the line was under its right sensors, but it turned left; it had "
+            "driven "
+            "1.5 m until then: watch it in slow motion, or record what the sensors saw");
+  e.distance_m = 0.0;
   e.int_bits = 16;
   EXPECT_THAT(next(Verdict::lost), AllOf(StartsWith("it steered away"), HasSubstr("int has 16 bits")));
   EXPECT_EQ(next_step(e).by, NextStep::By::host);
@@ -561,6 +567,7 @@ TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
   e.activity.call = "delay(500)";
   e.activity.where = {"loop", "My.ino", 9};
   e.distance_m = 1.3;
+  e.left_command = e.right_command = 0.5;
   EXPECT_EQ(next(Verdict::lost),
             "the sketch is in delay(500) in loop, My.ino:9: during this time it reads no sensor, but the "
             "robot drives on");
@@ -568,6 +575,10 @@ TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
   e.line_side = 0.018;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("delay(500)")) << "the late reaction looks like wrong steering";
   e.steered = 0.0;
+  e.sensors_read = e.t;
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"))
+      << "a handler reads the sensors during the delay";
+  e.sensors_read = kNever;
   e.distance_m = 0.6;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << "2.5 cm in the delay";
   e.distance_m = 1.3;
@@ -576,8 +587,7 @@ TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
     EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << call;
   }
   e.activity.call = "delay(500)";
-  e.t = 20 * kSecond;
-  e.distance_m = 3.0;
+  e.left_command = e.right_command = 0.0;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << "the motors are off";
 }
 

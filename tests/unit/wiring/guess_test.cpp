@@ -222,6 +222,40 @@ TEST(Guess, MotorsOnTheMotorShieldR3HaveFixedPins) {
   EXPECT_THAT(guessed("", run.output("D7", true)), Not(HasSubstr("brake"))) << "pin 7 is not of the shield";
 }
 
+TEST(Guess, AToshibaDriverOnThePinsOfTheMotorShieldIsNoShield) {
+  Seen run;
+  run.pwm("D3", 0.5).output("D12", true).output("D13", false).output("D10", true);
+  run.pwm("D11", 0.5).output("D8", true).output("D9", false);
+  const std::string text = guessed(
+      "#define PWMA 3\n#define AIN1 12\n#define AIN2 13\n#define PWMB 11\n#define BIN1 8\n#define BIN2 9\n"
+      "#define STBY 10\nvoid setup() { pinMode(PWMA, 1); pinMode(AIN1, 1); pinMode(AIN2, 1); pinMode(PWMB, "
+      "1); "
+      "pinMode(BIN1, 1); pinMode(BIN2, 1); pinMode(STBY, 1); }",
+      run);
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("{ en = 3, in1 = 12, in2 = 13 }"), HasSubstr("{ en = 11, in1 = 8, in2 = 9 }"),
+                    HasSubstr("standby = 10"), Not(HasSubstr("brake"))));
+}
+
+TEST(Guess, InputsWithoutNamesArePairedByGuess) {
+  Seen run;
+  run.pwm("D9", 0.5)
+      .output("D7", true)
+      .output("D8", false)
+      .pwm("D10", 0.5)
+      .output("D4", true)
+      .output("D5", false);
+  EXPECT_THAT(guessed("", run), HasSubstr("# ? which inputs belong to which PWM pin is guessed"));
+}
+
+TEST(Guess, PinsThatARegisterReadsAreSensors) {
+  Seen run;
+  run.look_at_port({"A0", "A1", "A2"});
+  EXPECT_THAT(guessed("void loop() { byte line = PINC & 7; }", run),
+              HasSubstr("pins = [\"A0\", \"A1\", \"A2\"]"));
+  EXPECT_THAT(guessed("void loop() {}", run), Not(HasSubstr("A0")));
+}
+
 TEST(Guess, AMotorThatLeansBackAloneIsReversedAlone) {
   Seen run;
   run.pwm("D9", 0.5)
@@ -293,7 +327,8 @@ TEST(Guess, TheWaysThatNobodyCanKnowMakeDifferentRobots) {
   Seen run;
   run.measure("A0").measure("A1").measure("A2").measure("A3");
   const std::string source = "int s[] = {A0, A1, A2, A3};";
-  EXPECT_THAT(guessed(source, run), Not(HasSubstr("black")));
+  EXPECT_THAT(guessed(source, run), HasSubstr("# ? HIGH over black is guessed"));
+  EXPECT_THAT(guessed(source, run), Not(HasSubstr("\nblack = ")));
   EXPECT_THAT(guessed(source, run, {.black_low = true}), HasSubstr("black = \"low\""));
   EXPECT_THAT(guessed(source, run, {.other_order = true}), HasSubstr("first = \"right\""));
 }

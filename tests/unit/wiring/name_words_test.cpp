@@ -22,11 +22,12 @@ TEST(Sides, AreKnownByTheNamesThatPeopleGive) {
 TEST(Sides, AreKnownInTheLanguagesOfPublishedSketches) {
   for (const char* name : {"motorIzquierdo", "sensor_izq", "motorEsquerdo", "MOTOR_ESQ", "moteurGauche",
                            "linksMotor", "sensorSX", "motoreSinistro", "solMotor", "SOL_ILERI", "solileri",
-                           "sensorkiri", "motorkif", "motor_baye", "bayenMotor", "MotorLE"})
+                           "sensorkiri", "motorkif", "motor_baye", "bayenMotor", "MotorLE", "SL", "ML_F"})
     EXPECT_EQ(spelled_side(words_of(name)), Side::left) << name;
-  for (const char* name : {"motorDerecho", "sensor_der", "motorDireito", "sensorDireita", "moteurDroit",
-                           "capteur_droite", "rechtsVor", "sensorDX", "motoreDestro", "sagMotor", "SAG_GERI",
-                           "sagmotor", "sensorkanan", "sensorka", "motor_daye", "dahinaMotor", "MotorRE"})
+  for (const char* name :
+       {"motorDerecho", "sensor_der", "motorDireito", "sensorDireita", "moteurDroit", "capteur_droite",
+        "rechtsVor", "sensorDX", "motoreDestro", "sagMotor", "SAG_GERI", "sagmotor", "sensorkanan",
+        "sensorka", "motor_daye", "dahinaMotor", "MotorRE", "SR", "MR_B"})
     EXPECT_EQ(spelled_side(words_of(name)), Side::right) << name;
 }
 
