@@ -99,6 +99,10 @@ TEST(CliWire, ChoosesABoardThatHasThePins) {
   folder.write("Many/Many.ino", "void setup() { pinMode(40, OUTPUT); }\nvoid loop() { delay(5); }\n");
   folder.write("Lines/Lines.ino", "void setup() { Serial3.begin(9600); }\nvoid loop() { delay(5); }\n");
   EXPECT_THAT(robosim_command({"wire", "./Lines"}, folder.path()).out, HasSubstr("board = \"mega\""));
+  folder.write("Soft/Soft.ino",
+               "#include <SoftwareSerial.h>\nSoftwareSerial Serial3(6, 7);\n"
+               "void setup() { Serial3.begin(9600); }\nvoid loop() { delay(5); }\n");
+  EXPECT_THAT(robosim_command({"wire", "./Soft"}, folder.path()).out, HasSubstr("board = \"uno\""));
   EXPECT_THAT(robosim_command({"wire", "./Seven"}, folder.path()).out, HasSubstr("board = \"nano\""));
   EXPECT_THAT(robosim_command({"wire", "./Many"}, folder.path()).out, HasSubstr("board = \"mega\""));
 }

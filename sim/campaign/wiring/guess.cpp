@@ -52,7 +52,8 @@ void guess_input(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue)
         : add_pin_part(evidence, draft, clue, "bumper", "bumper", {{"resistor", "true"}});
   } else if (says(clue.words, {"in", "mot", "dir", "pwm"})) {
     return;  // the input of a driver that was never set to OUTPUT: ask
-  } else if (low || says(clue.words, {"butt", "btn", "switch", "sw", "start", "push", "key", "mode"})) {
+  } else if (low || says(clue.words, {"butt", "btn", "switch", "sw", "start", "push", "key", "mode", "knopf",
+                                      "taster", "bouton", "boton", "botao", "tombol", "dugme"})) {
     low ? add_pin_part(evidence, draft, clue, "button", "button")
         : add_pin_part(evidence, draft, clue, "button", "button", {{"resistor", "true"}});
     if (!low)

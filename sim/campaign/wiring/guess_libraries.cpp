@@ -143,11 +143,23 @@ class Libraries {
     if (!is_named_echo(pin))
       for (const Given& other : clues_.names().given)
         if (other.type == "pulseIn" && other.pins[0] != kNoPin && is_named_echo(other.pins[0])) return;
+    // With several sensors, the names of a pair share a word: trigLeft and echoLeft.
+    const std::vector<std::string>& words = clues_.of(pin).words;
     Pin trigger = kNoPin;
+    std::ptrdiff_t most = -1;
     for (const PinEvidence* clue : clues_.left()) {
       if (clue->pin == pin || !clue->facts->driven || clue->facts->discharged) continue;
-      if (says(clue->words, {"trig", "ping"})) trigger = clue->pin;
-      if (clue->facts->pulses && trigger == kNoPin) trigger = clue->pin;
+      const bool is_named = says(clue->words, {"trig", "ping"});
+      if (!is_named && !clue->facts->pulses) continue;
+      const std::ptrdiff_t shared =
+          is_named ? 1 + std::count_if(clue->words.begin(), clue->words.end(),
+                                       [&](const std::string& word) {
+                                         return std::find(words.begin(), words.end(), word) != words.end();
+                                       })
+                   : 0;
+      if (shared <= most) continue;
+      most = shared;
+      trigger = clue->pin;
     }
     if (trigger == kNoPin) return;
     part(given, "hc-sr04", {{"trig", trigger}, {"echo", pin}});

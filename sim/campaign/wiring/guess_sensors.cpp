@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "sim/campaign/wiring/guess.h"
 
@@ -26,10 +27,11 @@ bool is_sensor_like(const Evidence& evidence, const PinEvidence& clue) {
   if (clue.name.empty() && evidence.is_given_to({"randomSeed"}, clue.pin)) return false;
   if (clue.name.empty() && is_of_serial(evidence.board(), clue.pin)) return false;
   if (clue.facts->driven && !clue.facts->discharged) return false;
-  if (says(clue.words, {"butt", "btn",  "switch", "sw",    "start",  "push", "bump",  "echo",    "trig",
-                        "enc",  "batt", "vbat",   "volt",  "pot",    "dist", "sharp", "sonar",   "ultra",
-                        "rx",   "tx",   "mode",   "key",   "temp",   "curr", "recv",  "receive", "remote",
-                        "knob", "regl", "trim",   "color", "colour", "cor",  "vcc"}))
+  if (says(clue.words, {"butt",   "btn",   "switch", "sw",     "start",  "push", "bump",  "echo",    "trig",
+                        "enc",    "batt",  "vbat",   "volt",   "pot",    "dist", "sharp", "sonar",   "ultra",
+                        "rx",     "tx",    "mode",   "key",    "temp",   "curr", "recv",  "receive", "remote",
+                        "knob",   "regl",  "trim",   "color",  "colour", "cor",  "vcc",   "knopf",   "taster",
+                        "bouton", "boton", "botao",  "tombol", "dugme"}))
     return false;
   if (clue.facts->measured || clue.facts->discharged) return true;
   const bool named = says(clue.words, {"sens", "ir", "line", "track", "tcrt", "qtr", "left", "right", "mid",
@@ -76,6 +78,24 @@ Pins in_order_of_array(const Evidence& evidence, Pins sensors) {
   return sensors;
 }
 
+// Sorts sensors by the numbers at the end of their names, if they differ in nothing else: S0, S1, S2.
+void sort_by_number(Pins& sensors) {
+  std::map<int, const PinEvidence*> numbered;
+  std::vector<std::string> stem;
+  for (const PinEvidence* clue : sensors) {
+    std::vector<std::string> words = clue->words;
+    if (words.size() < 2 || words.back().size() > 2 ||
+        words.back().find_first_not_of("0123456789") != std::string::npos)
+      return;
+    const int number = std::stoi(words.back());
+    words.pop_back();
+    if (stem.empty()) stem = words;
+    if (words != stem || !numbered.emplace(number, clue).second) return;
+  }
+  sensors.clear();
+  for (const auto& [number, clue] : numbered) sensors.push_back(clue);
+}
+
 const char* kind_of(const PinEvidence& sensor) {
   return sensor.facts->measured ? "analog" : sensor.facts->discharged ? "rc" : "digital";
 }
@@ -118,10 +138,16 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
     std::erase_if(sensors, [&](const PinEvidence* clue) { return !has_name(clue); });
   sensors = in_order_of_array(evidence, alike(sensors));
   if (sensors.empty() || sensors.size() > kMostElements) return;
-  const bool placed =
-      std::any_of(sensors.begin(), sensors.end(), [](const PinEvidence* c) { return place_of(*c) != 0; });
-  std::stable_sort(sensors.begin(), sensors.end(),
-                   [](const PinEvidence* a, const PinEvidence* b) { return place_of(*a) < place_of(*b); });
+  const auto is_at = [&](bool left) {
+    return std::any_of(sensors.begin(), sensors.end(), [&](const PinEvidence* clue) {
+      return left ? place_of(*clue) < 0 : place_of(*clue) > 0;
+    });
+  };
+  const bool placed = is_at(true) && is_at(false);
+  if (!placed) sort_by_number(sensors);
+  if (placed)
+    std::stable_sort(sensors.begin(), sensors.end(),
+                     [](const PinEvidence* a, const PinEvidence* b) { return place_of(*a) < place_of(*b); });
 
   const std::string kind = kind_of(*sensors.front());
   const Layout layout = layout_of(sensors.size(), ways.close);

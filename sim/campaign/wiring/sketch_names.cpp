@@ -59,8 +59,11 @@ class Reader {
         analog_words_.insert(token.text);
       reads_ports_ |= token.kind == Token::Kind::word && token.text.size() == 4 &&
                       token.text.starts_with("PIN") && token.text[3] >= 'A' && token.text[3] <= 'L';
-      if (token.kind == Token::Kind::word && token.text.size() == 7 && token.text.starts_with("Serial"))
-        serial_lines_ = std::max(serial_lines_, token.text[6] - '0');
+      if (token.kind == Token::Kind::word && token.text.size() == 7 && token.text.starts_with("Serial")) {
+        // SoftwareSerial Serial3(6, 7); declares a line of the sketch.
+        const bool is_declared = at_ > 0 && tokens_[at_ - 1].is("SoftwareSerial");
+        (is_declared ? own_lines_ : lines_).insert(token.text[6] - '0');
+      }
       if (token.kind == Token::Kind::define)
         read_define();
       else if (token.is("enum"))
@@ -92,7 +95,8 @@ class Reader {
     }
     for (Given given : given_) {
       for (const std::string& argument : given.arguments) {
-        auto pins = given.type == "analogRead" ? channels_of(argument) : pins_of(argument);
+        auto pins = given.type == "analogRead" || given.type == "QTRSensorsAnalog" ? channels_of(argument)
+                                                                                   : pins_of(argument);
         given.each.push_back(pins);
         if (pins.empty()) pins.push_back(kNoPin);
         given.pins.insert(given.pins.end(), pins.begin(), pins.end());
@@ -108,7 +112,8 @@ class Reader {
   bool has_all_pins() const {
     // Serial is the line to the computer; it is a UART, except on boards with USB.
     const int lines = board_.chip->uart_count - (board_.serial_line == 0 ? 1 : 0);
-    if (serial_lines_ <= 9 && serial_lines_ > lines) return false;
+    for (const int line : lines_)
+      if (line > lines && line < 10 && own_lines_.count(line) == 0) return false;
     const auto lacks = [&](const std::string& word, bool is_channel) {
       const std::string value = value_of(word);
       const bool is_number = !value.empty() && value.find_first_not_of("0123456789") == std::string::npos;
@@ -450,7 +455,7 @@ class Reader {
   std::set<std::string> channels_;   // arguments of analogRead()
   std::set<std::string> numbers_;    // arguments of the other pin functions, except pinMode()
   bool reads_ports_ = false;
-  int serial_lines_ = 0;                // the highest number after Serial
+  std::set<int> lines_, own_lines_;     // numbers after Serial; and those that the sketch declares
   std::set<std::string> modes_;         // arguments of pinMode()
   std::set<std::string> analog_words_;  // A0, A1 …
   std::vector<Given> given_;

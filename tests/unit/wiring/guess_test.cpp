@@ -237,6 +237,45 @@ TEST(Guess, AToshibaDriverOnThePinsOfTheMotorShieldIsNoShield) {
                     HasSubstr("standby = 10"), Not(HasSubstr("brake"))));
 }
 
+TEST(Guess, SensorsWithNumbersStandInTheirOrder) {
+  Seen run;
+  for (const char* pin : {"D12", "D2", "D3", "D4"}) run.look(pin);
+  const std::string text = guessed(
+      "#define S1 2\n#define S2 3\n#define S3 4\n#define S0 12\n"
+      "void loop() { digitalRead(S0); digitalRead(S1); digitalRead(S2); digitalRead(S3); }",
+      run);
+  EXPECT_THAT(text, HasSubstr("pins = [12, 2, 3, 4]"));
+  EXPECT_THAT(text, HasSubstr("# ? the order from left to right is guessed"));
+}
+
+TEST(Guess, SensorsThatAreAllNamedAfterOneSideHaveNoKnownOrder) {
+  Seen run;
+  for (const char* pin : {"D2", "D3", "D4"}) run.look(pin);
+  EXPECT_THAT(guessed("#define L1 2\n#define L2 3\n#define L3 4\n"
+                      "void loop() { digitalRead(L1); digitalRead(L2); digitalRead(L3); }",
+                      run),
+              HasSubstr("# ? the order from left to right is guessed"));
+}
+
+TEST(Guess, EachDistanceSensorHasTheTriggerThatSharesItsName) {
+  Seen run;
+  for (const char* pin : {"D3", "D5", "D7"}) run.output(pin, true);
+  for (const char* pin : {"D4", "D6", "D8"}) run.look(pin);
+  const std::string text = guessed(
+      "#define trigLeft 3\n#define trigFront 5\n#define trigRight 7\n"
+      "#define echoRight 8\n#define echoLeft 4\n#define echoFront 6\n"
+      "void loop() { digitalWrite(trigLeft, 1); digitalWrite(trigFront, 1); digitalWrite(trigRight, 1); "
+      "pulseIn(echoRight, HIGH); pulseIn(echoLeft, HIGH); pulseIn(echoFront, HIGH); }",
+      run);
+  EXPECT_THAT(text, AllOf(HasSubstr("{ trig = 3, echo = 4 }"), HasSubstr("{ trig = 5, echo = 6 }"),
+                          HasSubstr("{ trig = 7, echo = 8 }")));
+}
+
+TEST(Guess, QtrSensorsAnalogTakesChannels) {
+  EXPECT_THAT(guessed("QTRSensorsAnalog qtr((unsigned char[]){0, 1, 2}, 3, 4, 2);", Seen()),
+              HasSubstr("read = \"analog\"\npins = [\"A0\", \"A1\", \"A2\"]"));
+}
+
 TEST(Guess, InputsWithoutNamesArePairedByGuess) {
   Seen run;
   run.pwm("D9", 0.5)
