@@ -127,7 +127,7 @@ Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHi
         const Pin channel = static_cast<Pin>(pin + board.analog_pin_0);
         if (sure || by_pin_[pin].is_used())
           name(pin, named.name, named.is_array, named.spot);
-        else if (channel < board.pin_count && by_pin_[channel].facts->measured)
+        else if (channel < board.pin_count && history.of(channel).measured)
           name(channel, named.name, named.is_array, named.spot);
       }
     }

@@ -271,6 +271,14 @@ TEST(Guess, EachDistanceSensorHasTheTriggerThatSharesItsName) {
                           HasSubstr("{ trig = 7, echo = 8 }")));
 }
 
+TEST(Guess, TheNumberOfAPinThatOneLibraryTakesIsNotAChannelOfAnother) {
+  const std::string text = guessed(
+      "#define RECEIVER 2\nvoid setup() { qtr.setSensorPins((const uint8_t[]){A0, A1, A2, A3}, 4); "
+      "IrReceiver.begin(RECEIVER, false); }",
+      Seen());
+  EXPECT_THAT(text, HasSubstr("pins = [\"A0\", \"A1\", \"A2\", \"A3\"]"));
+}
+
 TEST(Guess, QtrSensorsAnalogTakesChannels) {
   EXPECT_THAT(guessed("QTRSensorsAnalog qtr((unsigned char[]){0, 1, 2}, 3, 4, 2);", Seen()),
               HasSubstr("read = \"analog\"\npins = [\"A0\", \"A1\", \"A2\"]"));
