@@ -9,7 +9,9 @@
 
 namespace robosim::exec {
 
+/// Returns the call's text, such as "delay(5)"; empty if the firmware has made no call yet.
 inline std::string text_of(const host::ApiCall& call) {
+  if (*call.name == '\0') return "";
   if (call.arguments == 0) return fmt::format("{}()", call.name);
   if (call.arguments == 1) return fmt::format("{}({})", call.name, call.argument[0]);
   if (call.arguments == 2) return fmt::format("{}({}, {})", call.name, call.argument[0], call.argument[1]);

@@ -142,6 +142,15 @@ TEST_F(TimeTest, ItIsKnownWhatFirmwareWaitsFor) {
   EXPECT_EQ(activity.where.line, 3);
 }
 
+TEST_F(TimeTest, FirmwareThatCallsNothingIsInNoCall) {
+  for (const char* call : {"", "pinMode(13, OUTPUT);"}) {
+    start(std::string("void setup() {") + call + "}\nvoid loop() {}\n");
+    run(100 * kMillisecond);
+    EXPECT_EQ(host_->activity().call, "") << "the call of setup() has returned";
+    EXPECT_EQ(host_->activity().where.function, "loop");
+  }
+}
+
 TEST_F(TimeTest, FirmwareInALongDelayHasNotHung) {
   start("void setup() { delay(60000); } void loop() {}");
   run(5 * kSecond);
