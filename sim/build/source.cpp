@@ -250,7 +250,7 @@ void check_size(const Sketch& sketch) {
     throw InputError(
         {sketch.folder.string()},
         fmt::format("the sketch is too large: expected sources of at most {} MB together, got {} MB",
-                    kMostSources_bytes >> 20, bytes >> 20));
+                    kMostSources_bytes >> 20, (bytes + (1u << 20) - 1) >> 20));
 }
 
 /// Removes headers that are links out of the project. Throws InputError for sources that are links out of the

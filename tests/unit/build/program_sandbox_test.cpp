@@ -79,6 +79,17 @@ TEST_F(WallsTest, MakeAnIncludeOfAFileFromOutsideOneSentence) {
       "that sketches share");
 }
 
+TEST_F(WallsTest, MakeAnIncludeOfAFileThatDoesNotExistTheSameSentence) {
+  for (const char* name : {"/etc/no-such-file", "../../../../no-such-file", "/no-such-folder/a.h"}) {
+    write("Reader/Reader.ino", std::string("#include \"") + name + "\"\nvoid setup() {}\nvoid loop() {}\n");
+    EXPECT_THAT(error_of("Reader"), StartsWith(std::string("Reader.ino:1:10: ") + name +
+                                               " is not a readable file of the sketch"));
+  }
+  write("Linked/Linked.ino", "#include \"link.h\"\nvoid setup() {}\nvoid loop() {}\n");
+  std::filesystem::create_symlink("/etc/no-such-file", folder_ / "Linked/link.h");
+  EXPECT_THAT(error_of("Linked"), StartsWith("Linked.ino:1:10: link.h is not a readable file of the sketch"));
+}
+
 TEST_F(WallsTest, HoldForLinksInTheSketchToo) {
   write("Linked/Linked.ino", "#include \"link.h\"\nvoid setup() {}\nvoid loop() {}\n");
   std::filesystem::create_symlink(folder_ / "secret/secret.txt", folder_ / "Linked/link.h");
