@@ -254,8 +254,7 @@ std::string sentence(const Evidence& e) {
       if (!seen)
         return fmt::format(
             "The robot lost the line: its wheels have turned 1 m, and no line was under or between its "
-            "sensors "
-            "({}).",
+            "sensors ({}).",
             done);
       return fmt::format(
           "The robot lost the line: its wheels have turned 1 m since the line was last under or between its "
@@ -363,10 +362,18 @@ std::string forgotten_outputs(const Evidence& e) {
       many ? "their pull-ups were" : "its pull-up was", pins[0], pins[0]);
 }
 
+// Returns when the robot stopped: the run's end, or earlier if the robot is stuck.
+SimTime stopped_at(const Evidence& e) { return e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t; }
+
+// Returns the robot's mean speed until it stopped, m/s.
+double mean_speed(const Evidence& e) {
+  const SimTime until = stopped_at(e);
+  return until > 0 ? e.distance_m / (1e-9 * static_cast<double>(until)) : 0.0;
+}
+
 bool has_left_line(const Evidence& e) {
-  return e.verdict == Verdict::lost ||
-         ((e.verdict == Verdict::stuck || e.verdict == Verdict::timeout) &&
-          !left_line(e, e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t).empty());
+  const bool may_have_left = e.verdict == Verdict::stuck || e.verdict == Verdict::timeout;
+  return e.verdict == Verdict::lost || (may_have_left && left_line_before(e, stopped_at(e)));
 }
 
 // Returns N if the sketch is in a delay(N) in which a robot at mean speed drives 5 cm or more. This is enough
@@ -375,8 +382,7 @@ int long_delay(const Evidence& e) {
   constexpr double kLong_m = 0.05;
   int ms = 0;
   if (std::sscanf(e.activity.call.c_str(), "delay(%9d)", &ms) != 1) return 0;
-  const SimTime until = e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t;
-  return until > 0 && e.distance_m / (1e-9 * static_cast<double>(until)) * ms * 1e-3 >= kLong_m ? ms : 0;
+  return mean_speed(e) * ms * 1e-3 >= kLong_m ? ms : 0;
 }
 
 // Returns whether motors are driven, and no floor sensor has been read just now. An interrupt handler may
@@ -395,16 +401,13 @@ bool reads_no_more(const Evidence& e) {
   return e.moved && has_left_line(e) && seen && e.sensors_read != kNever && e.sensors_read + kLong < seen->at;
 }
 
-// A robot with wrong wiring leaves the line within this distance.
+// Length of a drive along the line that a robot with wrong wiring hardly reaches.
 constexpr double kFollowed_m = 1.0;
 
 // Returns how far the robot had driven when a sensor last saw the line, from its mean speed.
 double driven_until_lost(const Evidence& e) {
   const auto& seen = e.judge->line_last_seen();
-  const SimTime until = e.verdict == Verdict::stuck ? e.judge->stuck_since() : e.t;
-  return seen && until > 0
-             ? e.distance_m * static_cast<double>(std::min(seen->at, until)) / static_cast<double>(until)
-             : 0.0;
+  return seen ? mean_speed(e) * 1e-9 * static_cast<double>(std::min(seen->at, stopped_at(e))) : 0.0;
 }
 
 // Returns whether the robot steered away from the line before losing it, in a run without script faults.

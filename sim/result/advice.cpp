@@ -2,6 +2,10 @@
 
 namespace robosim::result {
 
+std::string without_wirings(const std::string& advice) {
+  return advice.find(kTryWirings) == advice.npos ? advice : "";
+}
+
 std::string without_host(std::string advice) {
   if (advice == kTryHost) return kWatch;
   const std::string joined = std::string(kTryHost) + kIfNot;

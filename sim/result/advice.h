@@ -13,8 +13,11 @@ inline constexpr const char* kWatch = "watch it in slow motion, or record what t
 
 inline constexpr const char* kTryWirings =
     "either the sketch reacts too late or the wrong way, or the wiring differs from the robot file (the "
-    "order of "
-    "the sensors, their values over black, a motor's side or direction): robosim wire tries the alternatives";
+    "order of the sensors, their values over black, a motor's side or direction): robosim wire tries the "
+    "alternatives";
+
+/// Returns `advice`, or nothing if it contains kTryWirings.
+std::string without_wirings(const std::string& advice);
 
 /// Returns advice without kTryHost. If nothing else remains, returns kWatch.
 std::string without_host(std::string advice);

@@ -121,8 +121,7 @@ std::vector<std::string> remarks_on(const ReportExtras& extras) {
   if (extras.other > 0)
     remarks.push_back(
         fmt::format("{} of the runs had another result when they were repeated, and are not shown: give "
-                    "report the options "
-                    "of the sweep, or the sketch, map or robot has changed since.",
+                    "report the options of the sweep, or the sketch, map or robot has changed since.",
                     extras.other));
   if (extras.cannot_be > 0)
     remarks.push_back(fmt::format(

@@ -102,10 +102,6 @@ bool drives_blindly(const result::RunResult& result) {
                      [](const result::Detected& one) { return one.detector == "blind"; });
 }
 
-std::string without_wirings(const std::string& next) {
-  return next.find(result::kTryWirings) == next.npos ? next : "";
-}
-
 std::string next_of(const result::RunResult& result) {
   const char* const flags = result.next_by == "host"       ? " (--target host)"
                             : result.next_by == "watching" ? " (--view --speed 0.2, or --record run.csv)"

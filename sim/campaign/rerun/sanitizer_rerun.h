@@ -44,8 +44,6 @@ AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request,
 
 /// Returns whether a detector has seen that the robot drove without reading its sensors.
 bool drives_blindly(const result::RunResult& result);
-/// Returns `next`, or nothing if it suggests to look at the wiring.
-std::string without_wirings(const std::string& next);
 
 /// Returns the hint `next` of the run's result, with the flags that the user needs.
 std::string next_of(const result::RunResult& result);

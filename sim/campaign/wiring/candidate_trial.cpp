@@ -17,6 +17,7 @@ constexpr std::size_t kMostTrials = 64;
 constexpr std::int64_t kSampleEvery_ns = 50'000'000;
 constexpr double kLook_s = 5.0;
 constexpr double kDrive_s = 60.0;
+constexpr double kSquare_mm = 50.0;  // of FollowedLine
 constexpr const char* kGoal = "laps:1";
 
 std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(seconds * 1e9); }
@@ -70,13 +71,13 @@ std::vector<Ways> combinations(const Ways& open) {
 }
 
 void FollowedLine::add(const wire::Sample& sample) {
-  constexpr double kNear_mm = 30.0, kSquare_mm = 50.0;
+  constexpr double kNear_mm = 30.0;
   if (std::abs(sample.cross_track_mm) > kNear_mm) return;
   squares_.emplace(static_cast<int>(std::floor(sample.x_mm / kSquare_mm)),
                    static_cast<int>(std::floor(sample.y_mm / kSquare_mm)));
 }
 
-double FollowedLine::length() const { return 0.05 * static_cast<double>(squares_.size()); }
+double FollowedLine::length() const { return 1e-3 * kSquare_mm * static_cast<double>(squares_.size()); }
 
 CandidateTrial::CandidateTrial(launch::Launch launch, const BoardSpec& board,
                                const std::filesystem::path& folder, launch::Listener listener)

@@ -56,8 +56,9 @@ class CandidateTrial {
   /// Makes drafts until a run shows nothing new, but at most five. Throws InputError if the sketch does not
   /// build.
   RobotDraft draft();
-  /// Tries the variants that `draft` leaves open, at most 64, until one follows the line for a lap. Sets
-  /// `draft` to the variant that follows the line furthest. Returns all trials, that of the draft first.
+  /// Tries the variants that `draft` leaves open, at most 64, until one follows the line for a lap. Then
+  /// only tries variants that differ from it in one way, since these may follow the line more closely. Sets
+  /// `draft` to the best variant. Returns all trials, that of the original draft first.
   std::vector<Trial> choose(RobotDraft& draft);
 
  private:

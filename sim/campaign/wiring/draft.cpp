@@ -56,7 +56,8 @@ std::string text_of(const RobotDraft& draft, const std::vector<std::string>& rem
     text += line(fmt::format("chip = \"{}\"", draft.driver),
                  draft.driver == "servo" ? "" : "? or " + other_drivers(draft.driver));
     if (!draft.standby.empty()) text += fmt::format("standby = {}\n", draft.standby);
-    if (!draft.supply.empty()) text += "\n[motors]\n" + line("supply = " + draft.supply, "? of the motors");
+    if (!draft.supply.empty())
+      text += "\n[motors]\n" + line("supply = " + draft.supply, "? voltage of the motors");
   }
   for (const PartDraft& part : draft.parts) text += text_of(part);
   if (!draft.questions.empty()) text += "\n# No part was found for:\n";

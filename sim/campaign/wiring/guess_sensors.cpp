@@ -42,7 +42,7 @@ bool is_sensor_like(const Evidence& evidence, const PinEvidence& clue) {
 // Returns the position that the name describes, from left to right: far left, left, half left, middle and so
 // on.
 int place_of(const PinEvidence& clue) {
-  const int far = says(clue.words, {"far", "out", "most", "extr", "ll", "rr", "en"}) ? 3
+  const int far = says(clue.words, {"far", "out", "most", "extr", "ll", "rr"}) ? 3
                   : says(clue.words, {"mid", "mei", "med", "mil", "mitt", "orta", "tengah", "centr", "cent",
                                       "inn", "int", "semi", "half"})
                       ? 1
@@ -144,10 +144,11 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
     });
   };
   const bool placed = is_at(true) && is_at(false);
-  if (!placed) sort_by_number(sensors);
   if (placed)
     std::stable_sort(sensors.begin(), sensors.end(),
                      [](const PinEvidence* a, const PinEvidence* b) { return place_of(*a) < place_of(*b); });
+  else
+    sort_by_number(sensors);
 
   const std::string kind = kind_of(*sensors.front());
   const Layout layout = layout_of(sensors.size(), ways.close);

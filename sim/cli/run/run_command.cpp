@@ -32,6 +32,7 @@
 #include "sim/launch/names.h"
 #include "sim/launch/run_json.h"
 #include "sim/record/recorder.h"
+#include "sim/result/advice.h"
 #include "sim/view/terminal/live_view.h"
 #include "sim/view/terminal/progress.h"
 #include "sim/view/terminal/report.h"
@@ -211,7 +212,7 @@ int run_command(const RunArguments& arguments) {
     campaign::AsFlashed flashed = campaign::rerun_with_detectors(runner, run.request, run.wanted, result);
     if (flashed.crashed) result = std::move(*flashed.crashed);
     result.detected = std::move(flashed.detected);
-    if (campaign::drives_blindly(result)) result.next = campaign::without_wirings(result.next);
+    if (campaign::drives_blindly(result)) result.next = result::without_wirings(result.next);
     progress.clear();
   }
 

@@ -37,32 +37,23 @@ class Explain : public ::testing::Test {
   }
   /// Reports to the judge that the robot is in the middle of a cell.
   void robot_is_at(SimTime t, map::CellAt cell, bool sees_line, bool driven) {
-    Pose pose{map_.centre(cell), {1.0, 0.0}};
     Situation now;
-    now.pose = &pose;
     now.sees_line = sees_line;
     now.driven = driven;
-    now.t = now.last_call = t;
-    judge_.look(now);
-    e.moved = true;
-    e.at = pose.position;
+    robot_is_at(t, {map_.centre(cell), {1.0, 0.0}}, now);
   }
   /// Reports that the robot sees the line for the last time, at 2 s in the middle of cell 3,1.
   void lose_the_line() { robot_is_at(2 * kSecond, {3, 1}, true, true); }
   /// Reports that the robot creeps forward at 1 cm/s for 5.5 s, with its motors driven.
   void creep(bool touches) {
     Pose pose{map_.centre({3, 1}), {1.0, 0.0}};
-    e.moved = true;
+    Situation now;
+    now.driven = true;
+    now.in_contact = touches;
     for (SimTime t = 0; t <= 5500 * kMillisecond; t += kTick) {
       pose.position.x += 1e-5;
-      Situation now;
-      now.pose = &pose;
-      now.driven = true;
-      now.in_contact = touches;
-      now.t = now.last_call = t;
-      judge_.look(now);
+      robot_is_at(t, pose, now);
     }
-    e.at = pose.position;
   }
   /// Reports that the robot drives circles around the middle of cell 5,2 for 10 s. Each quarter of a circle
   /// takes 250 ms; `direction` is 1 for anticlockwise. If `crosses`, the robot sees the line once in each
@@ -70,16 +61,13 @@ class Explain : public ::testing::Test {
   void drive_circles(double radius_m, int direction, bool crosses) {
     const Vec2 around[] = {{1.0, 0.0},  {0.7, 0.7},   {0.0, 1.0},  {-0.7, 0.7},
                            {-1.0, 0.0}, {-0.7, -0.7}, {0.0, -1.0}, {0.7, -0.7}};
-    e.moved = true;
+    Situation now;
+    now.driven = true;
     for (int i = 0; i <= 80; ++i) {
       const Vec2 a = around[(80 + direction * i) % 8];
-      Pose pose{map_.centre({5, 2}) + a * radius_m, left_of(a) * direction};
-      Situation now;
-      now.pose = &pose;
-      now.driven = true;
       now.sees_line = crosses && i % 8 == 0 && i < 80;
-      now.t = now.last_call = 2 * kSecond + i * 125 * kMillisecond;
-      judge_.look(now);
+      robot_is_at(2 * kSecond + i * 125 * kMillisecond,
+                  {map_.centre({5, 2}) + a * radius_m, left_of(a) * direction}, now);
     }
     e.activity.call = "delay(5)";
   }
@@ -87,6 +75,14 @@ class Explain : public ::testing::Test {
   Evidence e;
 
  private:
+  void robot_is_at(SimTime t, const Pose& pose, Situation now) {
+    now.pose = &pose;
+    now.t = now.last_call = t;
+    judge_.look(now);
+    e.moved = true;
+    e.at = pose.position;
+  }
+
   map::Map map_ = map::parse_map("_______\n_S1111_\n___1___\n___1___\n_______\n", "fork.map");
   map::Start start_ = map::default_start(map_);
   map::Network network_ = map::trace_network(map_, start_);

@@ -28,7 +28,7 @@ struct Witness final : Listener {
 };
 
 /// Firmware that only waits, so that its robot stays in place.
-class Parked final : public exec::Executor {
+class Parked : public exec::Executor {
  public:
   RobotPort& board() override { return board_; }
   exec::BoardProbe& probe() override { return board_; }
@@ -39,32 +39,22 @@ class Parked final : public exec::Executor {
   exec::Activity activity() override { return {}; }
   SimTime last_call() const override { return now_; }
 
- private:
+ protected:
   exec::BoardState board_{*find_board("uno")};
+
+ private:
   SimTime now_ = 0;
   std::optional<exec::Crash> crash_;
 };
 
 /// Firmware that drives straight ahead.
-class Straight final : public exec::Executor {
+class Straight final : public Parked {
  public:
-  RobotPort& board() override { return board_; }
-  exec::BoardProbe& probe() override { return board_; }
   void power_on(SimTime t) override {
     for (const Pin enable : {5, 6}) board_.set_drive(enable, {PinMode::output, false, true, 0.3, 0}, t);
     for (const Pin ahead : {7, 9}) board_.set_drive(ahead, {PinMode::output, true, false, 1.0, 0}, t);
     for (const Pin back : {8, 10}) board_.set_drive(back, {PinMode::output, false, false, 0.0, 0}, t);
   }
-  void power_off(SimTime t) override { board_.reset(t); }
-  void run_until(SimTime t) override { now_ = t; }
-  const std::optional<exec::Crash>& crash() const override { return crash_; }
-  exec::Activity activity() override { return {}; }
-  SimTime last_call() const override { return now_; }
-
- private:
-  exec::BoardState board_{*find_board("uno")};
-  SimTime now_ = 0;
-  std::optional<exec::Crash> crash_;
 };
 
 class AgentsTest : public testing::Test {
