@@ -19,6 +19,7 @@
 #include "sim/map/network.h"
 #include "sim/map/stripes.h"
 #include "sim/map/true_graph.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -32,9 +33,7 @@ enum Form : std::int64_t { digits, displayed };
 // A map file in the form of a comb: a trunk down the middle, a branch in every fourth row, and walls around.
 class LargeMap {
  public:
-  explicit LargeMap(Form form)
-      : path_(std::filesystem::temp_directory_path() /
-              ("robosim_bench_" + std::to_string(::getpid()) + ".map")) {
+  explicit LargeMap(Form form) {
     const char* signs = form == digits ? "012" : "_.#";
     std::FILE* file = std::fopen(path_.c_str(), "w");
     if (!file) return;
@@ -50,11 +49,11 @@ class LargeMap {
     }
     std::fclose(file);
   }
-  ~LargeMap() { std::filesystem::remove(path_); }
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  std::filesystem::path path_;
+  const robosim::test::TemporaryFolder folder_;
+  const std::filesystem::path path_ = folder_ / "large.map";
 };
 
 double peak_megabytes() {

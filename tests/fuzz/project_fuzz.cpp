@@ -11,6 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/build/project/project.h"
 #include "tests/fuzz/require.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -19,16 +20,10 @@ namespace fs = std::filesystem;
 
 /// A sketch's folder for all inputs, which is removed at the end of the program.
 struct Folder {
-  fs::path path;
+  const test::TemporaryFolder temporary;
+  const fs::path path = temporary.path();
   Folder() {
-    std::string name = (fs::temp_directory_path() / "project_fuzz-XXXXXX").string();
-    require(::mkdtemp(name.data()), "there is a folder for the files");
-    path = name;
     for (const char* sub : {"src", "lib", "include", ".pio/libdeps/uno"}) fs::create_directories(path / sub);
-  }
-  ~Folder() {
-    std::error_code none;
-    fs::remove_all(path, none);
   }
 };
 

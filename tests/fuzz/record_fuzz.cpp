@@ -2,7 +2,6 @@
 // bytes as a recording and as the CSV table of a sweep. A message that rejects a file must name the file.
 // Each row of a valid table must be a run of the sweep.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,6 +19,7 @@
 #include "sim/record/recording.h"
 #include "sim/wire/protocol.h"
 #include "tests/fuzz/require.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -27,8 +27,8 @@ using namespace robosim;
 
 void record_events(std::string_view text) {
   record::CsvRecorder table("fuzz.csv");
-  static const std::filesystem::path file =
-      std::filesystem::temp_directory_path() / fmt::format("robosim-fuzz-{}.vcd", ::getpid());
+  static const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "fuzz.vcd";
   record::VcdRecorder signals(file);
   record::RecordedRun run;
   run.robot_info.board.name = "uno";

@@ -1,7 +1,6 @@
 // Sends arbitrary headers and bodies to `robosim serve`. The server answers in HTTP or not at all. It does
 // not write outside of the served folder, nor through a link in that folder.
 #include <netinet/in.h>
-#include <stdlib.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -18,6 +17,7 @@
 #include "sim/base/descriptor.h"
 #include "sim/view/serve/server.h"
 #include "tests/fuzz/require.h"
+#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -28,9 +28,6 @@ namespace fs = std::filesystem;
 class Served {
  public:
   Served() {
-    std::string name = (fs::temp_directory_path() / "serve_fuzz-XXXXXX").string();
-    require(::mkdtemp(name.data()), "there is a folder for the files");
-    path_ = name;
     fs::create_directories(path_ / "outside");
     fs::create_directories(path_ / "served/Mine");
     std::ofstream(path_ / "served/Mine/Mine.ino") << "void setup() {}\n";
@@ -44,8 +41,6 @@ class Served {
   ~Served() {
     server_->stop();
     thread_.join();
-    std::error_code none;
-    fs::remove_all(path_, none);
   }
 
   std::string host() const { return server_->url().substr(7, server_->url().size() - 8); }
@@ -71,7 +66,8 @@ class Served {
   bool is_clean() const { return fs::is_empty(path_ / "outside"); }
 
  private:
-  fs::path path_;
+  const test::TemporaryFolder temporary_;
+  const fs::path path_ = temporary_.path();
   std::unique_ptr<serve::Server> server_;
   std::thread thread_;
 };

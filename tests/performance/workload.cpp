@@ -28,6 +28,7 @@
 #include "sim/run/simulation.h"
 #include "sim/world/world.h"
 #include "tests/support/built_in_driver.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim {
 namespace {
@@ -135,10 +136,10 @@ void read_rows(int count) {
     if (!edge && y % 4 == 3) std::memset(row.data() + 3, '1', row.size() - 6);
     text += row + '\n';
   }
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "robosim_workload.map";
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "rows.map";
   write_file(file, text);
   map::read_map(file);
-  std::filesystem::remove(file);
 }
 
 const std::map<std::string, std::function<void(int)>> kWorkloads = {

@@ -83,7 +83,7 @@ class DebuggedRunTest : public testing::Test {
  protected:
   void SetUp() override {
     ROBOSIM_NEEDS_TARGET(Target::kName);
-    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+    test::use_shared_cache();
     const std::filesystem::path folder = folder_.path() / "Debugged";
     std::filesystem::create_directories(folder);
     write_file(folder / "Debugged.ino", kSketch);

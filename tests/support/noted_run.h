@@ -13,6 +13,7 @@
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
 #include "tests/support/sum.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::run {
 
@@ -41,7 +42,7 @@ class NotedRun final : public Listener {
 
   /// Returns the sketch's image, built for the robot's board.
   static std::filesystem::path image_of(const StockRun& what, const std::string& target) {
-    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+    test::use_shared_cache();
     build::Request request{std::filesystem::path(ROBOSIM_EXAMPLES) / what.sketch,
                            *robot::load_description(what.robot).board};
     request.target = target;

@@ -27,6 +27,7 @@
 #include "sim/wire/json_writer.h"
 #include "tests/support/effort.h"
 #include "tests/support/require_target.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::run {
 namespace {
@@ -128,7 +129,7 @@ class ChipSnapshots : public testing::Test {
  protected:
   void SetUp() override {
     ROBOSIM_NEEDS_TARGET(Target::kName);
-    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+    test::use_shared_cache();
   }
   void use(const char* sketch, const char* robot, const char* map) {
     map_ = map::read_map(map::find_map(map));

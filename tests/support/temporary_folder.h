@@ -1,12 +1,13 @@
-// Creates a separate folder for each test. Tests run in parallel, and two tests with a common folder would
-// remove each other's files.
+// The only place where tests get folders for their files. Tests run in parallel, so each test has folders of
+// its own: two tests with a file of the same name would overwrite each other's file.
 #pragma once
 
 #include <stdlib.h>
 
+#include <cerrno>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace robosim::test {
 
@@ -14,8 +15,8 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "robosim-test-XXXXXX").string();
-    if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder can be made");
-    path_ = name;
+    if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), name);
+    path_ = std::filesystem::canonical(name);
   }
   ~TemporaryFolder() {
     std::error_code ignored;
@@ -25,9 +26,17 @@ class TemporaryFolder {
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
  private:
   std::filesystem::path path_;
 };
+
+/// Makes this process store its builds in a cache that all tests share, so that each sketch is compiled once.
+/// Several processes can use the cache at the same time.
+inline void use_shared_cache() {
+  const std::filesystem::path cache = std::filesystem::temp_directory_path() / "robosim-test-cache";
+  ::setenv("XDG_CACHE_HOME", cache.c_str(), 1);
+}
 
 }  // namespace robosim::test

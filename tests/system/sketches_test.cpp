@@ -2,6 +2,7 @@
 
 #include "sim/base/file.h"
 #include "tests/support/effort.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/system/system_test.h"
 
 namespace robosim::test {
@@ -80,7 +81,8 @@ TEST_P(TouringSketch, VisitsAllStationsOfMapDAndComesHomeForEverySeed) {
 }
 
 TEST_P(TouringSketch, TakesCrossingsOfFourLines) {
-  const std::filesystem::path map = std::filesystem::path(testing::TempDir()) / "crossings.map";
+  const test::TemporaryFolder folder;
+  const std::filesystem::path map = folder / "crossings.map";
   write_file(map, kCrossings);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const result::RunResult r =

@@ -209,7 +209,8 @@ TEST_F(OnTheChip, ACrashHasItsCallsAndRegisters) {
 }
 
 TEST_F(OnTheChip, ResourcesAreMeasuredAndABudgetEndsTheRun) {
-  const std::filesystem::path robot = std::filesystem::path(testing::TempDir()) / "tight.toml";
+  const test::TemporaryFolder folder;
+  const std::filesystem::path robot = folder / "tight.toml";
   write_file(robot, "base = \"uno5\"\n[budget]\nloop = \"5500 us\"\n");
   test::Run follower{.sketch = "PidFollower", .goal = "none", .for_s = 2.0, .target = "avr"};
   const result::RunResult free = run(follower);

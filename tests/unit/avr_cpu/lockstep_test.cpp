@@ -23,6 +23,7 @@ extern "C" {
 #include "sim/exec/avr/firmware.h"
 #include "tests/conformance/bench.h"
 #include "tests/support/require_target.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::avr {
 namespace lockstep_test {
@@ -94,7 +95,7 @@ class Lockstep : public testing::TestWithParam<const char*> {
  protected:
   void SetUp() override {
     ROBOSIM_NEEDS_TARGET("avr");
-    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+    test::use_shared_cache();
   }
 };
 

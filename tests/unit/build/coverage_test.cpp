@@ -2,10 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include "sim/base/archive.h"
 #include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::build {
 namespace coverage_test {
@@ -48,14 +48,11 @@ TEST(Coverage, ReadsBackTheTracefileItWrites) {
 class CoverageFolder : public testing::Test {
  protected:
   CoverageFolder() {
-    std::string pattern = testing::TempDir() + "robosim-coverage-XXXXXX";
-    folder_ = fs::canonical(::mkdtemp(pattern.data()));
     fs::create_directories(folder_ / "S");
     write_file(folder_ / "S/S.ino", "void setup() {}\nvoid loop() {}\n");
     image_.name = "S";
     image_.sketch_sha256 = "0123456789abcdef";
   }
-  ~CoverageFolder() override { fs::remove_all(folder_); }
 
   std::uint64_t count_after(const std::string& run) {
     const Coverage sum = add_to_folder(folder_ / "out", {folder_ / "S", *find_board("uno")}, image_,
@@ -64,7 +61,8 @@ class CoverageFolder : public testing::Test {
     return sum.at(0).lines.at(1);
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
   Image image_;
 };
 

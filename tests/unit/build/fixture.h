@@ -12,19 +12,17 @@
 
 #include "sim/base/file.h"
 #include "sim/build/sketch.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::build {
 
 class SketchTest : public testing::Test {
  protected:
   SketchTest() {
-    std::string pattern = testing::TempDir() + "robosim-sketch-XXXXXX";
-    folder_ = std::filesystem::canonical(::mkdtemp(pattern.data()));
-    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+    test::use_shared_cache();
     ::setenv("HOME", (folder_ / "home").c_str(), 1);
   }
   ~SketchTest() override {
-    std::filesystem::remove_all(folder_);
     for (const auto& [name, value] : environment_) ::setenv(name, value.c_str(), 1);
     ::unsetenv("TMPDIR");
   }
@@ -50,7 +48,8 @@ class SketchTest : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_;
+  const test::TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
 
  private:
   const std::pair<const char*, std::string> environment_[2] = {{"PATH", ::getenv("PATH")}, {"LC_ALL", "C"}};

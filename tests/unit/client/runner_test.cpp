@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "sim/base/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::client {
 namespace runner_test {
@@ -32,12 +33,6 @@ std::string result(int id, const char* verdict) {
 /// Starts the fake runner (fake_runner.cpp), which plays back the text `play`.
 class RunnerTest : public ::testing::Test {
  protected:
-  RunnerTest() {
-    std::string name = (fs::temp_directory_path() / "robosim-client-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-  }
-  ~RunnerTest() override { fs::remove_all(folder_); }
-
   std::string program(std::string play) {
     // Joins the lines of each message: a message is one line, but is wrapped in this source file.
     std::string::size_type at = 0;
@@ -66,7 +61,8 @@ class RunnerTest : public ::testing::Test {
     EXPECT_EQ(errno, ECHILD);
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
 };
 
 TEST_F(RunnerTest, OneRunnerServesManyRuns) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <gmock/gmock.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "sim/base/file.h"
 #include "sim/build/sketch.h"
 #include "sim/exec/host/host_executor.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::exec {
 
@@ -24,12 +24,7 @@ struct PinEvent {
 
 class HostTest : public testing::Test, protected PinWatcher, protected SerialWatcher {
  protected:
-  HostTest() {
-    std::string pattern = testing::TempDir() + "robosim-host-XXXXXX";
-    folder_ = std::filesystem::canonical(::mkdtemp(pattern.data()));
-    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
-  }
-  ~HostTest() override { std::filesystem::remove_all(folder_); }
+  HostTest() { test::use_shared_cache(); }
 
   /// Builds `text` as Test.ino.
   std::filesystem::path build(const std::string& text) {
@@ -89,7 +84,8 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
   const char* board_name_ = "uno";
   std::vector<Lateness> lateness_;
   bool sanitize_ = false;
-  std::filesystem::path folder_;
+  const test::TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
   std::unique_ptr<HostExecutor> host_;
   SimTime now_ = 0;
   std::string serial_;

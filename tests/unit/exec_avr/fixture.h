@@ -3,7 +3,6 @@
 #pragma once
 
 #include <gmock/gmock.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "sim/build/sketch.h"
 #include "sim/exec/avr/avr_executor.h"
 #include "tests/support/require_target.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::exec {
 
@@ -27,13 +27,7 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
  protected:
   void SetUp() override {
     ROBOSIM_NEEDS_TARGET("avr");
-    std::string pattern = testing::TempDir() + "robosim-avr-XXXXXX";
-    folder_ = std::filesystem::canonical(::mkdtemp(pattern.data()));
-    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
-  }
-  void TearDown() override {
-    std::error_code error;
-    std::filesystem::remove_all(folder_, error);
+    test::use_shared_cache();
   }
 
   /// Builds `text` as Test.ino.
@@ -98,7 +92,8 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
   const char* board_name_ = "uno";
   bool sanitize_ = false;
   MakeChipDetectors make_detectors_;  ///< creates the detectors that detect() turns on
-  std::filesystem::path folder_;
+  const test::TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
   build::Image built_;
   std::unique_ptr<AvrExecutor> avr_;
   SimTime now_ = 0;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <gmock/gmock.h>
-#include <stdlib.h>
 
 #include <filesystem>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "sim/build/sketch.h"
 #include "sim/exec/stm32/stm32_executor.h"
 #include "tests/support/require_target.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::exec {
 
@@ -21,13 +21,7 @@ class Stm32ChipTest : public testing::Test, protected SerialWatcher {
  protected:
   void SetUp() override {
     ROBOSIM_NEEDS_TARGET("stm32");
-    std::string pattern = testing::TempDir() + "robosim-stm32-XXXXXX";
-    folder_ = std::filesystem::canonical(::mkdtemp(pattern.data()));
-    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
-  }
-  void TearDown() override {
-    std::error_code error;
-    std::filesystem::remove_all(folder_, error);
+    test::use_shared_cache();
   }
 
   /// Builds `text` as Test.ino, and switches on a board with the image.
@@ -66,7 +60,8 @@ class Stm32ChipTest : public testing::Test, protected SerialWatcher {
 
   const char* board_name_ = "bluepill";
   SimTime clock_start_ = 0;
-  std::filesystem::path folder_;
+  const test::TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
   std::unique_ptr<Stm32Executor> chip_;
   SimTime now_ = 0;
   std::string serial_;

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -103,7 +102,7 @@ TEST_F(LaunchTest, TellsOfSeveralRunsOnceWhatTheyShare) {
 
 TEST_F(LaunchTest, SaysOfWhatNeedsTheChipThatItCompilesThere) {
   if (!build::missing_tool("host").empty() || !build::missing_tool("avr").empty()) GTEST_SKIP();
-  ::setenv("XDG_CACHE_HOME", (::testing::TempDir() + "robosim-test-cache").c_str(), 1);
+  test::use_shared_cache();
   const auto error_of = [this](const std::string& code) {
     write_file(folder_.path() / "needy.cpp", "#include <Arduino.h>\n" + code + "void loop() {}\n");
     try {

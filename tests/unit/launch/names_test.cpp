@@ -2,11 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <fstream>
 
 #include "sim/base/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::launch {
 namespace names_test {
@@ -18,16 +18,8 @@ using ::testing::IsEmpty;
 
 class NamesTest : public ::testing::Test {
  protected:
-  NamesTest() {
-    std::string name = (fs::temp_directory_path() / "robosim-names-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
-    before_ = fs::current_path();
-    fs::current_path(folder_);
-  }
-  ~NamesTest() override {
-    fs::current_path(before_);
-    fs::remove_all(folder_);
-  }
+  NamesTest() { fs::current_path(folder_); }
+  ~NamesTest() override { fs::current_path(before_); }
   void touch(const std::string& name) const {
     fs::create_directories((folder_ / name).parent_path());
     std::ofstream(folder_ / name) << "";
@@ -41,7 +33,8 @@ class NamesTest : public ::testing::Test {
     }
     return "";
   }
-  fs::path folder_, before_;
+  const test::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path(), before_ = fs::current_path();
 };
 
 TEST_F(NamesTest, ASketchWithoutANameIsTheCurrentFolder) {

@@ -1,12 +1,12 @@
 #include "sim/launch/run_settings.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "sim/base/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::launch {
 namespace run_settings_test {
@@ -19,7 +19,8 @@ TEST(ScenarioText, SendIsTheShortFormOfALineOfScript) {
 }
 
 TEST(ScenarioText, SendsComeAfterTheScriptWhoseLineNumbersStay) {
-  const auto path = std::filesystem::temp_directory_path() / ("robosim-script-" + std::to_string(::getpid()));
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder / "script";
   std::ofstream(path) << "at 2s press start";
   RunSettings settings;
   settings.script = path;

@@ -162,7 +162,7 @@ TEST(ReadMap, AFileLargerThanAChunkReadsAsItsTextDoes) {
 
 TEST(ReadMap, FilesThatCannotBeReadAreNamed) {
   EXPECT_THROW(read_map("no/such.map"), InputError);
-  EXPECT_THROW(read_map(testing::TempDir()), InputError);
+  EXPECT_THROW(read_map(test::TemporaryFolder().path()), InputError);
 }
 
 TEST(FindMap, KnowsTheSamplesAndListsThem) {

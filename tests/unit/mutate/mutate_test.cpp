@@ -12,6 +12,7 @@
 #include "sim/base/program_sandbox.h"
 #include "sim/campaign/mutate/operators.h"
 #include "tests/support/require_target.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::mutate {
 namespace mutate_test {
@@ -53,14 +54,7 @@ class Sketch : public testing::Test {
   void SetUp() override {
     ROBOSIM_NEEDS_TARGET("host");
     ROBOSIM_NEEDS_CLANG();
-    std::string name = (std::filesystem::temp_directory_path() / "robosim-mutate-XXXXXX").string();
-    ASSERT_TRUE(::mkdtemp(name.data()));
-    folder_ = name;
     std::filesystem::create_directory(folder_ / "S");
-  }
-  void TearDown() override {
-    std::error_code ignored;
-    if (!folder_.empty()) std::filesystem::remove_all(folder_, ignored);
   }
 
   void file(const std::string& name, const std::string& text) { write_file(folder_ / "S" / name, text); }
@@ -74,7 +68,8 @@ class Sketch : public testing::Test {
     return all;
   }
 
-  std::filesystem::path folder_;
+  const test::TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
 };
 
 TEST_F(Sketch, IsAllThatClangSees) {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "sim/build/project/board_names.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::project {
 namespace project_test {
@@ -19,12 +20,9 @@ using ::testing::IsEmpty;
 class ProjectTest : public ::testing::Test {
  protected:
   ProjectTest() {
-    std::string name = (fs::temp_directory_path() / "robosim-project-XXXXXX").string();
-    folder_ = ::mkdtemp(name.data());
     ::setenv("HOME", folder_.c_str(), 1);
     ::unsetenv("ARDUINO_DIRECTORIES_USER");
   }
-  ~ProjectTest() override { fs::remove_all(folder_); }
 
   void write(const std::string& name, const std::string& text) const {
     fs::create_directories((folder_ / name).parent_path());
@@ -49,7 +47,8 @@ class ProjectTest : public ::testing::Test {
     return "nothing was refused";
   }
 
-  fs::path folder_;
+  const test::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
 };
 
 std::string board(const BoardSpec* found) { return found ? found->name : "none"; }

@@ -7,6 +7,7 @@
 
 #include "sim/base/file.h"
 #include "sim/record/trail_path.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::record {
 namespace record_svg_test {
@@ -32,9 +33,8 @@ class Picture : public ::testing::Test {
     return read_file(file);
   }
 
-  const std::string base =
-      (std::filesystem::temp_directory_path() / ("robosim-svg-" + std::to_string(::getpid()))).string();
-  const std::string map = base + ".map", file = base + ".svg";
+  const test::TemporaryFolder folder;
+  const std::string map = folder / "picture.map", file = folder / "picture.svg";
   RecordedRun run;
   SvgRecorder recorder{file};
 };

@@ -3,14 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "sim/base/file.h"
 #include "sim/wire/run_columns.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::record {
 namespace record_trace_test {
@@ -44,10 +43,9 @@ class ATrace : public ::testing::Test {
     write_trace(Recording::decode(gatherer.encoded(result), "x.rec"), file);
     return Json::parse(read_file(file));
   }
-  ~ATrace() override { std::filesystem::remove(file); }
 
-  std::filesystem::path file = std::filesystem::temp_directory_path() /
-                               ("robosim-trace-" + std::to_string(::getpid()) + ".perfetto.json");
+  const test::TemporaryFolder folder;
+  const std::filesystem::path file = folder / "run.perfetto.json";
   RecordedRun run;
   result::RunResult result;
   Gatherer gatherer;

@@ -11,6 +11,7 @@
 #include "sim/record/compressed.h"
 #include "sim/record/record_page.h"
 #include "sim/wire/run_columns.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::record {
 namespace recording_test {
@@ -32,8 +33,6 @@ std::string refusal(const std::string& bytes) {
 class ARecording : public ::testing::Test {
  protected:
   ARecording() {
-    folder = std::filesystem::temp_directory_path() / ("robosim-recording-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
     write_file(folder / "t.map", "+++\nname = \"t\"\ncorner = \"50 mm\"\n+++\n____#\n_S.._\n___._\n_____\n");
     run.sketch = "Mine";
     run.robot_info.board.name = "uno";
@@ -46,7 +45,6 @@ class ARecording : public ::testing::Test {
     gatherer.add(started);
     columns.begin(started.readings);
   }
-  ~ARecording() override { std::filesystem::remove_all(folder); }
 
   std::string encoded() {
     gatherer.add(columns.take());
@@ -54,7 +52,8 @@ class ARecording : public ::testing::Test {
   }
   Recording written() { return Recording::decode(encoded(), "x.rec"); }
 
-  std::filesystem::path folder;
+  const test::TemporaryFolder temporary;
+  const std::filesystem::path folder = temporary.path();
   RecordedRun run;
   Gatherer gatherer;
   wire::RunColumns columns{{"D2", "D5", "A0"}};

@@ -8,6 +8,7 @@
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/robot/describe.h"
 #include "tests/support/require_target.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::runner {
 namespace verdict_trace_test {
@@ -20,11 +21,11 @@ class VerdictTrace : public testing::Test {
  protected:
   void SetUp() override {
     ROBOSIM_NEEDS_TARGET("avr");
-    ::setenv("XDG_CACHE_HOME", (testing::TempDir() + "robosim-test-cache").c_str(), 1);
+    test::use_shared_cache();
   }
   /// Returns the texts of the chain's links for a sketch that sets its motors' pins, then repeats `loop`.
-  static std::string links_of(const std::string& loop, const std::string& more = "") {
-    const std::filesystem::path folder = testing::TempDir() + "robosim-why/Test";
+  std::string links_of(const std::string& loop, const std::string& more = "") {
+    const std::filesystem::path folder = folder_ / "Test";
     std::filesystem::create_directories(folder);
     write_file(folder / "Test.ino", more + R"(
 void setup() {
@@ -50,6 +51,8 @@ void loop() { )" + loop + " }\n");
       texts += cause.text + "\n";
     return texts;
   }
+
+  const test::TemporaryFolder folder_;
 };
 
 constexpr const char* kDrives =

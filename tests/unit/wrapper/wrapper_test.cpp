@@ -14,6 +14,7 @@
 #include <string>
 
 #include "sim/base/file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace wrapper_test {
 
@@ -35,8 +36,6 @@ struct Result {
 class Wrapper : public testing::Test {
  protected:
   Wrapper() {
-    std::string name = (fs::temp_directory_path() / "wrapper.XXXXXX").string();
-    folder_ = fs::canonical(::mkdtemp(name.data()));
     const fs::path source = ROBOSIM_SOURCE_DIR;
     for (const char* part : {"checkout/toolchain", "checkout/hal", "checkout/sim", "bin", "elsewhere"})
       fs::create_directories(folder_ / part);
@@ -100,7 +99,8 @@ class Wrapper : public testing::Test {
     return content;
   }
 
-  fs::path folder_;
+  const robosim::test::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path();
 };
 
 TEST_F(Wrapper, HandsItsArgumentsToTheBuiltCommandInTheUsersFolder) {

@@ -1,0 +1,25 @@
+// Tests that tests share no files. Tests run in parallel: with a common file, one reads what another wrote.
+#include <gtest/gtest.h>
+
+#include "tests/unit/structure/include_table.h"
+
+namespace robosim::structure {
+namespace temporary_files_test {
+
+TEST(TemporaryFiles, AreInFoldersOfTheTestsThemselves) {
+  for (const auto& [file, text] : read_sources(ROBOSIM_SOURCE_DIR)) {
+    if (!file.starts_with("tests/") || file == "tests/support/temporary_folder.h") continue;
+    for (const char* shared : {"TempDir"
+                               "()",
+                               "temp_directory"
+                               "_path",
+                               "mkd"
+                               "temp"})
+      EXPECT_EQ(text.find(shared), text.npos)
+          << file
+          << ": takes a place that all tests share; TemporaryFolder (tests/support) is the test's own";
+  }
+}
+
+}  // namespace temporary_files_test
+}  // namespace robosim::structure
