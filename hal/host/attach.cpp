@@ -60,7 +60,8 @@ void attachInterrupt(uint8_t number, void (*handler)(), int mode) {
   const Pin pin = pin_of(number);
   host::note_call("attachInterrupt", pin, 2, number, mode);
   host::spend(cost::kAttachInterrupt);
-  if (pin == kNoPin) return;
+  if (pin == kNoPin)
+    return host::executor->acted({robosim::FirmwareAction::Kind::attach_interrupt, {number, mode, 0}});
   const int external = host::places[pin].external;
   if (external < 0) {
     attach_line(pin, handler, mode);

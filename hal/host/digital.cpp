@@ -17,7 +17,7 @@ namespace {
 
 uint8_t reference = DEFAULT;
 
-constexpr int kAdcBits = host::kChip.adc.bits, kPwmBits = 8;
+constexpr int kAdcBits = host::kChip.adc.bits, kPwmBits = 8, kPwmOn = (1 << kPwmBits) - 1;
 constexpr int kLastChannel = host::kChip.adc.pins - 1;
 
 /// Sets the mode of a pin. Returns whether anything has changed.
@@ -136,7 +136,13 @@ ROBOSIM_FREQUENT void analogWrite(uint8_t pin, int value) {
   value = robosim_hal::with_bits(value, robosim_hal::write_bits, kPwmBits);
   const host::TimerPin by = host::timer_of(pin);
   const bool by_itself = host::has_pwm_without_timer(pin);
-  const bool digital = value == 0 || value == 255 || (by.timer < 0 && !by_itself);
+  bool digital = by.timer < 0 && !by_itself;
+  if (__builtin_expect(digital || static_cast<unsigned>(value - 1) >= kPwmOn - 1, 0)) {
+    const bool full = value == 0 || value == kPwmOn;
+    if (!full && robosim_hal::write_bits == kPwmBits)
+      host::executor->acted({robosim::FirmwareAction::Kind::analog_write, {pin, value, 0}});
+    digital = digital || full;
+  }
   host::spend(digital ? cost::kAnalogWriteDigital : cost::kAnalogWrite);
   if (!host::is_digital(pin)) return;
   const bool was_input = set_mode(pin, OUTPUT);

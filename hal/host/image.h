@@ -14,6 +14,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "hal/board/firmware_action.h"
 #include "hal/board/firmware_port.h"
 #include "hal/board/input_reads.h"
 
@@ -22,7 +23,7 @@ namespace host {
 
 /// The version of these declarations. Increment the version with every change. An image of another version is
 /// rejected.
-constexpr uint32_t kImageVersion = 17;
+constexpr uint32_t kImageVersion = 18;
 
 /// An input that reaches the chip from outside without a read by firmware.
 struct Input {
@@ -94,6 +95,8 @@ class Host {
   /// Reports the use of a chip feature that the image does not simulate. Firmware may then behave differently
   /// than on the chip. `what` is a string literal with the usual name of the feature: "CLKPR".
   virtual void lacks(const char* what, const void* where) = 0;
+  /// Reports an action that may be a mistake. The firmware then continues as the chip does.
+  virtual void acted(const FirmwareAction& action) = 0;
   /// Passes `count` records of global variables. Only images with address checks call this function.
   virtual void globals(const GlobalRecord* records, size_t count) = 0;
   /// Reports an access that an address check has rejected; does not return. Only images with address checks

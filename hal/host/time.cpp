@@ -57,6 +57,8 @@ unsigned long micros() {
 void delay(unsigned long ms) {
   host::note_call("delay", kNoPin, 1, static_cast<int32_t>(ms));
   ms = static_cast<uint32_t>(ms);  // 32 bits, as on a chip: delay(-1) takes 49 days
+  if (ms >> 31)
+    host::executor->acted({robosim::FirmwareAction::Kind::delay, {static_cast<int64_t>(ms), 0, 0}});
   host::be_late_if_due();
   unsigned long start = read_micros() - static_cast<unsigned long>(host::sooner / robosim::kMicrosecond);
   host::sooner = 0;

@@ -60,20 +60,29 @@ void Timer::take_registers(const Phase& phase) {
   refresh_waves();
 }
 
+void Timer::tell_of_mode(bool made_pwm, uint8_t control_a) const {
+  if (made_pwm == makes_pwm()) return;
+  const int connected = (avr::connection(control_a, 0) >> 1) | (avr::connection(control_a, 1) & 2);
+  executor->acted({FirmwareAction::Kind::timer_mode, {number_, makes_pwm(), connected}});
+}
+
 void Timer::set_control_a(uint8_t value) {
   const Phase phase = leave_registers();
-  const bool captured = captures_edges();
+  const bool captured = captures_edges(), made_pwm = makes_pwm();
+  const uint8_t before = control_a_;
   control_a_ = value;
   take_registers(phase);
+  tell_of_mode(made_pwm, before);
   if (captured != captures_edges()) refresh_external();
 }
 
 void Timer::set_control_b(uint8_t value) {
   const Phase phase = leave_registers();
-  const bool counted = counts_edges(), captured = captures_edges();
+  const bool counted = counts_edges(), captured = captures_edges(), made_pwm = makes_pwm();
   const uint8_t before = control_b_;
   control_b_ = value;
   take_registers(phase);
+  tell_of_mode(made_pwm, control_a_);
   if (value & (kCanceler | kRisingCapture)) listen_to_captures();
   if (counted != counts_edges() || captured != captures_edges()) refresh_external();
   if (value & ~before & kCanceler) begin_canceler();
@@ -90,8 +99,10 @@ void Timer::set_connection(int channel, uint8_t bits) {
 
 void Timer::set_compare(int channel, uint16_t value) {
   const uint8_t flag = channel == 0 ? compare_a : compare_b;
-  const bool interrupts = enabled_ & flag, pwm = counting_.kind == avr::Counting::Kind::pwm;
+  const bool interrupts = enabled_ & flag, pwm = makes_pwm();
   if (value == compare_[channel]) return;
+  if (!pwm && connection(channel) & 2)
+    executor->acted({FirmwareAction::Kind::compare_write, {number_, channel, 0}});
   if (!pwm && (is_top(channel) || interrupts)) {
     const Phase phase = leave_registers();
     compare_[channel] = value;

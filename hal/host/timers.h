@@ -124,6 +124,9 @@ class Timer {
     int32_t prescaler;
     SimTime tick_began;
   };
+  bool makes_pwm() const { return counting_.kind == avr::Counting::Kind::pwm; }
+  /// Reports that the timer has left or entered PWM. The arguments are the state before a write to TCCRnx.
+  void tell_of_mode(bool made_pwm, uint8_t control_a) const;
   ROBOSIM_RARE Phase leave_registers();
   ROBOSIM_RARE void take_registers(const Phase& phase);
   ROBOSIM_RARE void keep_level(int channel, int64_t tick);

@@ -1,11 +1,13 @@
 #include "sim/detect/detectors.h"
 
 #include "sim/detect/blind_driving.h"
+#include "sim/detect/doubtful_actions.h"
 #include "sim/detect/eeprom_wear.h"
 #include "sim/detect/forgotten_output.h"
-#include "sim/detect/lost_pwm.h"
+
 #include "sim/detect/motors_left_on.h"
 #include "sim/detect/overwritten_record.h"
+#include "sim/detect/slow_control.h"
 #include "sim/detect/slow_serial.h"
 #include "sim/detect/slow_source.h"
 #include "sim/detect/torn_record.h"
@@ -29,9 +31,9 @@ Detectors::Detectors(const robot::Robot& robot, exec::Executor& executor, double
   snapshots_.add(state_);
   if (floor_.are_known())
     steering_ = {&add<BlindDriving>(robot.sensor_midpoint().x, line_m), &add<MotorsLeftOn>(),
-                 &add<SlowSerial>()};
+                 &add<SlowSerial>(), &add<SlowControl>(robot.wiring())};
   add<ForgottenOutput>(robot.wiring());
-  add<LostPwm>();
+  add<DoubtfulCalls>();
   add<SlowSource>();
   add<EepromWear>();
   add<TornRecord>();

@@ -19,6 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(file.is_open() && write_all(file.get(), content) == 0, "the file can be written");
   const exec::DebugInfo info("/proc/self/fd/" + std::to_string(file.get()));
   std::size_t found = info.lines().size() + info.numbers().size() + info.code_of("loop").itself.size();
+  found += info.entries_of("delay").size();
   for (std::uint32_t pc = 0; pc < 0x200; pc += 2)
     found += info.frames(pc).size() + info.place(pc).file.size();
   for (std::uint32_t address = 0x100; address < 0x110; ++address)

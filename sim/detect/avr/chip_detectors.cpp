@@ -1,6 +1,7 @@
 #include "sim/detect/avr/chip_detectors.h"
 
-#include "sim/detect/avr/analog_write_calls.h"
+#include "sim/detect/avr/busy_handlers.h"
+#include "sim/detect/avr/firmware_actions.h"
 #include "sim/detect/avr/float_equality.h"
 #include "sim/detect/avr/heap.h"
 #include "sim/detect/avr/missed_interrupts.h"
@@ -19,11 +20,12 @@ std::vector<std::unique_ptr<exec::Detector>> chip_detectors(const RunningProgram
   all.push_back(std::make_unique<Heap>(program));
   all.push_back(std::make_unique<WatchdogMargin>(program));
   all.push_back(std::make_unique<FloatEquality>(program));
-  all.push_back(std::make_unique<AnalogWriteCalls>(program));
+  all.push_back(std::make_unique<FirmwareActions>(program));
   all.push_back(std::make_unique<ReferenceChange>(program));
   all.push_back(std::make_unique<StackMargin>(program));
   all.push_back(std::make_unique<NestedLoop>(program));
   all.push_back(std::make_unique<TornAccess>(program));
+  all.push_back(std::make_unique<BusyHandlers>(program));
   return all;
 }
 

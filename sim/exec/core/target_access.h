@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hal/board/board.h"
+#include "hal/board/firmware_action.h"
 #include "sim/exec/core/cause_finder.h"
 #include "sim/result/lateness.h"
 #include "sim/result/run_result.h"
@@ -55,6 +56,16 @@ class ChipAccess {
   ~ChipAccess() = default;
 };
 
+/// Receives the actions of firmware that may be mistakes.
+class ActionWatcher {
+ public:
+  /// Receives an action while the firmware carries it out: Executor::sketch_source() is the action's line.
+  virtual void acted(const FirmwareAction& action, SimTime t) = 0;
+
+ protected:
+  ~ActionWatcher() = default;
+};
+
 /// The interface to firmware that is compiled for this computer.
 class HostAccess {
  public:
@@ -65,6 +76,8 @@ class HostAccess {
   /// Delays the sketch at these times, as if its code took longer. The times must be in ascending order.
   /// Takes effect at the next power-on.
   virtual void set_lateness(const std::vector<result::Lateness>& lateness) = 0;
+  /// Sets the only watcher of actions that may be mistakes. The watcher must not influence the run.
+  virtual void watch_actions(ActionWatcher& watcher) = 0;
 
  protected:
   ~HostAccess() = default;

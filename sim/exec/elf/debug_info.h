@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,21 @@ class DebugInfo {
     std::vector<Range> inlined;  ///< copies of the function that were inlined into other functions
   };
   CodeOf code_of(const std::string& function) const;
+
+  /// Where a parameter's value is when its function begins. Without registers and constant, this is unknown.
+  struct Argument {
+    std::vector<std::uint8_t> registers;  ///< DWARF's numbers of registers with a byte each, the lowest first
+    std::optional<std::int64_t> constant;
+  };
+  /// A place where a function begins: its code itself, a variant of it, or a copy that was inlined. Of an
+  /// inlined copy, the address may be a few instructions after the beginning, so that the arguments are
+  /// known.
+  struct Entry {
+    std::uint32_t address = 0;
+    bool is_inlined = false;
+    std::vector<Argument> arguments;  ///< in the order of the declaration
+  };
+  std::vector<Entry> entries_of(const std::string& function) const;
 
   /// An address where a statement of a source line begins. A line may have several addresses, and an address
   /// may belong to several lines.

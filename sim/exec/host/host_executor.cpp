@@ -187,6 +187,10 @@ class HostExecutor::Instance final : public host::Host {
     owner_.unsupported_features_.add(what, place_of({}, where), owner_.clocked_.to_world(state_.now));
   }
 
+  void acted(const FirmwareAction& action) override {
+    if (owner_.action_watcher_) owner_.action_watcher_->acted(action, owner_.clocked_.to_world(state_.now));
+  }
+
   void globals(const host::GlobalRecord* records, std::size_t count) override {
     globals_.insert(globals_.end(), records, records + count);
   }

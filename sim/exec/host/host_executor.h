@@ -56,6 +56,7 @@ class HostExecutor final : public Executor, public HostAccess {
   /// the duration of the simulation (hal/host/polling.h).
   void skip_waiting(bool may) { skips_waiting_ = may; }
   void set_lateness(const std::vector<Lateness>& lateness) override { injected_delays_.set(lateness); }
+  void watch_actions(ActionWatcher& watcher) override { action_watcher_ = &watcher; }
   void set_clock_drift(int ppm, SimTime t) override { clocked_.drift(ppm, t); }
 
  private:
@@ -70,6 +71,7 @@ class HostExecutor final : public Executor, public HostAccess {
   bool skips_waiting_ = true;
   InjectedDelays injected_delays_;
   std::unique_ptr<Instance> instance_;
+  ActionWatcher* action_watcher_ = nullptr;
   std::optional<Crash> crash_;
   WatchdogResets watchdog_resets_;
   Divisions divisions_;

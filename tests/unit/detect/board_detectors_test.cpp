@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include "sim/detect/lost_pwm.h"
 #include "sim/detect/slow_source.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
@@ -39,8 +38,6 @@ class Blinker final : public exec::Executor {
   const std::optional<exec::Crash>& crash() const override { return crash_; }
   exec::Activity activity() override { return {next_, "", kNoPin, kNoPin, {"loop", "A.ino", 9}, ""}; }
   SimTime last_call() const override { return next_; }
-  std::string call_now() const override { return call; }
-  std::string call;
 
  private:
   static constexpr Pin kLed = 13;
@@ -84,25 +81,6 @@ TEST(BoardDetectors, SayNothingOfAPinThatIsHighFirstAndAnOutputThen) {
   const auto found = detected(Blinker::Led::high_first);
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].detector, "eeprom_wear");
-}
-
-TEST(BoardDetectors, TellOfAnalogWriteOnAPinWithoutPwmByTheCallThatChangesIt) {
-  Blinker sketch(Blinker::Led::high_first);
-  const auto pins_of = [&](const std::string& call, Pin pin) {
-    sketch.call = call;
-    SnapshotRegistry snapshots;
-    LostPwm detector(sketch, snapshots);
-    for (const bool level : {false, true})
-      detector.pin_changed(pin, {PinMode::output, level, false, level * 1.0}, kSecond);
-    return detector.found(kSecond);
-  };
-  const auto found = pins_of("analogWrite(7, 150)", 7);
-  ASSERT_THAT(found, SizeIs(1));
-  EXPECT_EQ(found[0].times, 2);
-  EXPECT_THAT(found[0].what, HasSubstr("analogWrite(7, 150)"));
-  EXPECT_THAT(pins_of("analogWrite(7, 255)", 7), IsEmpty());
-  EXPECT_THAT(pins_of("digitalWrite(7, 1)", 7), IsEmpty());
-  EXPECT_THAT(pins_of("analogWrite(5, 150)", 5), IsEmpty()) << "pin 5 has PWM";
 }
 
 TEST(BoardDetectors, TellOfAPinThatIsReadBeforeItsWeakSourceHasChargedTheConverter) {

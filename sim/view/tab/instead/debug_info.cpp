@@ -11,6 +11,7 @@ std::vector<SourceLine> DebugInfo::frames(std::uint32_t) const { return {}; }
 const SourceLine& DebugInfo::place(std::uint32_t pc) const { return places_[pc]; }
 const SourceLine& DebugInfo::sketch_place(std::uint32_t pc) const { return sketch_places_[pc]; }
 DebugInfo::CodeOf DebugInfo::code_of(const std::string&) const { return {}; }
+std::vector<DebugInfo::Entry> DebugInfo::entries_of(const std::string&) const { return {}; }
 std::vector<DebugInfo::CodeLine> DebugInfo::lines() const { return {}; }
 std::vector<std::uint32_t> DebugInfo::numbers() const { return {}; }
 DebugInfo::Variable DebugInfo::variable_at(std::uint32_t) const { return {}; }

@@ -1,0 +1,55 @@
+// Finds the actions of firmware on an AVR that may be mistakes, and passes them to DoubtfulActions
+// (doubtful_actions.h).
+//
+// Calls: debug information tells where a function of the API begins, and which registers have its arguments
+// there. This includes copies that the compiler has inlined. Calls whose arguments are elsewhere are not
+// found.
+//
+// Timers: every instruction of the program that stores to TCCRnA, TCCRnB or OCRnx at a constant address.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "sim/detect/avr/chip_detector.h"
+#include "sim/detect/doubtful_actions.h"
+
+namespace robosim::detect::avr {
+
+class FirmwareActions final : public ChipDetector {
+ public:
+  explicit FirmwareActions(const RunningProgram& program);
+
+  void visited(std::uint32_t pc, Cycle at) override;
+  std::vector<Detected> found(SimTime now) const override { return actions_.found(now); }
+
+ private:
+  /// A store to a register of a timer.
+  struct Store {
+    int timer = 0;      ///< index in ChipSpec::timers
+    int output = -1;    ///< the output whose OCRnx is written; -1 = none
+    bool is_b = false;  ///< TCCRnB is written, not TCCRnA
+  };
+
+  void find_stores();
+  /// A place where a function of the API begins.
+  struct Function {
+    FirmwareAction::Kind kind;
+    exec::DebugInfo::Entry entry;
+  };
+
+  void find_functions();
+  void called(const Function& function);
+  void stored(const Store& store, std::uint8_t value);
+  void tell(FirmwareAction::Kind kind, int64_t first, int64_t second, int64_t third,
+            const std::function<SourceLine()>& where);
+
+  const RunningProgram program_;
+  const robosim::avr::Cpu& cpu_;
+  std::multimap<std::uint32_t, Function> functions_;  ///< by the byte address of their first instruction
+  std::map<std::uint32_t, Store> stores_;             ///< by the byte address of the instruction
+  DoubtfulActions actions_;
+};
+
+}  // namespace robosim::detect::avr

@@ -1,0 +1,106 @@
+#include "sim/detect/slow_control.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace robosim::detect {
+namespace {
+
+constexpr double kOtherCommand = 0.005;
+constexpr SimTime kLeastInterval = 20 * kMillisecond, kJitter = 2 * kMillisecond;
+// The motors of a robot change one after the other, each at the end of a period of its PWM.
+constexpr SimTime kOneChange = 4 * kMillisecond;
+constexpr double kJitterShare = 0.05, kLeastWay_m = 0.02, kGoodWay_m = 0.005;
+constexpr int kLeastRow = 4, kLeastReads = 4, kManyLosses = 3;
+
+bool is_motor(const std::string& type) { return type == "motor" || type == "motors"; }
+
+/// Returns whether an interval is a multiple of another one.
+bool is_multiple(SimTime interval, SimTime of) {
+  const SimTime times = std::max<SimTime>(1, (interval + of / 2) / of),
+                rest = std::abs(interval - times * of);
+  return rest <= std::max(kJitter, static_cast<SimTime>(kJitterShare * static_cast<double>(interval)));
+}
+
+}  // namespace
+
+SlowControl::SlowControl(exec::Executor& executor, SnapshotRegistry& snapshots,
+                         const std::vector<robot::WiredPin>& wiring)
+    : executor_(executor) {
+  state_.lost.times = 0;
+  for (const robot::WiredPin& wired : wiring)
+    if (is_motor(wired.type) && wired.pin < executor.board().spec().pin_count)
+      executor.board().watch(wired.pin, *this);
+  snapshots.add(state_);
+}
+
+void SlowControl::pin_changed(Pin, const PinDrive&, SimTime) {
+  if (state_.regular >= kLeastRow && state_.where.file.empty()) state_.where = executor_.sketch_source();
+}
+
+void SlowControl::look(const Steering& now) {
+  State& s = state_;
+  s.reads += now.asks_floor;
+  s.found_again |= now.sees_line;
+  s.saw_line |= now.sees_line;
+  if (!now.on_its_own) {
+    s.shortest = 0;
+    s.regular = 0;
+    s.changed = now;
+  } else if (std::abs(now.left - s.before.left) > kOtherCommand ||
+             std::abs(now.right - s.before.right) > kOtherCommand) {
+    commands_changed(now);
+  }
+  s.before = now;
+}
+
+void SlowControl::commands_changed(const Steering& now) {
+  State& s = state_;
+  const SimTime interval = now.t - s.changed.t;
+  if (interval <= kOneChange) return;
+  const double way = now.distance_m - s.changed.distance_m;
+  const bool is_slow = interval >= kLeastInterval && s.reads >= kLeastReads;
+  if (is_slow && s.shortest > 0 &&
+      is_multiple(std::max(interval, s.shortest), std::min(interval, s.shortest))) {
+    ++s.regular;
+    s.shortest = std::min(s.shortest, interval);
+  } else {
+    s.regular = 0;
+    s.shortest = is_slow ? interval : 0;
+  }
+  if (s.regular >= kLeastRow && s.saw_line && !now.sees_line && way >= kLeastWay_m) {
+    if (s.lost.times == 0) {
+      const double seconds = 1e-9 * static_cast<double>(s.shortest);
+      const double step_m = way * static_cast<double>(s.shortest) / static_cast<double>(interval);
+      s.lost = {
+          result::detector("slow_control"),
+          fmt::format(
+              "the line went out from under the sensors between two changes of the motors' power: it changed "
+              "only each {:.0f} ms, {:.0f} mm of way, although line sensors were read {} times in between; "
+              "it is "
+              "changed",
+              1e3 * seconds, 1e3 * step_m, s.reads),
+          fmt::format(
+              "Compute and set the motors more often: at this speed each {:.0f} ms. Some PID libraries "
+              "compute only each 100 ms unless SetSampleTime() is called.",
+              std::max(1.0, std::floor(1e3 * seconds * kGoodWay_m / step_m))),
+          s.where,
+          1e-9 * static_cast<double>(s.changed.t),
+          0};
+    }
+    ++s.lost.times;
+    s.found_again = false;
+  }
+  s.changed = now;
+  s.saw_line = now.sees_line;
+  s.reads = 0;
+}
+
+std::vector<exec::Detected> SlowControl::found(SimTime) const {
+  if (state_.lost.times == 0 || (state_.found_again && state_.lost.times < kManyLosses)) return {};
+  return {state_.lost};
+}
+
+}  // namespace robosim::detect

@@ -1,0 +1,155 @@
+// Implements DebugInfo::entries_of(). DWARF tells where a function begins, also where it was inlined, and
+// which registers have its parameters there (DWARF 4, 2.6 and 3.3.8).
+#include <dwarf.h>
+#include <elfutils/libdw.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "sim/exec/elf/debug_info.h"
+
+namespace robosim::exec {
+namespace {
+
+// Limits, which end the search in damaged files.
+constexpr int kMostScopes = 256, kMostParts = 64;
+constexpr std::size_t kMostEntries = 4096, kMostParameters = 16, kMostBegins = 256;
+
+/// Returns the DIEs of a function's parameters, in the order of the declaration.
+std::vector<Dwarf_Die> parameters_of(Dwarf_Die function) {
+  std::vector<Dwarf_Die> all;
+  Dwarf_Die child;
+  if (dwarf_child(&function, &child) != 0) return all;
+  do {
+    if (dwarf_tag(&child) == DW_TAG_formal_parameter) all.push_back(child);
+  } while (all.size() < kMostParameters && dwarf_siblingof(&child, &child) == 0);
+  return all;
+}
+
+Dwarf_Die origin_of(Dwarf_Die die) {
+  Dwarf_Attribute attribute;
+  Dwarf_Die origin;
+  return dwarf_attr(&die, DW_AT_abstract_origin, &attribute) && dwarf_formref_die(&attribute, &origin)
+             ? origin
+             : die;
+}
+
+/// Returns where a parameter is at the address `pc`.
+DebugInfo::Argument argument_at(Dwarf_Die parameter, Dwarf_Addr pc) {
+  DebugInfo::Argument argument;
+  Dwarf_Attribute attribute;
+  Dwarf_Sword constant = 0;
+  if (dwarf_attr(&parameter, DW_AT_const_value, &attribute) && dwarf_formsdata(&attribute, &constant) == 0)
+    argument.constant = constant;
+  Dwarf_Op* operations = nullptr;
+  std::size_t count = 0;
+  if (!dwarf_attr(&parameter, DW_AT_location, &attribute) ||
+      dwarf_getlocation_addr(&attribute, pc, &operations, &count, 1) != 1)
+    return argument;
+  if (count == 2 && operations[1].atom == DW_OP_stack_value) {
+    const Dwarf_Op& value = operations[0];
+    if (value.atom >= DW_OP_lit0 && value.atom <= DW_OP_lit31) argument.constant = value.atom - DW_OP_lit0;
+    if (value.atom >= DW_OP_const1u && value.atom <= DW_OP_consts)
+      argument.constant = static_cast<std::int64_t>(value.number);
+    return argument;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint8_t atom = operations[i].atom;
+    if (atom >= DW_OP_reg0 && atom <= DW_OP_reg31)
+      argument.registers.push_back(static_cast<std::uint8_t>(atom - DW_OP_reg0));
+    else if (atom != DW_OP_piece || operations[i].number != 1)
+      return {};
+  }
+  return argument;
+}
+
+/// Adds the addresses in a function where the location of a parameter begins to be known.
+void add_begins(Dwarf_Die parameter, std::vector<Dwarf_Addr>& begins) {
+  Dwarf_Attribute attribute;
+  Dwarf_Addr base = 0, begin = 0, end = 0;
+  Dwarf_Op* operations = nullptr;
+  std::size_t count = 0;
+  if (!dwarf_attr(&parameter, DW_AT_location, &attribute)) return;
+  for (std::ptrdiff_t next = 0; begins.size() < kMostBegins; begins.push_back(begin))
+    if ((next = dwarf_getlocations(&attribute, next, &base, &begin, &end, &operations, &count)) <= 0) return;
+}
+
+/// Returns the function's parameters in the order of the declaration. Those without a value here are skipped.
+std::vector<std::optional<Dwarf_Die>> parameters_here(Dwarf_Die function) {
+  std::vector<std::optional<Dwarf_Die>> all;
+  const std::vector<Dwarf_Die> here = parameters_of(function);
+  for (Dwarf_Die declared : parameters_of(origin_of(function))) {
+    const auto its = std::find_if(here.begin(), here.end(), [&](const Dwarf_Die& one) {
+      Dwarf_Die origin = origin_of(one);
+      return dwarf_dieoffset(&origin) == dwarf_dieoffset(&declared);
+    });
+    all.push_back(its == here.end() ? std::nullopt : std::optional(*its));
+  }
+  return all;
+}
+
+/// Returns the largest contiguous part of a function's code.
+DebugInfo::Range body_of(Dwarf_Die function) {
+  DebugInfo::Range body;
+  Dwarf_Addr base = 0, begin = 0, end = 0;
+  int parts = 0;
+  for (std::ptrdiff_t next = 0; (next = dwarf_ranges(&function, next, &base, &begin, &end)) > 0;)
+    if (++parts > kMostParts)
+      return body;
+    else if (end - begin > body.end - body.begin)
+      body = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  return body;
+}
+
+/// Returns the entry into a function. The compiler may move single instructions of an inlined function before
+/// code of its caller, even before the condition of the call. Therefore the entry is in the largest part of
+/// the function's code, at the first address at which most parameters are known.
+DebugInfo::Entry entry_of(Dwarf_Die function) {
+  const std::vector<std::optional<Dwarf_Die>> parameters = parameters_here(function);
+  const DebugInfo::Range body = body_of(function);
+  std::vector<Dwarf_Addr> addresses;
+  for (const std::optional<Dwarf_Die>& one : parameters)
+    if (one) add_begins(*one, addresses);
+  addresses.push_back(body.begin);
+  std::erase_if(addresses, [&](Dwarf_Addr one) { return one < body.begin || one >= body.end; });
+  std::sort(addresses.begin(), addresses.end());
+  DebugInfo::Entry best;
+  std::ptrdiff_t most = -1;
+  for (const Dwarf_Addr address : addresses) {
+    DebugInfo::Entry entry{static_cast<std::uint32_t>(address), false, {}};
+    for (const std::optional<Dwarf_Die>& one : parameters)
+      entry.arguments.push_back(one ? argument_at(*one, address) : DebugInfo::Argument{});
+    const auto known =
+        std::count_if(entry.arguments.begin(), entry.arguments.end(),
+                      [](const auto& argument) { return argument.constant || !argument.registers.empty(); });
+    if (known > most) best = std::move(entry), most = known;
+  }
+  best.is_inlined = dwarf_tag(&function) == DW_TAG_inlined_subroutine;
+  return best;
+}
+
+void find_entries(Dwarf_Die parent, std::string_view function, std::vector<DebugInfo::Entry>& entries,
+                  int depth = 0) {
+  Dwarf_Die child;
+  if (depth > kMostScopes || entries.size() >= kMostEntries || dwarf_child(&parent, &child) != 0) return;
+  do {
+    const int tag = dwarf_tag(&child);
+    const char* const name = dwarf_diename(&child);
+    if ((tag == DW_TAG_subprogram || tag == DW_TAG_inlined_subroutine) && name && name == function)
+      if (DebugInfo::Entry entry = entry_of(child); entry.address != 0) entries.push_back(std::move(entry));
+    find_entries(child, function, entries, depth + 1);
+  } while (dwarf_siblingof(&child, &child) == 0);
+}
+
+}  // namespace
+
+std::vector<DebugInfo::Entry> DebugInfo::entries_of(const std::string& function) const {
+  std::vector<Entry> entries;
+  Dwarf_CU* unit = nullptr;
+  Dwarf_Die die;
+  while (dwarf_ && dwarf_get_units(dwarf_, unit, &unit, nullptr, nullptr, &die, nullptr) == 0)
+    find_entries(die, function, entries);
+  return entries;
+}
+
+}  // namespace robosim::exec
