@@ -34,6 +34,7 @@ struct RunArguments : launch::RunSettings {
 /// `robosim why`
 struct WhyArguments {
   RunArguments run;
+  bool all = false;  ///< print all lines of the chain, not only the ten most direct ones
 };
 
 /// `robosim replay`

@@ -31,7 +31,7 @@ Detectors::Detectors(const robot::Robot& robot, exec::Executor& executor, double
   snapshots_.add(state_);
   if (floor_.are_known())
     steering_ = {&add<BlindDriving>(robot.sensor_midpoint().x, line_m), &add<MotorsLeftOn>(),
-                 &add<SlowSerial>(), &add<SlowControl>(robot.wiring())};
+                 &add<SlowSerial>(), &add<SlowControl>()};
   add<ForgottenOutput>(robot.wiring());
   add<DoubtfulCalls>();
   add<SlowSource>();

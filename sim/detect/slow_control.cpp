@@ -15,8 +15,6 @@ constexpr SimTime kOneChange = 4 * kMillisecond;
 constexpr double kJitterShare = 0.05, kLeastWay_m = 0.02, kGoodWay_m = 0.005;
 constexpr int kLeastRow = 4, kLeastReads = 4, kManyLosses = 3;
 
-bool is_motor(const std::string& type) { return type == "motor" || type == "motors"; }
-
 /// Returns whether an interval is a multiple of another one.
 bool is_multiple(SimTime interval, SimTime of) {
   const SimTime times = std::max<SimTime>(1, (interval + of / 2) / of),
@@ -26,18 +24,9 @@ bool is_multiple(SimTime interval, SimTime of) {
 
 }  // namespace
 
-SlowControl::SlowControl(exec::Executor& executor, SnapshotRegistry& snapshots,
-                         const std::vector<robot::WiredPin>& wiring)
-    : executor_(executor) {
+SlowControl::SlowControl(exec::Executor&, SnapshotRegistry& snapshots) {
   state_.lost.times = 0;
-  for (const robot::WiredPin& wired : wiring)
-    if (is_motor(wired.type) && wired.pin < executor.board().spec().pin_count)
-      executor.board().watch(wired.pin, *this);
   snapshots.add(state_);
-}
-
-void SlowControl::pin_changed(Pin, const PinDrive&, SimTime) {
-  if (state_.regular >= kLeastRow && state_.where.file.empty()) state_.where = executor_.sketch_source();
 }
 
 void SlowControl::look(const Steering& now) {
@@ -78,15 +67,13 @@ void SlowControl::commands_changed(const Steering& now) {
           result::detector("slow_control"),
           fmt::format(
               "the line went out from under the sensors between two changes of the motors' power: it changed "
-              "only each {:.0f} ms, {:.0f} mm of way, although line sensors were read {} times in between; "
-              "it is "
-              "changed",
+              "only each {:.0f} ms, {:.0f} mm of way, although line sensors were read {} times in between",
               1e3 * seconds, 1e3 * step_m, s.reads),
           fmt::format(
               "Compute and set the motors more often: at this speed each {:.0f} ms. Some PID libraries "
               "compute only each 100 ms unless SetSampleTime() is called.",
               std::max(1.0, std::floor(1e3 * seconds * kGoodWay_m / step_m))),
-          s.where,
+          {},
           1e-9 * static_cast<double>(s.changed.t),
           0};
     }

@@ -19,17 +19,14 @@
 #include <vector>
 
 #include "sim/detect/steering_detector.h"
-#include "sim/robot/robot.h"
 
 namespace robosim::detect {
 
-class SlowControl final : public SteeringDetector, public PinWatcher {
+class SlowControl final : public SteeringDetector {
  public:
-  SlowControl(exec::Executor& executor, SnapshotRegistry& snapshots,
-              const std::vector<robot::WiredPin>& wiring);
+  SlowControl(exec::Executor& executor, SnapshotRegistry& snapshots);
 
   void look(const Steering& now) override;
-  void pin_changed(Pin pin, const PinDrive& drive, SimTime t) override;
   std::vector<exec::Detected> found(SimTime) const override;
 
  private:
@@ -40,14 +37,12 @@ class SlowControl final : public SteeringDetector, public PinWatcher {
     int regular = 0;          ///< number of regular intervals in the row
     int reads = 0;            ///< ticks with a read since the last change
     bool saw_line = false;    ///< a sensor has been over the line since the last change
-    exec::SourceLine where;   ///< a line that changed the commands in a row
     exec::Detected lost;      ///< the first loss of the line; `times` counts all losses
     bool found_again = true;  ///< a sensor has been over the line since the last loss
   };
 
   void commands_changed(const Steering& now);
 
-  exec::Executor& executor_;
   State state_;
 };
 

@@ -35,12 +35,17 @@ std::uint64_t Hunt::runs_wanted() const { return options_.shard.share_of(options
 /// Returns the failure first, then detectors' findings, then, in the baseline run, compiler warnings.
 std::vector<Symptom> Hunt::symptoms(const result::RunResult& result, const TestCase& test_case) const {
   std::vector<Symptom> all;
+  std::vector<Symptom> seen_by_detectors = detected_in(result);
   if (const auto broken = failed_assertion(result, campaign_.space().assertions))
     all.push_back(*broken);
   else if (const auto found = symptom_of(result, test_case, campaign_.space(), baseline_);
-           found && (!found->is_behaviour || tells_behaviour(test_case, campaign_.space())))
+           found && (!found->is_behaviour || tells_behaviour(test_case, campaign_.space()))) {
     all.push_back(*found);
-  for (Symptom& seen : detected_in(result)) all.push_back(std::move(seen));
+    // A verdict says what the robot did. A detector's finding in the same run is often the cause.
+    if (found->is_behaviour && !seen_by_detectors.empty())
+      all.back().sentence += " Detected: " + seen_by_detectors.front().sentence;
+  }
+  for (Symptom& seen : seen_by_detectors) all.push_back(std::move(seen));
   if (needs_of(test_case, campaign_.space()).empty())
     for (Symptom& seen : warned_in(campaign_.of(test_case).image.messages)) all.push_back(std::move(seen));
   return all;
@@ -160,7 +165,8 @@ std::optional<HuntRow> Hunt::take(const TestCase& test_case, const result::RunRe
   HuntRow row;
   row.run = runs_;
   row.time_s = result.time_s;
-  row.reached = result.verdict == "reached" && test_case.to_goal;
+  row.has_goal = test_case.to_goal && result.goal != "none";
+  row.reached = row.has_goal && result.verdict == "reached";
   for (const auto& traits : {traits_of(result), ran})
     for (const std::string& trait : traits)
       if (!traits_.contains(trait) &&
@@ -181,6 +187,7 @@ std::optional<HuntRow> Hunt::take(const TestCase& test_case, const result::RunRe
 void Hunt::count(const TestCase& test_case, const HuntRow& row) {
   ++runs_;
   simulated_s_ += row.time_s;
+  if (row.has_goal) ++runs_with_goal_;
   if (row.reached) ++reached_;
   traits_.insert(row.traits.begin(), row.traits.end());
   heard_.insert(row.heard.begin(), row.heard.end());

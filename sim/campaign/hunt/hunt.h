@@ -37,6 +37,9 @@ class Hunt {
 
   const std::vector<HuntFinding>& findings() const { return findings_; }
   std::uint64_t runs() const { return runs_; }
+  /// Return the number of runs with a goal, and how many of these runs reached it.
+  std::uint64_t runs_with_goal() const { return runs_with_goal_; }
+  std::uint64_t runs_that_reached() const { return reached_; }
   double simulated_s() const { return simulated_s_; }
   std::size_t traits() const { return traits_.size(); }
   const Baseline& baseline() const { return baseline_; }
@@ -81,6 +84,7 @@ class Hunt {
   std::vector<Noted> noted_;
   std::set<std::string> traits_;
   std::uint64_t runs_ = 0;
+  std::uint64_t runs_with_goal_ = 0;
   std::uint64_t reached_ = 0;    ///< number of runs that reached their goal, among those with a goal
   std::set<std::string> heard_;  ///< texts of `sometimes` that have occurred
   double simulated_s_ = 0.0;

@@ -16,11 +16,8 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kFile = "runs.jsonl";
 
 std::string line_of(const HuntRow& row) {
-  Json json{{"run", row.run},
-            {"time_s", row.time_s},
-            {"reached", row.reached},
-            {"traits", row.traits},
-            {"heard", row.heard}};
+  Json json{{"run", row.run},           {"time_s", row.time_s}, {"reached", row.reached},
+            {"has_goal", row.has_goal}, {"traits", row.traits}, {"heard", row.heard}};
   if (row.moment.at_ms >= 0) json["at_ms"] = row.moment.at_ms;
   if (!row.moment.after.empty()) json["after"] = row.moment.after;
   if (row.finding > 0) json["finding"] = row.finding;
@@ -49,6 +46,7 @@ HuntRow row_of(const Json& json) {
   HuntRow row{
       json.at("run"), json.at("time_s"), json.at("reached"), json.at("traits"), {}, json.at("heard"), 0, {}};
   row.moment = {json.value("at_ms", -1), json.value("after", "")};
+  row.has_goal = json.value("has_goal", false);
   if (json.contains("finding")) row.finding = json.at("finding");
   if (json.contains("fresh")) {
     const Json& f = json.at("fresh");

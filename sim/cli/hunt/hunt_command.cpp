@@ -76,6 +76,9 @@ std::string hunt_summary(const campaign::Hunt& hunt, const campaign::CampaignRun
     text += fmt::format("  {:3}  {} run{}  {}\n", i + 1, hunt.findings()[i].times,
                         hunt.findings()[i].times == 1 ? "" : "s", hunt.findings()[i].symptom.group);
   text += hunt.remark();
+  if (hunt.runs_with_goal() > 0)
+    text += fmt::format("{} of {} runs reached the goal {}\n", hunt.runs_that_reached(), hunt.runs_with_goal(),
+                        hunt.baseline().result.goal);
   for (const std::string& map : hunt.baseline().reached() ? runner.left_maps() : std::vector<std::string>{})
     text += fmt::format(
         "{0} was skipped, because the sketch did not reach its goal there: --map {0} includes it\n", map);

@@ -18,9 +18,15 @@ Command parse_why(const std::vector<std::string>& words) {
   shared.time();
   shared.seed();
   shared.common();
+  options.text("--target", run.target, "TARGET", "trace on this target: avr, the only one (default)",
+               PossibleValues::of({"avr"}));
+  options.flag("--untrusted", run.untrusted, kUntrustedHelp);
+  options.flag("--all", why.all, "print all lines of the chain, not only the ten most direct ones");
   options.flag("--json", run.json, "print the verdict and its chain of causes as JSON");
   if (const auto help = options.parse(words)) return *help;
   shared.finish();
+  if (!run.target.empty() && run.target != "avr")
+    refuse_value("--target", run.target, "avr, where each instruction is recorded");
   run.target = "avr";
   return why;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
 #include "sim/cli/run/source_text.h"
@@ -13,9 +15,29 @@ namespace robosim::cli {
 
 namespace {
 
-std::string chain_text(const result::RunResult& result, SourceText& source) {
+constexpr std::size_t kMostLines = 10, kMostFindings = 3;
+
+/// Keeps the most direct lines of a chain: the first lines of all links, then their second lines, and so on.
+/// Returns the number of removed lines.
+std::size_t keep_direct(std::vector<result::Cause>& chain) {
+  std::size_t all = 0, room = kMostLines;
+  for (const result::Cause& cause : chain) all += cause.lines.size();
+  if (all <= kMostLines) return 0;
+  std::vector<std::size_t> kept(chain.size());
+  for (std::size_t turn = 0; room > 0; ++turn)
+    for (std::size_t i = 0; i < chain.size() && room > 0; ++i)
+      if (turn < chain[i].lines.size()) ++kept[i], --room;
+  for (std::size_t i = 0; i < chain.size(); ++i) chain[i].lines.resize(kept[i]);
+  std::erase_if(chain, [](const result::Cause& cause) { return cause.lines.empty() && cause.t_s == 0.0; });
+  return all - kMostLines;
+}
+
+std::string chain_text(result::RunResult result, SourceText& source, bool shows_all) {
   std::string text = fmt::format("{}: {}\n", result.verdict, result.why);
+  for (std::size_t i = 0; i < std::min(result.detected.size(), kMostFindings); ++i)
+    text += fmt::format("\ndetected: {}\n", result::text_of(result.detected[i]));
   if (result.because.empty()) return text;
+  const std::size_t removed = shows_all ? 0 : keep_direct(result.because);
   text += '\n';
   const char* arrow = "";
   for (const result::Cause& cause : result.because) {
@@ -26,6 +48,7 @@ std::string chain_text(const result::RunResult& result, SourceText& source) {
                           source.line(line));
     arrow = "← ";
   }
+  if (removed > 0) text += fmt::format("\n{} more lines: --all\n", removed);
   return text;
 }
 
@@ -34,7 +57,7 @@ std::string chain_text(const result::RunResult& result, SourceText& source) {
 int why_command(const WhyArguments& arguments) {
   launch::Launch launch = launch::launch_of(arguments.run);
   launch::Chosen chosen = choose(launch);
-  launch.request.why = true;
+  launch.request.why = launch.request.detect = true;
   client::Runner runner(chosen.target);
   terminal::Progress progress(!arguments.run.json);
   launch::Launcher launcher(listener_of(progress));
@@ -54,7 +77,7 @@ int why_command(const WhyArguments& arguments) {
     print(
         launch::run_json(launch::inputs_of(run, runner.hello().version), result, std::nullopt, std::nullopt));
   else
-    print(chain_text(result, source));
+    print(chain_text(result, source, arguments.all));
   return result.status;
 }
 
