@@ -5,106 +5,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <cstdlib>
 #include <map>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <vector>
 
-#include "sim/build/lexing.h"
+#include "sim/build/source_words.h"
 
 namespace robosim::build {
 namespace {
 
-/// A word of a text, which can have as many words as characters.
-struct Word {
-  std::string_view text;  ///< a name, a number, a string's quote, or one character
-  std::string_view file;
-  int line = 0;
-};
-
-std::vector<Word> words_in(const std::string& text) {
-  std::vector<Word> words;
-  QuoteEnds quote_ends(text);
-  std::string_view file;
-  int line = 1;
-  bool begins = true;  // at the beginning of a line
-  for (std::size_t i = 0; i < text.size();) {
-    const char c = text[i];
-    if (c == '\n') {
-      ++line, ++i;
-      begins = true;
-    } else if (c == '#' && begins) {  // # 12 "name", #line 12 "name"
-      const std::size_t end = text.find('\n', i);
-      const std::string_view directive = std::string_view(text).substr(i, end - i);
-      if (const std::size_t digit = directive.find_first_of("0123456789"); digit != directive.npos)
-        line = std::atoi(text.c_str() + i + digit) - 1;
-      if (const std::size_t quote = directive.find('"'); quote != directive.npos)
-        file = directive.substr(quote + 1, directive.find('"', quote + 1) - quote - 1);
-      i = end == std::string::npos ? text.size() : end;
-    } else if (std::isspace(static_cast<unsigned char>(c))) {
-      ++i;
-    } else {
-      std::size_t end = i + 1;
-      if (c == '"' || c == '\'')
-        end = quote_ends.of(i);
-      else if (is_of_name(c))
-        while (end < text.size() && is_of_name(text[end])) ++end;
-      words.push_back({std::string_view(text).substr(i, end - i), file, line});
-      i = end;
-      begins = false;
-    }
-  }
-  return words;
-}
-
-std::optional<int> number_of(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  if (text.size() > kLongest) return std::nullopt;
-  const std::string word(text);
-  const bool binary = word.rfind("0b", 0) == 0 || word.rfind("0B", 0) == 0;
-  const char* begin = word.c_str() + (binary ? 2 : 0);
-  char* end = nullptr;
-  const long value = std::strtol(begin, &end, binary ? 2 : 0);
-  while (end && (*end == 'u' || *end == 'U' || *end == 'l' || *end == 'L')) ++end;
-  if (end == begin || *end || value < 0 || value > 255) return std::nullopt;
-  return static_cast<int>(value);
-}
-
-bool is_name(std::string_view word) {
-  return is_of_name(word[0]) && !std::isdigit(static_cast<unsigned char>(word[0]));
-}
-
-/// Returns variables that are set exactly once, to a number.
-std::map<std::string_view, int> constants_in(const std::vector<Word>& words) {
-  std::map<std::string_view, int> found;
-  std::set<std::string_view> several;
-  for (std::size_t i = 0; i + 2 < words.size(); ++i) {
-    const std::string_view name = words[i].text;
-    if (!is_name(name)) continue;
-    const std::string_view next = words[i + 1].text;
-    const bool compares = next == "=" && words[i + 2].text == "=";
-    const bool counts =
-        (next == "+" || next == "-") && (words[i + 2].text == next || words[i + 2].text == "=");
-    const bool counted = i > 1 && (words[i - 1].text == "+" || words[i - 1].text == "-") &&
-                         words[i - 2].text == words[i - 1].text;
-    const bool shared = i > 0 && words[i - 1].text == "&";
-    // A parameter, a member or a local variable of the same name may have any value.
-    const bool declared = i > 0 && is_name(words[i - 1].text) &&
-                          (next == "," || next == ")" || next == ";" || next == ":" || next == "[");
-    if (counts || counted || shared || declared) several.insert(name);
-    if (next != "=" || compares) continue;
-    const bool alone = i + 3 < words.size() && (words[i + 3].text == ";" || words[i + 3].text == ",");
-    const auto value = alone ? number_of(words[i + 2].text) : std::nullopt;
-    if (!value || !found.emplace(name, *value).second) several.insert(name);
-  }
-  for (const std::string_view name : several) found.erase(name);
-  return found;
-}
-
-enum class Use { digital, analog, pwm };
+enum class Use { digital, analog, pwm, interrupt };
 struct Function {
   const char* name;
   Use use;
@@ -131,10 +43,12 @@ std::string boards_with(int pin, Use use) {
   return fmt::format("these boards have one: {}", fmt::join(names, ", "));
 }
 
-std::string pwm_pins(const BoardSpec& board) {
+/// Returns the names of the pins that `has` accepts.
+template <typename Has>
+std::string pins_that(const BoardSpec& board, Has has) {
   std::vector<std::string> names;
   for (Pin pin = 0; pin < board.pin_count; ++pin)
-    if (board.pins[pin].pwm && first_number(board, pin) == pin) names.emplace_back(board.pins[pin].name);
+    if (has(board.pins[pin]) && first_number(board, pin) == pin) names.emplace_back(board.pins[pin].name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -153,8 +67,80 @@ std::string complaint(const BoardSpec& board, int number, Use use) {
   if (use == Use::pwm && !spec.pwm)
     return fmt::format(
         "pin {} of the {} has no PWM: it is LOW below 128 and HIGH otherwise; these pins have PWM: {}",
-        spec.name, board.name, pwm_pins(board));
+        spec.name, board.name, pins_that(board, [](const PinSpec& one) { return one.pwm; }));
+  if (use == Use::interrupt && spec.interrupt < 0)
+    return fmt::format(
+        "pin {} of the {} has no external interrupt: its handler never runs; these pins have one: {}",
+        spec.name, board.name, pins_that(board, [](const PinSpec& one) { return one.interrupt >= 0; }));
   return "";
+}
+
+/// Returns the value of a number, of a constant, or of a pin's name such as A5.
+std::optional<int> value_of(std::string_view word, const std::map<std::string_view, int>& constants,
+                            const BoardSpec& board) {
+  if (const auto known = constants.find(word); known != constants.end()) return known->second;
+  if (const auto number = number_of(word)) return number;
+  if (word[0] == 'A' && number_of(word.substr(1)))
+    if (const Pin named = find_pin(board, std::string(word).c_str()); named != kNoPin) return named;
+  return std::nullopt;
+}
+
+/// Returns the pin in the macro digitalPinToInterrupt(pin), whose expansion begins at `at`. All cores compare
+/// the pin with numbers, and end in -1: `((pin) == 2 ? 0 : ((pin) == 3 ? 1 : -1))`. Returns an empty text for
+/// other expressions.
+std::string_view pin_of_expansion(const std::vector<Word>& words, std::size_t at) {
+  std::size_t end = at;
+  for (int open = 0; end < words.size() && (open > 0 || words[end].text != ","); ++end) {
+    open += words[end].text == "(" ? 1 : words[end].text == ")" ? -1 : 0;
+    if (open < 0 || words[end].text == ";") return "";
+  }
+  if (end == words.size()) return "";
+  std::size_t begin = at;
+  while (begin < end && words[begin].text == "(") ++begin;
+  while (end > begin && words[end - 1].text == ")") --end;
+  if (begin == at || end < begin + 8 || words[end - 2].text != "-" || words[end - 1].text != "1") return "";
+  const std::string_view after = words[begin + 2].text;
+  const bool compares = words[begin + 1].text == ")" && (after == "=" || after == "<" || after == ">");
+  return compares ? words[begin].text : "";
+}
+
+/// Returns the numbers that the board's pins have for attachInterrupt(): "0 (pin D2), 1 (pin D3)".
+std::string interrupt_numbers(const BoardSpec& board) {
+  std::map<int, const char*> found;
+  for (Pin pin = 0; pin < board.pin_count; ++pin)
+    if (board.pins[pin].interrupt >= 0) found.emplace(board.pins[pin].interrupt, board.pins[pin].name);
+  std::string text;
+  for (const auto& [number, pin] : found)
+    text += fmt::format("{}{} (pin {})", text.empty() ? "" : ", ", number, pin);
+  return text;
+}
+
+/// Returns the problem with the call of attachInterrupt() at `at`; empty = none.
+std::string interrupt_warning(const std::vector<Word>& words, std::size_t at,
+                              const std::map<std::string_view, int>& constants, const BoardSpec& board) {
+  const auto warn = [&](const std::string& argument, const std::string& wrong) {
+    return fmt::format("{}:{}: warning: attachInterrupt({}, …): {}", words[at].file, words[at].line, argument,
+                       wrong);
+  };
+  if (const std::string_view pin = pin_of_expansion(words, at + 2); !pin.empty()) {
+    const auto number = value_of(pin, constants, board);
+    const std::string wrong = number ? complaint(board, *number, Use::interrupt) : "";
+    return wrong.empty() ? "" : warn(fmt::format("digitalPinToInterrupt({})", pin), wrong);
+  }
+  if (words[at + 3].text != ",") return "";
+  const std::string_view argument = words[at + 2].text;
+  const auto number = value_of(argument, constants, board);
+  if (!number) return "";
+  for (Pin pin = 0; pin < board.pin_count; ++pin)
+    if (board.pins[pin].interrupt == *number) return "";
+  if (*number < board.pin_count && board.pins[*number].interrupt >= 0)
+    return warn(std::string(argument),
+                fmt::format("the {} has no interrupt {}: the handler never runs; for pin {}, write "
+                            "attachInterrupt(digitalPinToInterrupt({}), …)",
+                            board.name, *number, board.pins[*number].name, argument));
+  return warn(std::string(argument),
+              fmt::format("the {} has no interrupt {}: the handler never runs; these interrupts exist: {}",
+                          board.name, *number, interrupt_numbers(board)));
 }
 
 bool is_number(std::string_view word) {
@@ -206,15 +192,15 @@ std::string pin_warnings(const std::string& own_lines, const BoardSpec& board) {
     if (words[i + 1].text != "(" || words[i - 1].text == "." || words[i - 1].text == ">") continue;
     if (const std::string wrong = may_have_more_bits ? "" : range_warning(words, i); !wrong.empty())
       text += (text.empty() ? "" : "\n") + wrong;
+    if (words[i].text == "attachInterrupt")
+      if (const std::string wrong = interrupt_warning(words, i, constants, board); !wrong.empty())
+        text += (text.empty() ? "" : "\n") + wrong;
     const std::string_view after = words[i + 3].text;
     if (after != "," && after != ")") continue;
     for (const Function& function : kFunctions) {
       if (words[i].text != function.name) continue;
       const std::string_view argument = words[i + 2].text;
-      std::optional<int> pin = number_of(argument);
-      if (const auto known = constants.find(argument); known != constants.end()) pin = known->second;
-      if (!pin && argument[0] == 'A' && number_of(argument.substr(1)))
-        if (const Pin named = find_pin(board, std::string(argument).c_str()); named != kNoPin) pin = named;
+      const std::optional<int> pin = value_of(argument, constants, board);
       if (!pin) continue;
       // analogWrite() with only 0 or 255 needs no PWM.
       const std::string_view value = i + 4 < words.size() ? words[i + 4].text : "";

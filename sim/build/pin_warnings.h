@@ -10,7 +10,7 @@ namespace robosim::build {
 
 /// Returns warnings in a compiler's format, one per line, on calls such as pinMode(50, OUTPUT). `own_lines`
 /// are the sketch's preprocessed lines (prototypes.h). Checks numbers, names of pins, and variables that are
-/// set exactly once, to a number.
+/// set exactly once, to a number. Also warns about attachInterrupt() for pins without an external interrupt.
 std::string pin_warnings(const std::string& own_lines, const BoardSpec& board);
 
 /// Returns a warning for the first Serial.print() of a sketch that never calls Serial.begin(). `all` is the

@@ -39,8 +39,7 @@ TEST(PinWarnings, FollowAVariableThatIsSetOnce) {
 TEST(PinWarnings, SayThatAPinHasNoPwmUnlessItIsAllOrNothing) {
   EXPECT_EQ(on("uno", "analogWrite(4, speed);"),
             "My.ino:2: warning: analogWrite(4, …): pin D4 of the uno has no PWM: it is LOW below 128 and "
-            "HIGH otherwise; "
-            "these pins have PWM: D3, D5, D6, D9, D10, D11");
+            "HIGH otherwise; these pins have PWM: D3, D5, D6, D9, D10, D11");
   EXPECT_EQ(on("uno", "analogWrite(4, 255); analogWrite(4, 0); analogWrite(5, 100);"), "");
 }
 
@@ -73,12 +72,76 @@ TEST(PinWarnings, SayThatAPinIsAnalogOnly) {
   EXPECT_EQ(on("nano", "analogRead(A6); analogRead(7);"), "");
 }
 
+/// Returns digitalPinToInterrupt(pin) as the cores of an Uno and a Mega expand it.
+std::string uno_interrupt(const std::string& pin) {
+  return "((" + pin + ") == 2 ? 0 : ((" + pin + ") == 3 ? 1 : -1))";
+}
+std::string mega_interrupt(const std::string& pin) {
+  return "((" + pin + ") == 2 ? 0 : ((" + pin + ") == 3 ? 1 : ((" + pin + ") >= 18 && (" + pin +
+         ") <= 21 ? 23 - (" + pin + ") : -1)))";
+}
+
+TEST(PinWarnings, SayThatAPinHasNoExternalInterruptAndWhichPinsHaveOne) {
+  EXPECT_EQ(on("uno", "attachInterrupt(" + uno_interrupt("4") + ", tick, CHANGE);"),
+            "My.ino:2: warning: attachInterrupt(digitalPinToInterrupt(4), …): pin D4 of the uno has no "
+            "external interrupt: its handler never runs; these pins have one: D2, D3");
+  EXPECT_THAT(on("uno", "const byte left = 7; attachInterrupt(" + uno_interrupt("left") + ", tick, 1);"),
+              HasSubstr("attachInterrupt(digitalPinToInterrupt(left), …): pin D7 of the uno has no"));
+  EXPECT_THAT(on("nano", "attachInterrupt(" + uno_interrupt("A0") + ", tick, CHANGE);"),
+              HasSubstr("pin A0 of the nano has no external interrupt"));
+  EXPECT_THAT(on("mega", "attachInterrupt(" + mega_interrupt("10") + ", tick, CHANGE);"),
+              HasSubstr("these pins have one: D2, D3, D18, D19, D20, D21"));
+  EXPECT_THAT(on("uno", "attachInterrupt(" + uno_interrupt("50") + ", tick, CHANGE);"),
+              HasSubstr("the uno has no pin 50"));
+}
+
+TEST(PinWarnings, AcceptPinsThatHaveAnExternalInterruptOrAreNotKnown) {
+  EXPECT_EQ(on("uno", "attachInterrupt(" + uno_interrupt("3") + ", tick, CHANGE);"), "");
+  EXPECT_EQ(on("mega", "attachInterrupt(" + mega_interrupt("20") + ", tick, CHANGE);"), "");
+  EXPECT_EQ(on("bluepill", "attachInterrupt(((4) < 32 ? (4) : -1), tick, CHANGE);"), "");
+  EXPECT_EQ(on("uno", "byte p = 4; p = choose(); attachInterrupt(" + uno_interrupt("p") + ", tick, 1);"), "");
+  EXPECT_EQ(on("uno", "attachInterrupt(" + uno_interrupt("pins[4]") + ", tick, CHANGE);"), "");
+  EXPECT_EQ(on("uno", "expander.attachInterrupt(" + uno_interrupt("4") + ", tick, CHANGE);"), "");
+}
+
+TEST(PinWarnings, SayThatAnInterruptsNumberIsThatOfAPin) {
+  EXPECT_EQ(on("uno", "attachInterrupt(2, tick, RISING);"),
+            "My.ino:2: warning: attachInterrupt(2, …): the uno has no interrupt 2: the handler never runs; "
+            "for pin D2, write attachInterrupt(digitalPinToInterrupt(2), …)");
+  EXPECT_THAT(on("uno", "const int encoder = 3; attachInterrupt(encoder, tick, RISING);"),
+              HasSubstr("for pin D3, write attachInterrupt(digitalPinToInterrupt(encoder), …)"));
+  EXPECT_THAT(on("uno", "attachInterrupt(5, tick, RISING);"),
+              HasSubstr("the uno has no interrupt 5: the handler never runs; these interrupts exist: "
+                        "0 (pin D2), 1 (pin D3)"));
+  EXPECT_THAT(on("mega", "attachInterrupt(19, tick, RISING);"), HasSubstr("for pin D19, write"));
+}
+
+TEST(PinWarnings, AcceptTheNumbersOfTheBoardsInterrupts) {
+  EXPECT_EQ(on("uno", "attachInterrupt(0, left, RISING); attachInterrupt(1, right, RISING);"), "");
+  EXPECT_EQ(on("mega", "attachInterrupt(2, left, RISING); attachInterrupt(5, right, RISING);"), "");
+  EXPECT_EQ(on("leonardo", "attachInterrupt(4, left, RISING);"), "");
+  EXPECT_EQ(on("bluepill", "attachInterrupt(22, left, RISING);"), "") << "the number is the pin";
+  EXPECT_EQ(on("uno", "int n = 2; n = number_of(pin); attachInterrupt(n, left, RISING);"), "");
+}
+
 class PinWarningsOf : public SketchTest {};
 
 TEST_F(PinWarningsOf, ASketchAreAmongTheCompilersWithMacrosReplaced) {
   write("My/My.ino", "#define LAMP 40\nvoid setup() {\n  pinMode(LAMP, OUTPUT);\n}\nvoid loop() {}\n");
   EXPECT_THAT(build_here("My").messages,
               HasSubstr("My.ino:3: warning: pinMode(40, …): the uno has no pin 40"));
+}
+
+TEST_F(PinWarningsOf, ASketchNameThePinOfAnInterruptOnEachTargetAndBoard) {
+  write("My/My.ino",
+        "#define ENCODER 4\nvoid tick() {}\nvoid setup() {\n"
+        "  attachInterrupt(digitalPinToInterrupt(ENCODER), tick, CHANGE);\n}\nvoid loop() {}\n");
+  for (const auto& [board, target] : {std::pair("uno", "host"), {"uno", "avr"}, {"mega", "avr"}})
+    EXPECT_THAT(build({folder_ / "My", *find_board(board), target}).messages,
+                HasSubstr("My.ino:4: warning: attachInterrupt(digitalPinToInterrupt(4), …): pin D4 of the " +
+                          std::string(board) + " has no external interrupt"))
+        << board << " " << target;
+  EXPECT_EQ(build({folder_ / "My", *find_board("bluepill"), "host"}).messages, "");
 }
 
 }  // namespace pin_warnings_test
