@@ -10,6 +10,7 @@
 #include "sim/base/file.h"
 #include "sim/build/assembly.h"
 #include "sim/build/cache.h"
+#include "sim/build/clock_warnings.h"
 #include "sim/build/compile.h"
 #include "sim/build/core.h"
 #include "sim/build/elf_facts.h"
@@ -177,6 +178,9 @@ class Build {
     if (toolchain_.warnings != Warnings::none) {
       const std::string own = own_lines(text, sketch_.inos);
       add_message(pin_warnings(own, toolchain_.board));
+      std::vector<std::string> own_files = sketch_.inos;
+      own_files.insert(own_files.end(), sketch_.headers.begin(), sketch_.headers.end());
+      add_message(clock_warnings(text, own_files, toolchain_.board));
       if (sketch_.sources.empty() && libraries_.empty())
         add_message(serial_warning(own, text, toolchain_.board));
     }
