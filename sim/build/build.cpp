@@ -25,6 +25,7 @@
 #include "sim/build/sketch.h"
 #include "sim/build/source.h"
 #include "sim/build/units.h"
+#include "sim/build/vector_hints.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -55,7 +56,8 @@ class Build {
     const fs::path image = work_.scratch() / (std::string("image") + toolchain_.target.image_ending);
     const auto names = names_of_folders(sketch_, libraries_, toolchain_, image.parent_path());
     const auto link = run_walled({link_command(toolchain_, objects, image, names)}, objects)[0];
-    if (link.status != 0) fail_or_try_as_avr([&] { fail_link(toolchain_, sketch_, objects_, link.output); });
+    if (link.status != 0)
+      fail_or_try_as_avr([&] { fail_link(toolchain_, core_, sketch_, objects_, own_lines_, link.output); });
     for (const fs::path& linked : toolchain_.core.linked) inputs_.files.push_back(linked);
     inputs_.folders = finder_.listed();
     for (const Library& library : libraries_) {
@@ -175,14 +177,16 @@ class Build {
       if (!add_library_for(result)) fail_or_try_again(text(result));
     }
     const std::string text = read_made(preprocessed);
+    own_lines_ = own_lines(text, sketch_.inos);
     if (toolchain_.warnings != Warnings::none) {
-      const std::string own = own_lines(text, sketch_.inos);
-      add_message(pin_warnings(own, toolchain_.board));
+      add_message(pin_warnings(own_lines_, toolchain_.board));
       std::vector<std::string> own_files = sketch_.inos;
       own_files.insert(own_files.end(), sketch_.headers.begin(), sketch_.headers.end());
       add_message(clock_warnings(text, own_files, toolchain_.board));
+      if (!toolchain_.target.chip)
+        add_message(core_handler_warnings(own_lines_, toolchain_.board, core_.avr_libc));
       if (sketch_.sources.empty() && libraries_.empty())
-        add_message(serial_warning(own, text, toolchain_.board));
+        add_message(serial_warning(own_lines_, text, toolchain_.board));
     }
     write_file(unit.input, add_prototypes(joined, text, sketch_.inos, work_.scratch()));
     return unit;
@@ -325,6 +329,7 @@ class Build {
   std::vector<ArchivedFile> notes_;
   Inputs inputs_;
   std::string messages_;
+  std::string own_lines_;  ///< of the preprocessed .ino files
   bool keeps_addresses_ = false;
   int count_ = 0;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <regex>
 #include <stdexcept>
 
 #include "sim/base/file.h"
@@ -23,6 +24,16 @@ std::vector<fs::path> sources_in(const fs::path& folder) {
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
+}
+
+/// Returns all sources of the core. The object of the first one is core0.o.
+std::vector<fs::path> sources_of_core(const Toolchain& toolchain) {
+  std::vector<fs::path> sources;
+  for (const fs::path& folder : toolchain.core.sources) {
+    const std::vector<fs::path> files = sources_in(folder);
+    sources.insert(sources.end(), files.begin(), files.end());
+  }
+  return sources;
 }
 
 Unit core_unit(const Toolchain& toolchain, const fs::path& source) {
@@ -74,6 +85,22 @@ fs::path join(const Toolchain& toolchain, const std::vector<fs::path>& objects, 
 
 }  // namespace
 
+std::string with_names_of_core(const Toolchain& toolchain, const std::string& messages) {
+  static const std::regex object(
+      R"((^|[\n ])(?:[^\n :(]*\()?core(\d{1,3})\.o\)?( \(symbol from plugin\))?:)");
+  const std::vector<fs::path> sources = sources_of_core(toolchain);
+  std::string result;
+  auto rest = messages.begin();
+  for (std::sregex_iterator one(messages.begin(), messages.end(), object), end; one != end; ++one) {
+    const std::size_t number = std::stoul((*one)[2]);
+    if (number >= sources.size()) continue;
+    result.append(rest, (*one)[0].first);
+    result += fmt::format("{}core/{}:", (*one)[1].str(), sources[number].filename().string());
+    rest = (*one)[0].second;
+  }
+  return result.append(rest, messages.end());
+}
+
 Object core_object(const Toolchain& toolchain, const Cache& cache, WorkFolder& work) {
   const std::string key = key_of({"core", recipe(toolchain)});
   const auto known = [&]() -> std::optional<Object> {
@@ -89,11 +116,10 @@ Object core_object(const Toolchain& toolchain, const Cache& cache, WorkFolder& w
   std::vector<Command> commands;
   std::vector<fs::path> objects;
   const fs::path scratch = work.scratch();
-  for (const fs::path& folder : toolchain.core.sources)
-    for (const fs::path& source : sources_in(folder)) {
-      objects.push_back(scratch / fmt::format("core{}.o", objects.size()));
-      commands.push_back(compile_command(toolchain, core_unit(toolchain, source), objects.back()));
-    }
+  for (const fs::path& source : sources_of_core(toolchain)) {
+    objects.push_back(scratch / fmt::format("core{}.o", objects.size()));
+    commands.push_back(compile_command(toolchain, core_unit(toolchain, source), objects.back()));
+  }
   run_checked(toolchain, std::move(commands));
   const fs::path joined = join(toolchain, objects, scratch);
 

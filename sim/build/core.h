@@ -16,4 +16,8 @@ namespace robosim::build {
 /// Arduino's archive of the core allows that, too.
 Object core_object(const Toolchain& toolchain, const Cache& cache, WorkFolder& work);
 
+/// Replaces the names of the core's objects in a linker's messages by those of their sources: "core10.o:"
+/// becomes "core/Tone.cpp:".
+std::string with_names_of_core(const Toolchain& toolchain, const std::string& messages);
+
 }  // namespace robosim::build

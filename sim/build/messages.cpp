@@ -14,8 +14,10 @@
 #include "sim/base/elf/avr_addresses.h"
 #include "sim/base/file.h"
 #include "sim/base/system_error.h"
+#include "sim/build/core.h"
 #include "sim/build/hints.h"
 #include "sim/build/process.h"
+#include "sim/build/vector_hints.h"
 #include "sim/build/warning_filter.h"
 
 namespace robosim::build {
@@ -317,7 +319,7 @@ std::string folded(const std::string& output) {
          fmt::format("… {} more lines; robosim build prints all of them", lines - kShownLines);
 }
 
-void fail(const Toolchain& toolchain, const std::string& messages) {
+void fail(const Toolchain& toolchain, const std::string& messages, std::string hint) {
   fail_at_walls(messages);
   check_machine("the compiler", messages);
   std::smatch match;
@@ -335,16 +337,17 @@ void fail(const Toolchain& toolchain, const std::string& messages) {
     static const std::regex unplaced(R"([^\n:]+\.s:\d+: Error: ([^\n]*))");
     if (std::regex_search(messages, match, unplaced))
       throw CompileError("asm() contains text that the chip's assembler rejects: " + match[1].str());
-    throw CompileError(toolchain.all_messages ? messages : folded(messages));
+    throw CompileError((toolchain.all_messages ? messages : folded(messages)) +
+                       (hint.empty() ? "" : "\nhint: " + hint));
   }
-  const std::string hint = hint_for(messages),
-                    text = messages.substr(static_cast<std::size_t>(match.position(6)));
+  if (hint.empty()) hint = hint_for(messages);
+  const std::string text = messages.substr(static_cast<std::size_t>(match.position(6)));
   throw CompileError(place_of(match), (toolchain.all_messages ? text : folded(text)) +
                                           (hint.empty() ? "" : "\nhint: " + hint));
 }
 
-void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vector<Object>& objects,
-               std::string output) {
+void fail_link(const Toolchain& toolchain, const GenuineCore& core, const Sketch& sketch,
+               const std::vector<Object>& objects, const std::string& own_lines, std::string output) {
   fail_at_walls(output);
   check_machine("the linker", output);
   output = cut(output);
@@ -357,13 +360,15 @@ void fail_link(const Toolchain& toolchain, const Sketch& sketch, const std::vect
   // Puts the first definition on its own line, as GNU ld before 2.35 does.
   static const std::regex first_definition(R"((multiple definition of [^\n]*'); ([^\n]*first defined here))");
   output = std::regex_replace(output, first_definition, "$1\n$2");
-  const std::string messages = readable(toolchain, sketch.folder, output);
+  const std::string messages = with_names_of_core(toolchain, readable(toolchain, sketch.folder, output));
   for (const char* function : {"setup", "loop"})
     if (messages.find(fmt::format("undefined reference to `{}'", function)) != std::string::npos)
       throw CompileError(
           {sketch.inos.empty() ? sketch.name : sketch.inos[0]},
           fmt::format("the sketch has no function {}(); every sketch needs setup() and loop()", function));
-  fail(toolchain, messages);
+  const BoardSpec& board = toolchain.board;
+  const ChipSpec& chip = *(toolchain.target.chip ? board : host_model(board)).chip;
+  fail(toolchain, messages, vector_hint(messages, own_lines, board, {chip, core.avr_libc}));
 }
 
 void fail_for_changes(const Toolchain& toolchain, const fs::path& saved, const std::string& assembly,

@@ -43,13 +43,15 @@ Place first_error(const std::string& messages);
 /// Returns whether the error is in one of the libraries.
 bool is_about_library(const std::string& messages, const std::vector<Library>& libraries);
 
-/// Throws CompileError for a failed compilation, or ToolMissing if the machine is to blame.
-[[noreturn]] void fail(const Toolchain& toolchain, const std::string& messages);
+/// Throws CompileError for a failed compilation, or ToolMissing if the machine is to blame. An empty `hint`
+/// stands for that of hint_for().
+[[noreturn]] void fail(const Toolchain& toolchain, const std::string& messages, std::string hint = "");
 
 /// Throws CompileError for a failed link: an undefined or multiply defined function, or a chip that is too
-/// small.
-[[noreturn]] void fail_link(const Toolchain& toolchain, const Sketch& sketch,
-                            const std::vector<Object>& objects, std::string output);
+/// small. `own_lines` are the sketch's preprocessed lines (prototypes.h), or empty.
+[[noreturn]] void fail_link(const Toolchain& toolchain, const GenuineCore& core, const Sketch& sketch,
+                            const std::vector<Object>& objects, const std::string& own_lines,
+                            std::string output);
 
 /// Throws an internal error if an assembler rejects only Robosim's changes to the compiler's assembly. Writes
 /// the changed assembly to `saved`.

@@ -1,0 +1,34 @@
+// Explains in plain words that two parts of a program define the handler of one interrupt. The linker reports
+// only a "multiple definition of `__vector_5'".
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "hal/board/board_spec.h"
+
+namespace robosim::build {
+
+/// The chip whose vectors a program names, and avr-libc's folder include/avr.
+struct Vectors {
+  const ChipSpec& chip;
+  const std::filesystem::path& avr_libc;
+};
+
+/// Returns avr-libc's name of a vector, such as PCINT2_vect, from avr-libc's header for the chip. Returns an
+/// empty text if the header has no such name.
+std::string vector_name(const Vectors& vectors, int number);
+
+/// Returns a sentence about the first vector that the linker reports as defined twice: its name, its two
+/// owners, and what to do. Returns an empty text if there is no such vector. `own_lines` are the sketch's
+/// preprocessed lines (prototypes.h): avr-gcc's linker names no lines.
+std::string vector_hint(const std::string& messages, const std::string& own_lines, const BoardSpec& board,
+                        const Vectors& vectors);
+
+/// Returns warnings in a compiler's format, one per line, about handlers that the AVR core also defines:
+/// ISR(INT0_vect) with attachInterrupt(), and ISR(TIMER2_COMPA_vect) with tone(). The sketch does not link
+/// for the chip, but it does for the host, whose core needs no handlers.
+std::string core_handler_warnings(const std::string& own_lines, const BoardSpec& board,
+                                  const std::filesystem::path& avr_libc);
+
+}  // namespace robosim::build
