@@ -26,6 +26,7 @@
 #include "sim/build/source.h"
 #include "sim/build/units.h"
 #include "sim/build/vector_hints.h"
+#include "sim/build/width_check.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -37,7 +38,13 @@ class Build {
  public:
   Build(const Sketch& sketch, const Toolchain& toolchain, const Cache& cache, const LibraryFinder& finder,
         const GenuineCore& core)
-      : sketch_(sketch), toolchain_(toolchain), cache_(cache), finder_(finder), core_(core), work_(cache) {
+      : sketch_(sketch),
+        toolchain_(toolchain),
+        cache_(cache),
+        finder_(finder),
+        core_(core),
+        work_(cache),
+        width_check_(WidthCheck::of(toolchain, core, cache.folder())) {
     shared_ = shared_files(sketch, toolchain.untrusted ? sketch.folder : reach_of(sketch.folder));
   }
 
@@ -221,16 +228,27 @@ class Build {
       jobs.push_back({unit, key, objects_.size(), object, object});
       objects_.emplace_back();
     }
+    // A failed check must not prevent a compiler's start, so the checks come last.
+    std::vector<std::size_t> checked;
+    for (std::size_t i = 0; width_check_ && i < jobs.size(); ++i)
+      if (jobs[i].unit.kind == Unit::Kind::sketch) {
+        commands.push_back(width_check_->command(jobs[i].unit, work_.scratch()));
+        checked.push_back(i);
+      }
     const auto since = fs::file_time_type::clock::now();
     std::vector<CommandResult> results = run_walled(commands);
+    std::vector<std::string> checks(jobs.size());
+    for (std::size_t i = 0; i < checked.size(); ++i) checks[checked[i]] = results[jobs.size() + i].output;
+    results.resize(jobs.size());
     assemble(jobs, results);
 
     std::vector<Unit> again;
     std::string errors;
     std::vector<std::size_t> unused;
     for (std::size_t i = 0; i < results.size(); ++i) {
-      const std::string messages = text(results[i]);
+      std::string messages = text(results[i]);
       if (results[i].status == 0) {
+        if (!checks[i].empty()) append_line(messages, width_check_->warnings(sketch_, checks[i], messages));
         check_object(toolchain_, jobs[i].unit, jobs[i].object);
         add_message(messages);
         objects_[jobs[i].slot] = keep(jobs[i], messages, since);
@@ -300,6 +318,9 @@ class Build {
   void add_message(const std::string& message) {
     if (!message.empty()) messages_ += message + '\n';
   }
+  static void append_line(std::string& text, const std::string& line) {
+    text += (text.empty() || line.empty() ? "" : "\n") + line;
+  }
 
   /// Returns true if the compilation failed because of a missing header and the header's library has now been
   /// added.
@@ -323,6 +344,7 @@ class Build {
   const LibraryFinder& finder_;
   const GenuineCore& core_;
   WorkFolder work_;
+  const std::unique_ptr<const WidthCheck> width_check_;
   std::vector<fs::path> shared_;
   std::vector<Library> libraries_;  ///< in the order in which they were found
   std::vector<Object> objects_;
@@ -379,6 +401,7 @@ Image build(const Request& request) try {
                       request.rules,
                       false,
                       request.core_begins};
+  toolchain.width_check = width_check_identity(toolchain);
   const std::vector<fs::path> folders =
       library_folders(sketch.folder, request.libraries, toolchain.core.libraries);
   const std::string key = image_key(toolchain, sketch, folders);

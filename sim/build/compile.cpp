@@ -290,6 +290,13 @@ Command assemble_command(const Toolchain& toolchain, const fs::path& assembly, c
           object.parent_path()};
 }
 
+Command check_command(const Toolchain& toolchain, const Unit& unit, const fs::path& scratch) {
+  std::vector<std::string> words = base_words(toolchain, unit);
+  words.emplace_back("-fsyntax-only");
+  add_source(words, unit);
+  return {std::move(words), unit.folder, unit.input, scratch};
+}
+
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const fs::path& output) {
   std::vector<std::string> words = base_words(toolchain, unit);
   append(words, {"-w", "-E", "-o", output.string()});

@@ -232,7 +232,11 @@ bool lacks_memory(const CommandResult& result) {
 
 std::vector<CommandResult> run_within(const std::vector<fs::path>& read, std::vector<Command> commands) {
   std::deque<ProgramSandbox> walls;
-  for (Command& command : commands) command.walls = &walls.emplace_back(read, command.scratch);
+  for (Command& command : commands) {
+    std::vector<fs::path> readable = read;
+    readable.insert(readable.end(), command.read.begin(), command.read.end());
+    command.walls = &walls.emplace_back(std::move(readable), command.scratch);
+  }
   const std::size_t at_once = std::min(commands.size(), programs_at_once());
   for (Command& command : commands)
     if (command.most_memory == 0) command.most_memory = kCompileBytes / std::max<std::size_t>(at_once, 1);

@@ -21,6 +21,7 @@ struct Command {
   std::size_t most_output = std::size_t{16} << 20;
   int most_wait_s = kWaitSeconds;  ///< wall time after which an idle sandboxed program is killed
   std::size_t most_memory = 0;     ///< in bytes, for a sandboxed program; 0 = kCompileBytes
+  std::vector<std::filesystem::path> read = {};  ///< for run_within(): files that only this program can read
 };
 
 /// First line of the output of a program that was killed because of too much output.

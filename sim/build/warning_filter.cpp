@@ -61,18 +61,13 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-}  // namespace
-
-std::string without_style_warnings(const std::string& messages) {
-  if (!has(messages, "[-Wparentheses]") && !has(messages, "[-Wempty-body]")) return messages;
-  std::string shown;
-  std::vector<std::string> context, message;  // "My.ino: In function 'void loop()':", and the lines after it
+/// Calls `use(context, message)` for each message. `context` are the lines since the previous one, such as
+/// "My.ino: In function 'void loop()':". `message` is its line, and the lines that gcc shows below.
+template <typename Use>
+void for_each_message(const std::string& messages, Use use) {
+  std::vector<std::string> context, message;
   const auto close = [&] {
-    if (!message.empty() && is_slip(message)) {
-      for (const std::vector<std::string>* part : {&context, &message})
-        for (const std::string& line : *part) shown += line + '\n';
-      context.clear();
-    }
+    if (!message.empty()) use(context, message);
     message.clear();
   };
   for (std::string& line : lines_of(messages)) {
@@ -92,8 +87,35 @@ std::string without_style_warnings(const std::string& messages) {
     part->push_back(std::move(line));
   }
   close();
+}
+
+}  // namespace
+
+std::string without_style_warnings(const std::string& messages) {
+  if (!has(messages, "[-Wparentheses]") && !has(messages, "[-Wempty-body]")) return messages;
+  std::string shown;
+  for_each_message(messages, [&](std::vector<std::string>& context, const std::vector<std::string>& message) {
+    if (!is_slip(message)) return;
+    for (const std::vector<std::string>* part : {&std::as_const(context), &message})
+      for (const std::string& line : *part) shown += line + '\n';
+    context.clear();
+  });
   if (!shown.empty()) shown.pop_back();
   return shown;
+}
+
+std::vector<std::string> width_warnings(const std::string& messages) {
+  std::vector<std::string> found;
+  if (!has(messages, "[-Woverflow]") && !has(messages, "[-Wshift-")) return found;
+  for_each_message(messages, [&](std::vector<std::string>&, const std::vector<std::string>& message) {
+    const std::string& first = message.front();
+    const bool depends = has(first, "[-Woverflow]") || has(first, "[-Wshift-count-overflow]") ||
+                         has(first, "[-Wshift-overflow");
+    if (!depends || !has(first, ": warning: ")) return;
+    std::string& text = found.emplace_back(first);
+    for (std::size_t i = 1; i < message.size(); ++i) text += '\n' + message[i];
+  });
+  return found;
 }
 
 }  // namespace robosim::build

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace robosim::build {
 
@@ -12,5 +13,9 @@ namespace robosim::build {
 ///
 /// Other messages, with their lines of source, stay unchanged.
 std::string without_style_warnings(const std::string& messages);
+
+/// Returns the messages that depend on the width of int, each with its lines of source: overflows, and shifts
+/// by too many bits.
+std::vector<std::string> width_warnings(const std::string& messages);
 
 }  // namespace robosim::build
