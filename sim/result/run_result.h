@@ -265,6 +265,9 @@ void fields(V& v, Same<V, Pose>& p) {
   v("yaw", p.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
 }
 
+/// The text of a link whose lines ran long before, or declare what is still unchanged.
+inline constexpr const char* kSetBefore = "set before, and kept";
+
 /// A link of the chain that leads back from a verdict.
 struct Cause {
   double t_s = 0.0;

@@ -339,7 +339,7 @@ std::string Inquiry::read_at(const CauseStep& step) const {
 std::vector<result::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::size_t most,
                                              std::size_t lines) const {
   std::vector<result::Cause> links;
-  result::Cause read{0.0, "read", {}}, before{0.0, "set before, and kept", {}};
+  result::Cause read{0.0, "read", {}}, before{0.0, result::kSetBefore, {}};
   SimTime read_at_t = 0, set_at = 0;
   std::vector<std::string> names;                // file of each link; a header counts as its source file
   std::vector<std::set<std::string>> functions;  // functions of each link

@@ -143,7 +143,7 @@ class CliWhy : public ::testing::Test {
 };
 
 TEST_F(CliWhy, NamesTheLinesFromTheMotorsToTheReading) {
-  const Ended why = robosim_command({"why", "./Once", "--map", "oval"}, folder_.path());
+  const Ended why = robosim_command({"why", "./Once", "--map", "oval", "--all"}, folder_.path());
   EXPECT_EQ(why.status, 1) << why.err;
   EXPECT_THAT(why.out, AllOf(StartsWith("lost: The robot lost the line"),
                              HasSubstr("the robot left the line; motors: left 79 %, right 68 %"),
@@ -163,16 +163,37 @@ TEST_F(CliWhy, NamesTheLinesFromTheMotorsToTheReading) {
   EXPECT_FALSE(plain.contains("because"));
 }
 
+TEST_F(CliWhy, PrintsTheTenMostDirectLinesAndHowManyMoreThereAre) {
+  const Ended why = robosim_command({"why", "./Once", "--map", "oval", "--target", "avr"}, folder_.path());
+  std::size_t lines = 0;
+  for (std::size_t at = 0; (at = why.out.find("  Once.ino:", at)) != std::string::npos; ++at) ++lines;
+  EXPECT_EQ(lines, 10u) << why.out;
+  EXPECT_THAT(why.out, AllOf(HasSubstr("Once.ino:8 "), HasSubstr("Once.ino:12 "), HasSubstr("Once.ino:14 "),
+                             HasSubstr(" more lines: --all\n")));
+  const Ended host = robosim_command({"why", "./Once", "--target", "host"}, folder_.path());
+  EXPECT_EQ(host.status, 2);
+  EXPECT_THAT(host.err, HasSubstr("--target"));
+}
+
+TEST_F(CliWhy, ShowsWhatADetectorHasFound) {
+  std::filesystem::create_directories(folder_.path() / "Range");
+  std::string text = kOnce;
+  text.replace(text.find("analogWrite(6, right);"), 22, "analogWrite(6, right - 300);");
+  write_file(folder_.path() / "Range/Range.ino", text);
+  const Ended why = robosim_command({"why", "./Range", "--map", "oval"}, folder_.path());
+  EXPECT_THAT(why.out, HasSubstr("\ndetected: analogWrite(6, -"));
+}
+
 TEST_F(CliWhy, NamesWhatLeftAValueAsItWas) {
   folder_.write("Leaves/Leaves.ino", kLeavesAsItWas);
-  const Ended why = robosim_command({"why", "./Leaves", "--map", "oval"}, folder_.path());
+  const Ended why = robosim_command({"why", "./Leaves", "--map", "oval", "--all"}, folder_.path());
   EXPECT_THAT(why.out,
               AllOf(StartsWith("stuck: "), HasSubstr("Leaves.ino:11 "), HasSubstr("Leaves.ino:16 ")));
 }
 
 TEST_F(CliWhy, NamesWhatStoppedItAndWhyItDidNotDriveOn) {
   folder_.write("Stops/Stops.ino", kStops);
-  const Ended why = robosim_command({"why", "./Stops", "--map", "oval", "--for", "4s"}, folder_.path());
+  const Ended why = robosim_command({"why", "./Stops", "--map", "oval", "--for", "4s", "--all"}, folder_.path());
   EXPECT_THAT(why.out, AllOf(StartsWith("timeout: "), HasSubstr("the robot left the line; "),
                              HasSubstr("← its motors stopped here and stayed off; "),
                              HasSubstr("Stops.ino:13 "), HasSubstr("Stops.ino:17 ")));

@@ -17,18 +17,25 @@ namespace {
 
 constexpr std::size_t kMostLines = 10, kMostFindings = 3;
 
-/// Keeps the most direct lines of a chain: the first lines of all links, then their second lines, and so on.
-/// Returns the number of removed lines.
+/// Returns whether a link has lines that ran at its time, not long before or never.
+bool is_live(const result::Cause& cause) { return cause.t_s > 0.0 && cause.text != result::kSetBefore; }
+
+/// Keeps the most direct lines of a chain: the first line of each link, then the other lines of live links, the
+/// first ones first, then the rest. Returns the number of removed lines.
 std::size_t keep_direct(std::vector<result::Cause>& chain) {
   std::size_t all = 0, room = kMostLines;
   for (const result::Cause& cause : chain) all += cause.lines.size();
   if (all <= kMostLines) return 0;
   std::vector<std::size_t> kept(chain.size());
-  for (std::size_t turn = 0; room > 0; ++turn)
-    for (std::size_t i = 0; i < chain.size() && room > 0; ++i)
-      if (turn < chain[i].lines.size()) ++kept[i], --room;
+  const auto take_turns = [&](std::size_t turns, bool (*may)(const result::Cause&)) {
+    for (std::size_t turn = 0; turn < turns; ++turn)
+      for (std::size_t i = 0; i < chain.size() && room > 0; ++i)
+        if (kept[i] < chain[i].lines.size() && may(chain[i])) ++kept[i], --room;
+  };
+  take_turns(1, [](const result::Cause&) { return true; });
+  take_turns(kMostLines, is_live);
+  take_turns(kMostLines, [](const result::Cause&) { return true; });
   for (std::size_t i = 0; i < chain.size(); ++i) chain[i].lines.resize(kept[i]);
-  std::erase_if(chain, [](const result::Cause& cause) { return cause.lines.empty() && cause.t_s == 0.0; });
   return all - kMostLines;
 }
 
