@@ -47,7 +47,8 @@ RaceAnalysis::RaceAnalysis(const Firmware& firmware, const DebugInfo& debug, con
       chip_(chip),
       show_(std::move(show)),
       alone_(chip.cpu().chip(), chip.cpu().flash(), chip.cpu().last_ram()) {
-  for (const std::uint32_t address : debug.numbers()) {
+  for (const auto& [address, size, path] : debug.numbers()) {
+    if (!path.empty()) continue;
     const Symbol* const symbol = address >= kAvrData ? firmware.symbols.variable_at(address) : nullptr;
     if (!symbol || symbol->address != address || symbol->size < 1 || symbol->size > kLargestNumber) continue;
     numbers_.push_back({symbol, static_cast<Address>(address - kAvrData)});

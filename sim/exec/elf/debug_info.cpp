@@ -16,9 +16,9 @@
 namespace robosim::exec {
 namespace {
 
-// Limits of nested scopes, chained types, rows of line tables, and name lengths. They end the search in
-// damaged files. Compiled programs stay far below these limits.
-constexpr int kDeepest = 256, kMostLinks = 64;
+// Limits of nested scopes, rows of line tables, and name lengths. They end the search in damaged files.
+// Compiled programs stay far below these limits.
+constexpr int kDeepest = 256;
 constexpr std::size_t kMostRows = 300'000, kLongestName = 1000;
 
 std::string name_of(Dwarf_Die& die) {
@@ -143,36 +143,6 @@ void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLin
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-/// Returns whether a variable is a number, enumerator or pointer. Ignores const, volatile and typedefs.
-bool is_number(Dwarf_Die variable) {
-  Dwarf_Attribute attribute;
-  Dwarf_Die type = variable;
-  int links = 0;
-  do {
-    if (++links > kMostLinks || !dwarf_attr_integrate(&type, DW_AT_type, &attribute) ||
-        !dwarf_formref_die(&attribute, &type))
-      return false;
-  } while (dwarf_tag(&type) == DW_TAG_const_type || dwarf_tag(&type) == DW_TAG_volatile_type ||
-           dwarf_tag(&type) == DW_TAG_typedef);
-  const int tag = dwarf_tag(&type);
-  return tag == DW_TAG_base_type || tag == DW_TAG_enumeration_type || tag == DW_TAG_pointer_type;
-}
-
-void find_numbers(Dwarf_Die parent, std::vector<std::uint32_t>& addresses, int depth = 0) {
-  Dwarf_Die child;
-  if (depth > kDeepest || dwarf_child(&parent, &child) != 0) return;
-  do {
-    Dwarf_Attribute attribute;
-    Dwarf_Op* operations = nullptr;
-    std::size_t count = 0;
-    if (dwarf_tag(&child) == DW_TAG_variable && dwarf_attr_integrate(&child, DW_AT_location, &attribute) &&
-        dwarf_getlocation(&attribute, &operations, &count) == 0 && count == 1 &&
-        operations[0].atom == DW_OP_addr && is_number(child) && !is_core_file(tidy(dwarf_decl_file(&child))))
-      addresses.push_back(static_cast<std::uint32_t>(operations[0].number));
-    find_numbers(child, addresses, depth + 1);
-  } while (dwarf_siblingof(&child, &child) == 0);
-}
-
 /// Returns whether a part of the debug information is in other files. Then none of it is used, because libdw
 /// would open any file that the image names (DW_AT_dwo_name, .gnu_debugaltlink). The image could name a pipe
 /// or another user's file.
@@ -273,14 +243,6 @@ std::vector<DebugInfo::CodeLine> DebugInfo::lines() const {
     });
   std::erase_if(all, [](const CodeLine& line) { return line.line <= 0 || is_core_file(line.file); });
   return all;
-}
-
-std::vector<std::uint32_t> DebugInfo::numbers() const {
-  std::vector<std::uint32_t> addresses;
-  if (dwarf_) for_each_unit(dwarf_, [&](Dwarf_Die unit) { find_numbers(unit, addresses); });
-  std::sort(addresses.begin(), addresses.end());
-  addresses.erase(std::unique(addresses.begin(), addresses.end()), addresses.end());
-  return addresses;
 }
 
 DebugInfo::CodeOf DebugInfo::code_of(const std::string& function) const {

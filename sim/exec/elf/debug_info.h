@@ -71,9 +71,15 @@ class DebugInfo {
     std::string file;
     int line = 0;
   };
-  /// Returns the addresses of the user's global and static variables that are a single number, enumerator or
-  /// pointer.
-  std::vector<std::uint32_t> numbers() const;
+
+  /// A number, enumerator or pointer in a global or static variable of the user's code. It is the variable
+  /// itself, a member or an array element.
+  struct Number {
+    std::uint32_t address = 0, size = 0;
+    std::string path;  ///< path within the variable: "", ".left.pwm" or "[1]"
+  };
+  /// Returns these numbers. Bit fields and members of unions are not included.
+  std::vector<Number> numbers() const;
 
   /// A variable or constant of the user's code that has an address.
   struct Variable {

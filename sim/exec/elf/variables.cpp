@@ -1,18 +1,37 @@
-// Implements DebugInfo::variable_at(). DWARF contains the addresses of variables and the offsets of members.
+// Implements DebugInfo::variable_at() and DebugInfo::numbers(). DWARF contains the addresses of variables and
+// the offsets of members.
 #include <dwarf.h>
 #include <elfutils/libdw.h>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "sim/exec/elf/debug_info.h"
 
 namespace robosim::exec {
 namespace {
 
-// Limits of nested scopes and chained typedefs, which end the search in damaged files. Compiled programs stay
-// far below these limits.
-constexpr int kMostNested = 256, kMostNames = 64;
+// Limits of nested scopes, chained typedefs, members and elements, and path lengths. They end the search in
+// damaged files. Compiled programs stay far below these limits.
+constexpr int kMostNested = 256, kMostNames = 64, kMostParts = 60'000;
+constexpr std::size_t kLongestPath = 1000;
+
+using VisitUnit = std::function<bool(Dwarf_Die unit)>;
+
+/// Calls `visit` for each compilation unit, until `visit` returns true.
+void for_units(Dwarf* dwarf, const VisitUnit& visit) {
+  Dwarf_Off offset = 0, next = 0;
+  std::size_t header = 0;
+  while (dwarf && dwarf_nextcu(dwarf, offset, &next, &header, nullptr, nullptr, nullptr) == 0) {
+    Dwarf_Die unit;
+    if (dwarf_offdie(dwarf, offset + header, &unit) && visit(unit)) return;
+    offset = next;
+  }
+}
 
 std::optional<Dwarf_Die> type_of(Dwarf_Die die) {
   Dwarf_Attribute attribute;
@@ -88,18 +107,27 @@ std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool
   return "";
 }
 
+/// Returns the address of a variable; empty if the variable has no fixed address.
+std::optional<Dwarf_Word> address_of(Dwarf_Die variable) {
+  Dwarf_Attribute attribute;
+  Dwarf_Op* operations = nullptr;
+  std::size_t count = 0;
+  if (dwarf_tag(&variable) != DW_TAG_variable ||
+      !dwarf_attr_integrate(&variable, DW_AT_location, &attribute) ||
+      dwarf_getlocation(&attribute, &operations, &count) != 0 || count != 1 ||
+      operations[0].atom != DW_OP_addr)
+    return std::nullopt;
+  return operations[0].number;
+}
+
 bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found, int depth = 0) {
   Dwarf_Die child;
   if (depth > kMostNested || dwarf_child(&parent, &child) != 0) return false;
   do {
     Dwarf_Attribute attribute;
-    Dwarf_Op* operations = nullptr;
-    std::size_t count = 0;
-    if (dwarf_tag(&child) == DW_TAG_variable && dwarf_attr_integrate(&child, DW_AT_location, &attribute) &&
-        dwarf_getlocation(&attribute, &operations, &count) == 0 && count == 1 &&
-        operations[0].atom == DW_OP_addr && address >= operations[0].number) {
+    if (const auto begin = address_of(child); begin && address >= *begin) {
       const auto type = type_of(child);
-      const Dwarf_Word offset = address - operations[0].number;
+      const Dwarf_Word offset = address - *begin;
       if (type && offset < size_of(*type)) {
         // The name may be in a separate entry for the declaration, as for a static member.
         const char* const name =
@@ -114,18 +142,115 @@ bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found, i
   return false;
 }
 
+/// Collects the numbers of variables.
+class NumberCollector {
+ public:
+  void add_variables(Dwarf_Die parent, int depth = 0) {
+    Dwarf_Die child;
+    if (depth > kMostNested || dwarf_child(&parent, &child) != 0) return;
+    do {
+      const auto address = address_of(child);
+      const auto type = address ? type_of(child) : std::nullopt;
+      if (type && !is_core_file(declaration_of(child).file)) add(*type, *address, "");
+      add_variables(child, depth + 1);
+    } while (dwarf_siblingof(&child, &child) == 0);
+  }
+  std::vector<DebugInfo::Number> take() { return std::move(numbers_); }
+
+ private:
+  /// Adds the numbers of an object of this type.
+  void add(Dwarf_Die type, Dwarf_Word address, const std::string& path, int depth = 0) {
+    if (depth > kMostNames || path.size() > kLongestPath || ++parts_ > kMostParts) return;
+    switch (dwarf_tag(&type)) {
+      case DW_TAG_base_type:
+      case DW_TAG_enumeration_type:
+      case DW_TAG_pointer_type:
+        numbers_.push_back(
+            {static_cast<std::uint32_t>(address), static_cast<std::uint32_t>(size_of(type)), path});
+        return;
+      case DW_TAG_array_type:
+        return add_elements(type, address, path, depth);
+      case DW_TAG_structure_type:
+      case DW_TAG_class_type:
+        return add_members(type, address, path, depth);
+      default:
+        return;
+    }
+  }
+
+  void add_elements(Dwarf_Die array, Dwarf_Word address, const std::string& path, int depth) {
+    const auto element = type_of(array);
+    const Dwarf_Word size = element ? size_of(*element) : 0;
+    const Dwarf_Word count = size > 0 ? size_of(array) / size : 0;
+    const std::vector<Dwarf_Word> lengths = lengths_of(array);
+    for (Dwarf_Word i = 0; i < count && parts_ <= kMostParts; ++i) {
+      std::string index;
+      Dwarf_Word rest = i;
+      for (auto length = lengths.rbegin(); length != lengths.rend() && *length > 0; ++length) {
+        index.insert(0, fmt::format("[{}]", rest % *length));
+        rest /= *length;
+      }
+      add(*element, address + i * size, path + index, depth + 1);
+    }
+  }
+
+  void add_members(Dwarf_Die type, Dwarf_Word address, const std::string& path, int depth) {
+    Dwarf_Die child;
+    if (dwarf_child(&type, &child) != 0) return;
+    do {
+      Dwarf_Attribute attribute;
+      Dwarf_Word offset = 0;
+      const int tag = dwarf_tag(&child);
+      if ((tag != DW_TAG_member && tag != DW_TAG_inheritance) || dwarf_hasattr(&child, DW_AT_bit_size) ||
+          !dwarf_attr(&child, DW_AT_data_member_location, &attribute) ||
+          dwarf_formudata(&attribute, &offset) != 0)
+        continue;
+      const char* const name = tag == DW_TAG_member ? dwarf_diename(&child) : nullptr;
+      if (const auto of = type_of(child))
+        add(*of, address + offset, name ? fmt::format("{}.{}", path, name) : path, depth + 1);
+    } while (dwarf_siblingof(&child, &child) == 0);
+  }
+
+  /// Returns the length of each dimension of an array.
+  static std::vector<Dwarf_Word> lengths_of(Dwarf_Die array) {
+    std::vector<Dwarf_Word> lengths;
+    Dwarf_Die child;
+    if (dwarf_child(&array, &child) != 0) return lengths;
+    do {
+      Dwarf_Attribute attribute;
+      Dwarf_Word value = 0;
+      if (dwarf_tag(&child) != DW_TAG_subrange_type || lengths.size() > kMostNames) continue;
+      if (dwarf_attr(&child, DW_AT_upper_bound, &attribute) && dwarf_formudata(&attribute, &value) == 0)
+        lengths.push_back(value + 1);
+      else if (dwarf_attr(&child, DW_AT_count, &attribute) && dwarf_formudata(&attribute, &value) == 0)
+        lengths.push_back(value);
+    } while (dwarf_siblingof(&child, &child) == 0);
+    return lengths;
+  }
+
+  std::vector<DebugInfo::Number> numbers_;
+  int parts_ = 0;
+};
+
 }  // namespace
 
 DebugInfo::Variable DebugInfo::variable_at(std::uint32_t address) const {
   Variable found;
-  Dwarf_Off offset = 0, next = 0;
-  std::size_t header = 0;
-  while (dwarf_ && dwarf_nextcu(dwarf_, offset, &next, &header, nullptr, nullptr, nullptr) == 0) {
-    Dwarf_Die unit;
-    if (dwarf_offdie(dwarf_, offset + header, &unit) && find(unit, address, found)) break;
-    offset = next;
-  }
+  for_units(dwarf_, [&](Dwarf_Die unit) { return find(unit, address, found); });
   return is_core_file(found.where.file) ? Variable{} : found;
+}
+
+std::vector<DebugInfo::Number> DebugInfo::numbers() const {
+  NumberCollector collector;
+  for_units(dwarf_, [&](Dwarf_Die unit) { return collector.add_variables(unit), false; });
+  std::vector<Number> numbers = collector.take();
+  std::stable_sort(numbers.begin(), numbers.end(),
+                   [](const Number& a, const Number& b) { return a.address < b.address; });
+  const auto repeated = std::unique(numbers.begin(), numbers.end(), [](const Number& a, const Number& b) {
+    return a.address == b.address && a.size == b.size;
+  });
+  numbers.erase(repeated, numbers.end());
+  return numbers;
 }
 
 }  // namespace robosim::exec

@@ -13,7 +13,7 @@ const SourceLine& DebugInfo::sketch_place(std::uint32_t pc) const { return sketc
 DebugInfo::CodeOf DebugInfo::code_of(const std::string&) const { return {}; }
 std::vector<DebugInfo::Entry> DebugInfo::entries_of(const std::string&) const { return {}; }
 std::vector<DebugInfo::CodeLine> DebugInfo::lines() const { return {}; }
-std::vector<std::uint32_t> DebugInfo::numbers() const { return {}; }
+std::vector<DebugInfo::Number> DebugInfo::numbers() const { return {}; }
 DebugInfo::Variable DebugInfo::variable_at(std::uint32_t) const { return {}; }
 
 bool is_core_file(const std::string&) { return false; }
