@@ -14,18 +14,19 @@ void TornAccess::visited(std::uint32_t pc, Cycle) { race_analysis_.visited(pc); 
 void TornAccess::entered(int vector, Cycle) { race_analysis_.entered(vector); }
 
 void TornAccess::left() {
-  if (race_analysis_.found()) return;
   race_analysis_.left();
-  if (race_analysis_.found()) found_at_ = machine_.now();
+  found_at_.resize(race_analysis_.found().size(), machine_.now());
 }
 
 std::vector<Detected> TornAccess::found(SimTime) const {
-  const auto& found = race_analysis_.found();
-  if (!found) return {};
-  std::string mend = fix_of(found->kind) + ".";
-  mend[0] = static_cast<char>(mend[0] - 'a' + 'A');
-  return {{check_of(found->kind), torn_text(*found, debug_, machine_.chip().clock_hz()), mend,
-           debug_.place(found->pc), 1e-9 * static_cast<double>(found_at_), 1}};
+  std::vector<Detected> all;
+  for (const exec::avr::RaceAnalysis::Found& found : race_analysis_.found()) {
+    std::string mend = fix_of(found.kind) + ".";
+    mend[0] = static_cast<char>(mend[0] - 'a' + 'A');
+    all.push_back({check_of(found.kind), torn_text(found, debug_, machine_.chip().clock_hz()), mend,
+                   debug_.place(found.pc), 1e-9 * static_cast<double>(found_at_[all.size()]), 1});
+  }
+  return all;
 }
 
 }  // namespace robosim::detect::avr

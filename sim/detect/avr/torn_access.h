@@ -1,7 +1,5 @@
 // Detects torn reads, torn writes and lost updates in the flashed sketch by RaceAnalysis, which explains
-// these terms (sim/exec/avr/race_analysis.h). A finding does not end the run. RaceAnalysis does not see a
-// number that the compiler accesses through a pointer register. The flashed image may contain such accesses,
-// while an image with checks does not.
+// these terms (sim/exec/avr/race_analysis.h). A finding does not end the run.
 #pragma once
 
 #include <vector>
@@ -24,7 +22,7 @@ class TornAccess final : public ChipDetector {
   Machine& machine_;
   const DebugInfo& debug_;
   exec::avr::RaceAnalysis race_analysis_;
-  SimTime found_at_ = 0;
+  std::vector<SimTime> found_at_;  ///< times of RaceAnalysis::found()
 };
 
 }  // namespace robosim::detect::avr

@@ -65,6 +65,7 @@ std::vector<bool> of_handlers(const Cpu& cpu, std::uint32_t code_end) {
 }
 
 void ValueFlow::follow(const Instruction& i) {
+  if (robosim::avr::row_of(i.op).stores) return;
   switch (i.op) {
     case Op::add:
     case Op::adc:
@@ -109,9 +110,6 @@ void ValueFlow::follow(const Instruction& i) {
     case Op::cpc:
     case Op::cpi:
     case Op::bst:
-    case Op::push:
-    case Op::sts:
-    case Op::out:
       return;
     default:
       drop(i.a);

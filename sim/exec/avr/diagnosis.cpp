@@ -125,7 +125,7 @@ std::string Diagnosis::reason(const Fault& fault) const {
     case Fault::Kind::watchdog:
       return WatchdogResets::reason();
     case Fault::Kind::torn: {
-      const RaceAnalysis::Found& found = *machine_.chip().race_analysis()->found();
+      const RaceAnalysis::Found& found = machine_.chip().race_analysis()->found().front();
       return torn_text(found, debug_, machine_.chip().clock_hz()) + "; " + fix_of(found.kind);
     }
     default:
@@ -189,7 +189,8 @@ Crash Diagnosis::crash(const Fault& fault) const {
     return crash;
   }
   crash.reason = reason(fault);
-  if (fault.kind == Fault::Kind::torn) crash.check = check_of(machine_.chip().race_analysis()->found()->kind);
+  if (fault.kind == Fault::Kind::torn)
+    crash.check = check_of(machine_.chip().race_analysis()->found().front().kind);
   const Stack& stack = machine_.stack();
   if (!is_jump(fault)) crash.where = debug_.place(fault.pc);
   // After a jump to an invalid address, reports the instruction that jumped there, or else an earlier jump.

@@ -14,12 +14,24 @@
 // Accesses to a number are examined only after a handler has changed the number. Most numbers belong to the
 // main program alone, and observing each access takes time.
 //
-// Not a finding: a number that is read again until two reads agree; a number that a flag guards; a number
-// that is accessed while its interrupt is masked; a byte that is written independently of its old value.
+// Not a finding: a number that is read again until two reads agree, or until no handler has run; a number
+// that a flag guards; a number that is accessed while its interrupt is masked; a byte that is written
+// independently of its old value.
 //
-// The analysis covers global numbers of the sketch and its libraries if instructions contain the numbers'
-// addresses. Numbers of the core are excluded. For example, tone() writes a counter that the previous tone
-// may be decrementing, but the sketch is not at fault.
+// A number is a variable, a member of an object or an element of an array (sim/exec/avr/race_candidates.h).
+// Two accesses tear a number only if both are within this number. Bytes of two variables, members or elements
+// do not belong together, nor do the bytes of strings and buffers. If a pointer register contains the
+// address, its value is looked up when the instruction runs. This covers `this`, references and indices.
+//
+// Not detected:
+//
+//   objects on the heap and the stack, unions and bit fields
+//   copies byte by byte: by memcpy() or in a loop
+//   an access whose instructions use two pointer registers, or are separated by a jump
+//   numbers without debug information: avr-gcc before 8 drops some base classes and static local variables
+//   when it optimises at link time, but not in an image with checks
+//   numbers of the core. For example, tone() writes a counter that the previous tone may be decrementing, but
+//   the sketch is not at fault
 #pragma once
 
 #include <cstdint>
@@ -29,6 +41,7 @@
 #include <vector>
 
 #include "sim/exec/avr/firmware.h"
+#include "sim/exec/avr/race_candidates.h"
 #include "sim/exec/elf/debug_info.h"
 #include "sim/mcu/avr/chip.h"
 
@@ -36,18 +49,18 @@ namespace robosim::exec::avr {
 
 class RaceAnalysis {
  public:
-  /// The kind of access by the main program; `writes_back` is the last step of an update.
-  enum class AccessKind { reads, writes, writes_back };
   struct Found {
-    const Symbol* number = nullptr;
+    std::string number;  ///< "ticks", "leftWheel.count_" or "ticks[1]"
+    std::uint32_t address = 0, size = 0;
     AccessKind kind = AccessKind::reads;
     std::uint32_t pc = 0;           ///< byte address of the main program's access
     std::uint32_t handler_pc = 0;   ///< byte address of the handler's write
+    std::string handler;            ///< function that the interrupt calls; empty if the function is an ISR
     robosim::avr::Cycle later = 0;  ///< time from the access to the handler's start, in cycles
   };
 
-  /// When a handler first changes a number, calls `show` with the byte address of each access to the number.
-  /// From then on, visited() must be called at these addresses.
+  /// When a handler changes a number, calls `show` with the byte address of each access that may concern the
+  /// number. From then on, visited() must be called at these addresses.
   RaceAnalysis(const Firmware& firmware, const DebugInfo& debug, const robosim::avr::Chip& chip,
                std::function<void(std::uint32_t pc)> show);
 
@@ -56,61 +69,65 @@ class RaceAnalysis {
   /// Called when the processor has entered or left a handler.
   void entered(int vector);
   void left();
-  const std::optional<Found>& found() const { return found_; }
+  /// Returns the first few findings: at most one for each number and each access.
+  const std::vector<Found>& found() const { return found_; }
 
  private:
-  struct Number {
-    const Symbol* symbol = nullptr;
-    robosim::avr::Address begin = 0;
-    std::uint64_t before = 0;   ///< value at the start of the running handler
-    std::uint64_t changed = 0;  ///< bits that handlers have changed in this run
-  };
-  /// An access to the second byte that the program accesses, or the write-back of a number of one byte.
-  struct Access {
-    std::uint32_t pc = 0;
-    std::size_t number = 0;
-    AccessKind kind = AccessKind::reads;
-  };
   /// An access that a handler can tear, with the state of the chip at that time. left() examines the access
   /// after a handler has run.
   struct Armed {
-    std::size_t access = 0;
+    const RaceCandidate* access = nullptr;
+    std::size_t number = 0;
     std::uint64_t vectors = 0;  ///< enabled interrupts, one bit per vector
     robosim::avr::Cycle at = 0;
     std::vector<std::uint8_t> data;
     robosim::avr::Cpu::State state;
   };
 
-  void find_accesses(const DebugInfo& debug);
-  void keep_accessed_numbers();
+  /// How a handler would have changed a number, in byte addresses.
+  struct Change {
+    std::uint32_t pc = 0;                ///< the instruction that changes the number
+    std::vector<std::uint32_t> entered;  ///< targets of the jumps and calls before this instruction
+  };
+
+  const SharedNumbers::Number& number(std::size_t index) const { return numbers_.all()[index]; }
+  bool is_done() const;
   bool may_write_numbers(int vector) const;
-  void add_group(std::uint32_t pc, const DebugInfo& debug);
-  void add_update(std::uint32_t pc, const DebugInfo& debug);
-  std::optional<std::size_t> touched(const robosim::avr::Instruction& i) const;
-  bool is_read_again(std::uint32_t pc, std::size_t number) const;
+  std::optional<std::size_t> number_of(const RaceCandidate& access, std::uint32_t address) const;
   robosim::avr::Cycle soon() const;
-  void touch(std::size_t access);
-  std::optional<std::uint32_t> would_have_changed(const Armed& armed, int vector);
-  void note_change(std::size_t number);
-  std::uint64_t value_of(const Number& number, const std::vector<std::uint8_t>& data) const;
+  void touch(const RaceCandidate& access);
+  std::optional<Change> would_have_changed(const Armed& armed, int vector);
+  std::string handler_of(const Change& change) const;
+  void note_changes();
+  void note_change(std::size_t index);
+  bool can_be_torn(std::size_t index) const;
+  template <class Wanted>
+  void show_if(Wanted wanted) const;
+  void examine(const Armed& armed, int vector);
+  std::uint64_t value_of(std::size_t index, const std::uint8_t* data) const;
 
   const Firmware& firmware_;
+  const DebugInfo& debug_;
   const robosim::avr::Chip& chip_;
   const std::function<void(std::uint32_t)> show_;
+  const SharedNumbers numbers_;
+  /// Sorted by pc; empty until a handler changes a number. Finding the accesses takes time.
+  std::optional<std::vector<RaceCandidate>> accesses_;
   robosim::avr::Cpu alone_;
-  std::vector<Number> numbers_;
-  std::vector<Access> accesses_;  ///< sorted by pc
-  std::vector<Armed> armed_;      ///< for each number, the last access that a handler can tear
-  std::uint64_t writers_ = 0;     ///< handlers that may write a number; one bit per vector
-  int vector_ = 0;                ///< vector of the running handler; 0 = no handler, or not in writers_
-  std::optional<Found> found_;
+  std::vector<std::uint8_t> before_;    ///< data memory up to the last number, when the handler started
+  std::vector<std::uint64_t> changed_;  ///< for each number, the bits that handlers have changed in this run
+  std::vector<Armed> armed_;            ///< for each number, the last access that a handler can tear
+  std::uint64_t writers_ = 0;           ///< handlers that may write a number; one bit per vector
+  int vector_ = 0;                      ///< vector of the running handler; 0 = no handler, or not in writers_
+  bool shows_groups_ = false, shows_updates_ = false;  ///< accesses through pointers are shown
+  std::vector<Found> found_;
 };
 
 /// Returns "torn_read", "torn_write" or "lost_update".
-const char* check_of(RaceAnalysis::AccessKind kind);
+const char* check_of(AccessKind kind);
 /// Returns a text that describes the possible fault and the source line of the handler.
 std::string torn_text(const RaceAnalysis::Found& found, const DebugInfo& debug, std::uint32_t clock_hz);
 /// Returns a text that says how to fix the sketch: "copy it with interrupts off …"
-std::string fix_of(RaceAnalysis::AccessKind kind);
+std::string fix_of(AccessKind kind);
 
 }  // namespace robosim::exec::avr

@@ -264,8 +264,8 @@ void WatchedChip::handler_left() {
 
 bool WatchedChip::fail_if_torn() {
   const auto& found = race_analysis_->found();
-  if (found) fail(Fault::Kind::torn, found->pc, found->number->address);
-  return found.has_value();
+  if (!found.empty()) fail(Fault::Kind::torn, found.front().pc, found.front().address);
+  return !found.empty();
 }
 
 void WatchedChip::restore(const Saved& saved) {

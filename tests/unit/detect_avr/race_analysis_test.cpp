@@ -138,6 +138,202 @@ TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
   }
 }
 
+/// A sketch whose loop() shares a number with a handler.
+struct Sharing {
+  std::string number;  ///< the number's name in the finding; empty if nothing is found
+  std::string declarations, line, handler;
+};
+std::string sketch_of(const Sharing& sharing) {
+  return sharing.declarations + "\n" + pluralize(sharing.line, sharing.handler);
+}
+
+/// Lines 1 to 7 of a sketch.
+const std::string kWheel =
+    "struct Wheel {\n"
+    "  __attribute__((noinline)) void tick() { count_ += 40; }\n"
+    "  __attribute__((noinline)) long read() const { return count_; }\n"
+    "  __attribute__((noinline)) void set(long to) { count_ = to; }\n"
+    "  long inlined() const { return count_; }\n"
+    "  byte pins[2]; volatile long count_;\n"
+    "};\n";
+
+TEST_P(TearingTest, AMemberThatAHandlerMayChangeWhileAMethodReadsIt) {
+  start(
+      sketch_of({"", kWheel + "Wheel left, right;", "seen = left.read() + right.read();", "right.tick();"}));
+  run(100 * kMillisecond);
+  EXPECT_EQ(torn().kind, "torn_read");
+  EXPECT_THAT(torn().text,
+              HasSubstr("torn read of right.count_, whose 4 bytes the chip reads one by one: the "
+                        "handler at Test.ino:2 changes them in an interrupt"));
+  EXPECT_EQ(torn().where.function, "read");
+  EXPECT_EQ(torn().where.line, 3);
+}
+
+TEST_P(TearingTest, AMemberOrElementThatAHandlerMayChangeWhileItIsRead) {
+  const Sharing wrong[] = {{"left.count_", kWheel + "Wheel left;", "seen = left.inlined();", "left.tick();"},
+                           {"wheels[1].count_", kWheel + "Wheel wheels[2];",
+                            "for (Wheel& wheel : wheels) seen += wheel.inlined();", "wheels[1].tick();"},
+                           {"counts[1]", "volatile long counts[2];", "seen = counts[1];", "counts[1] += 40;"},
+                           {"counts[2]", "volatile unsigned counts[3]; volatile byte i;",
+                            "seen = counts[i]; i = (i + 1) % 3;", "counts[2] += 40;"},
+                           {"grid[1][2]", "volatile unsigned grid[2][3]; volatile byte i;",
+                            "seen = grid[i][2]; i ^= 1;", "grid[1][2] += 40;"},
+                           {"pose.at.y", "struct { byte id; struct { volatile float x, y; } at; } pose;",
+                            "seen = pose.at.y;", "pose.at.y += 1.7f;"}};
+  for (const Sharing& each : wrong) {
+    start(sketch_of(each));
+    run(100 * kMillisecond);
+    EXPECT_THAT(torn().text, HasSubstr("torn read of " + each.number + ", whose ")) << each.line;
+  }
+}
+
+TEST_P(TearingTest, ANumberThatAHandlerMayChangeWhileAPointerReadsIt) {
+  const std::string kRead =
+      "struct To { __attribute__((noinline)) static long read(volatile long* from) { "
+      "return *from; } };\n";
+  const Sharing wrong[] = {
+      {"ticks", "", "volatile unsigned long* volatile from = &ticks; seen = *from;", "ticks += 40;"},
+      {"other", kRead + "volatile long other;", "seen = To::read(&other);", "other += 40;"},
+      {"both.y", "struct Both { byte id; volatile unsigned x, y; } both; Both* volatile one = &both;",
+       "seen = one->y;", "both.y += 40;"},
+      {"d.count",
+       "struct B { virtual long get() = 0; }; struct D : B { volatile long count; long get() override { "
+       "return count; } } d; B* volatile one = &d;",
+       "seen = one->get();", "d.count += 40;"}};
+  for (const Sharing& each : wrong) {
+    start(sketch_of(each));
+    run(100 * kMillisecond);
+    EXPECT_THAT(torn().text, HasSubstr("torn read of " + each.number + ", whose ")) << each.line;
+  }
+}
+
+TEST_P(TearingTest, AMemberOrElementThatAHandlerMayChangeWhileItIsWritten) {
+  const Sharing wrong[] = {
+      {"left.count_", kWheel + "Wheel left;", "if (++seen % 500 == 0) left.set(0);", "left.count_ += 400;"},
+      {"counts[1]", "volatile unsigned counts[2]; volatile byte i;",
+       "if (++seen % 500 == 0) { counts[i] = 0; i ^= 1; }", "counts[1] += 400;"}};
+  for (const Sharing& each : wrong) {
+    start(sketch_of(each));
+    run(100 * kMillisecond);
+    EXPECT_THAT(torn().text, HasSubstr("torn write of " + each.number + ", whose ")) << each.line;
+  }
+}
+
+TEST_P(TearingTest, AByteOfAnObjectThatAHandlerMayChangeWhileItIsChanged) {
+  const std::string kLess =
+      "struct To { __attribute__((noinline)) static void less(volatile byte& of) { --of; } };\n";
+  const Sharing wrong[] = {{"state.flags", "struct { int id; volatile byte flags; } state;",
+                            "state.flags ^= 64;", "++state.flags;"},
+                           {"full", kLess + "volatile byte full;", "To::less(full);", "++full;"}};
+  for (const Sharing& each : wrong) {
+    start(sketch_of(each));
+    run(100 * kMillisecond);
+    EXPECT_THAT(torn().text, HasSubstr("lost update of " + each.number + ", which ")) << each.line;
+  }
+}
+
+// Tests correct ways to share members, elements and pointers with the handler.
+TEST_P(TearingTest, AMemberOrElementThatNoHandlerCanTearIsNone) {
+  const std::string kLeft = kWheel + "Wheel left; ";
+  const std::string kCounts = "volatile long counts[3]; volatile byte i; ";
+  const Sharing right[] = {
+      {"", kLeft, "noInterrupts(); seen = left.read(); interrupts();", "left.tick();"},
+      {"", kLeft, "byte old = SREG; cli(); seen = left.read(); SREG = old;", "left.tick();"},
+      {"", kLeft, "ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { seen = left.inlined(); }", "left.tick();"},
+      {"", kCounts, "noInterrupts(); seen = counts[i]; interrupts(); i = (i + 1) % 3;", "counts[2] += 40;"},
+      {"", kLeft, "TIMSK2 = 0; seen = left.read(); TIMSK2 = _BV(OCIE2A);", "left.tick();"},
+      {"", kLeft, "long a, b; do { a = left.read(); b = left.read(); } while (a != b); seen = a;",
+       "left.tick();"},
+      {"", kLeft,
+       "long now, again = left.read(); do { now = again; again = left.read(); } while (now != again); "
+       "seen = now;",
+       "left.tick();"},
+      {"", kCounts,
+       "byte k = i; long a, b; do { a = counts[k]; b = counts[k]; } while (a != b); seen = a; "
+       "i = (k + 1) % 3;",
+       "counts[2] += 40;"},
+      {"", kCounts, "seen = counts[i]; i = (i + 1) % 3;", "counts[2] = (counts[2] + 1) & 0x7F;"},
+      {"", "struct S { volatile bool full; volatile long x; } s; S* volatile to = &s;",
+       "S* p = to; if (p->full) { seen = p->x; p->full = false; }",
+       "if (!s.full) { s.x += 777; s.full = true; }"},
+      {"", kCounts + "volatile byte head, tail;",
+       "while (tail != head) { seen = counts[tail]; tail = (tail + 1) % 3; }",
+       "byte next = (head + 1) % 3; if (next != tail) { counts[head] += 777; head = next; }"},
+      {"", kLeft + "struct Car { __attribute__((noinline)) static long read() { return left.read(); } };",
+       "long a, b; do { a = Car::read(); b = Car::read(); } while (a != b); seen = a;", "left.tick();"},
+      {"", kLeft, "left.tick(); seen = left.read();", "ticks += 777;"}};
+  for (const Sharing& each : right) {
+    start(sketch_of(each));
+    run(20 * kMillisecond);
+    EXPECT_EQ(torn().text, "") << each.line;
+  }
+}
+
+TEST_P(TearingTest, BytesOfSeveralVariablesAreNotOneNumber) {
+  const Sharing right[] = {
+      {"", "struct S { volatile byte a, b, c; } s; S* volatile to = &s;",
+       "S* p = to; seen = p->a + p->b + p->c;", "s.a += 40; s.b += 3; ++s.c;"},
+      {"", "volatile byte bytes[8]; volatile byte i;", "seen = bytes[i] + bytes[i + 1]; i ^= 2;",
+       "for (byte& each : (byte(&)[8])bytes) each += 40;"},
+      {"", "struct S { volatile byte a; volatile unsigned b; } s; S* volatile to = &s;",
+       "S* p = to; seen = p->a; seen += p->b;", "s.a += 40;"},
+      {"", "volatile unsigned words[3]; volatile byte i;", "seen = words[1 + i];",
+       "words[0] += 40; words[2] += 400;"},
+      {"", "char text[12] = \"abc\"; char copy[12]; volatile byte i;",
+       "memcpy(copy, text, sizeof copy); seen = copy[i] + text[i + 1];", "text[0] ^= 1; text[1] ^= 1;"},
+      {"", "byte from[16], to[16]; volatile byte i;", "memcpy(to, from, sizeof to); seen = to[i];",
+       "ticks += 777;"},
+      {"", "", "seen = TCNT1; OCR1A = TCNT1; seen += ICR1;", "ticks = TCNT1; OCR1B = ticks;"}};
+  for (const Sharing& each : right) {
+    start(sketch_of(each));
+    run(20 * kMillisecond);
+    EXPECT_EQ(torn().text, "") << each.line;
+  }
+}
+
+TEST_P(TearingTest, AReadThatIsRepeatedIfAHandlerRanIsNone) {
+  const Sharing right[] = {
+      {"", "volatile byte runs;", "byte run; do { run = runs; seen = ticks; } while (run != runs);",
+       "++runs; ticks += 777;"},
+      {"", "", "do { ready = false; seen = ticks; } while (ready);", "ready = true; ticks += 777;"},
+      {"",
+       "struct { volatile byte runs; volatile long x; __attribute__((noinline)) long read() { byte run; long "
+       "now; do { run = runs; now = x; } while (run != runs); return now; } } s;",
+       "seen = s.read();", "++s.runs; s.x += 777;"}};
+  for (const Sharing& each : right) {
+    start(sketch_of(each));
+    run(20 * kMillisecond);
+    EXPECT_EQ(torn().text, "") << each.line;
+  }
+  start(pluralize("while (ready) seen = ticks;", "ready = true; ticks += 777;"));
+  run(20 * kMillisecond);
+  EXPECT_EQ(torn().kind, "torn_read") << "the loop does not repeat a torn read";
+}
+
+TEST_P(TearingTest, NamesTheFunctionThatAnInterruptCalls) {
+  start(kWheel +
+        "Wheel left; long seen;\n"
+        "void pulse() { for (byte i = 0; i < 9; ++i) left.tick(); }\n"
+        "void setup() { attachInterrupt(0, pulse, RISING); }\n"
+        "void loop() { seen = left.read(); }\n");
+  for (int i = 0; i < 100; ++i) {
+    board().schedule_edge(2, true, now_ + 300 * kMicrosecond);
+    board().schedule_edge(2, false, now_ + 500 * kMicrosecond);
+    run(kMillisecond);
+  }
+  EXPECT_THAT(torn().text, HasSubstr("tick at Test.ino:2, called by the handler pulse, changes them"));
+}
+
+TEST_P(TearingTest, IsReportedOncePerNumberAndLine) {
+  if (sanitize_) return;  // ends at the first
+  start("volatile long counts[3]; volatile long other;\n" +
+        pluralize("for (byte i = 0; i < 3; ++i) seen += counts[i];\n seen += other;",
+                  "for (byte i = 0; i < 3; ++i) counts[i] += 40;\n other += 40;"));
+  run(200 * kMillisecond);
+  ASSERT_EQ(avr_->detected().size(), 2u);
+  EXPECT_NE(avr_->detected()[0].where.line, avr_->detected()[1].where.line);
+}
+
 // tone() writes the number of pin changes, which has 4 bytes. Meanwhile, an interrupt handler of the core may
 // still decrement this number for the previous tone.
 TEST_P(TearingTest, WhatTheCoreDoesWithItsOwnNumbersIsNotTheSketchs) {
