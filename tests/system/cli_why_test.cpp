@@ -177,7 +177,7 @@ TEST_F(CliWhy, PrintsTheTenMostDirectLinesAndHowManyMoreThereAre) {
 
 TEST_F(CliWhy, ShowsWhatADetectorHasFound) {
   std::filesystem::create_directories(folder_.path() / "Range");
-  std::string text = kOnce;
+  std::string text = kLooksOnce;
   text.replace(text.find("analogWrite(6, right);"), 22, "analogWrite(6, right - 300);");
   write_file(folder_.path() / "Range/Range.ino", text);
   const Ended why = robosim_command({"why", "./Range", "--map", "oval"}, folder_.path());
