@@ -17,7 +17,6 @@
 namespace robosim::exec::avr {
 namespace {
 
-using robosim::avr::Address;
 using robosim::avr::Control;
 using robosim::avr::control_of;
 using robosim::avr::Cpu;

@@ -271,6 +271,8 @@ TEST_P(TearingTest, AMemberOrElementThatNoHandlerCanTearIsNone) {
 
 TEST_P(TearingTest, BytesOfSeveralVariablesAreNotOneNumber) {
   const Sharing right[] = {
+      {"", "struct S { volatile byte a; unsigned b; } s; S* volatile to = &s;",
+       "S* p = to; byte a = p->a, low = *(volatile byte*)&p->b; seen = a + low;", "s.a += 40; s.b += 400;"},
       {"", "struct S { volatile byte a, b, c; } s; S* volatile to = &s;",
        "S* p = to; seen = p->a + p->b + p->c;", "s.a += 40; s.b += 3; ++s.c;"},
       {"", "volatile byte bytes[8]; volatile byte i;", "seen = bytes[i] + bytes[i + 1]; i ^= 2;",
@@ -308,6 +310,10 @@ TEST_P(TearingTest, AReadThatIsRepeatedIfAHandlerRanIsNone) {
   start(pluralize("while (ready) seen = ticks;", "ready = true; ticks += 777;"));
   run(20 * kMillisecond);
   EXPECT_EQ(torn().kind, "torn_read") << "the loop does not repeat a torn read";
+  start("volatile byte runs;\n" +
+        pluralize("byte run; do { run = runs; seen = ticks; } while (run != runs);", "ticks += 777;"));
+  run(20 * kMillisecond);
+  EXPECT_EQ(torn().kind, "torn_read") << "the handler does not change the byte";
 }
 
 TEST_P(TearingTest, NamesTheFunctionThatAnInterruptCalls) {
@@ -326,8 +332,8 @@ TEST_P(TearingTest, NamesTheFunctionThatAnInterruptCalls) {
 
 TEST_P(TearingTest, IsReportedOncePerNumberAndLine) {
   if (sanitize_) return;  // ends at the first
-  start("volatile long counts[3]; volatile long other;\n" +
-        pluralize("for (byte i = 0; i < 3; ++i) seen += counts[i];\n seen += other;",
+  start("volatile long counts[3]; volatile long other; byte rounds;\n" +
+        pluralize("for (byte i = 0; i < 3; ++i) seen += counts[i];\n if (++rounds == 0) seen += other;",
                   "for (byte i = 0; i < 3; ++i) counts[i] += 40;\n other += 40;"));
   run(200 * kMillisecond);
   ASSERT_EQ(avr_->detected().size(), 2u);
