@@ -12,7 +12,7 @@ namespace robosim::exec {
 namespace {
 
 // Limits, which end the search in damaged files.
-constexpr int kMostScopes = 256, kMostParts = 64;
+constexpr int kMostScopes = 256, kMostRanges = 64;
 constexpr std::size_t kMostEntries = 4096, kMostParameters = 16, kMostBegins = 256;
 
 /// Returns the DIEs of a function's parameters, in the order of the declaration.
@@ -94,7 +94,7 @@ DebugInfo::Range body_of(Dwarf_Die function) {
   Dwarf_Addr base = 0, begin = 0, end = 0;
   int parts = 0;
   for (std::ptrdiff_t next = 0; (next = dwarf_ranges(&function, next, &base, &begin, &end)) > 0;)
-    if (++parts > kMostParts)
+    if (++parts > kMostRanges)
       return body;
     else if (end - begin > body.end - body.begin)
       body = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
