@@ -192,6 +192,7 @@ class Build {
       add_message(clock_warnings(text, own_files, toolchain_.board));
       if (!toolchain_.target.chip)
         add_message(core_handler_warnings(own_lines_, toolchain_.board, core_.avr_libc));
+      add_message(usb_warning(own_lines_, toolchain_.board));
       if (sketch_.sources.empty() && libraries_.empty())
         add_message(serial_warning(own_lines_, text, toolchain_.board));
     }

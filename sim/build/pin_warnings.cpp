@@ -180,6 +180,20 @@ std::string serial_warning(const std::string& own_lines, const std::string& all,
       first->file, first->line);
 }
 
+std::string usb_warning(const std::string& own_lines, const BoardSpec& board) {
+  if (!board.chip->usb.address) return "";
+  constexpr std::string_view kLoop[] = {"while", "(", "!", "Serial", ")"};
+  const std::vector<Word> words = words_in(own_lines);
+  const auto waits = std::search(words.begin(), words.end(), std::begin(kLoop), std::end(kLoop),
+                                 [](const Word& word, std::string_view text) { return word.text == text; });
+  if (waits == words.end()) return "";
+  return fmt::format(
+      "{}:{}: warning: while (!Serial) waits until a computer opens the port: without a USB cable the sketch "
+      "never goes on; in a run, the port is always open; to wait 2 s at most: while (!Serial && millis() < "
+      "2000)",
+      waits->file, waits->line);
+}
+
 std::string pin_warnings(const std::string& own_lines, const BoardSpec& board) {
   const std::vector<Word> words = words_in(own_lines);
   const std::map<std::string_view, int> constants = constants_in(words);

@@ -2,6 +2,7 @@
 
 #include "sim/detect/blind_driving.h"
 #include "sim/detect/doubtful_actions.h"
+#include "sim/detect/driven_input.h"
 #include "sim/detect/eeprom_wear.h"
 #include "sim/detect/forgotten_output.h"
 
@@ -33,6 +34,7 @@ Detectors::Detectors(const robot::Robot& robot, exec::Executor& executor, double
     steering_ = {&add<BlindDriving>(robot.sensor_midpoint().x, line_m), &add<MotorsLeftOn>(),
                  &add<SlowSerial>(), &add<SlowControl>()};
   add<ForgottenOutput>(robot.wiring());
+  add<DrivenInput>(robot.wiring());
   add<DoubtfulCalls>();
   add<SlowSource>();
   add<EepromWear>();

@@ -323,6 +323,19 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   });
 }
 
+// Returns why motors were never driven although no pin is to blame.
+const char* equal_inputs(const Evidence& e) {
+  const auto was_high = [&](const robot::WiredPin& wired, const char* role) {
+    const auto pin = static_cast<std::size_t>(wired.pin);
+    return turns_wheel(wired) && wired.role == role && pin < e.went_high.size() && e.went_high[pin];
+  };
+  for (const robot::WiredPin& one : e.wiring)
+    for (const robot::WiredPin& two : e.wiring)
+      if (one.part == two.part && was_high(one, "in1") && was_high(two, "in2"))
+        return "; its motors were never driven: with equal levels at both inputs, a driver brakes its motor";
+  return "; its motors were never driven";
+}
+
 // Returns a text if the motor driver's standby pin was never HIGH, so that its motors stay off.
 std::string sleeping_driver(const Evidence& e) {
   const auto is_high = [&](const robot::WiredPin& wired) {
@@ -481,7 +494,7 @@ NextStep next_step(const Evidence& e) {
   else if (low.empty() && never_output.empty())
     text += e.judge->last_driven() >= 0
                 ? "; its motors were driven, but not strongly or long enough to turn the wheels"
-                : "; its motors were never driven";
+                : equal_inputs(e);
   const Pin pin = e.verdict == Verdict::crashed ? kNoPin : awaited_pin(e);
   if (pin == kNoPin) return {text};
   text += fmt::format("; the pin that the sketch keeps reading is {}, which is {}", pin_name(e, pin),

@@ -22,6 +22,7 @@ inline constexpr DetectorName kDetectorNames[] = {
     {"slow_control", "all",
      "The robot lost the line because its motors changed too rarely, although sensors were read."},
     {"forgotten_output", "all", "A pin with a part was written HIGH, but never set to OUTPUT."},
+    {"driven_input", "all", "A pin whose part the sketch should read was an output."},
     {"eeprom_wear", "host, avr",
      "An EEPROM byte wears out in a day, or is written repeatedly with the same value."},
     {"torn_record", "host, avr",

@@ -75,7 +75,7 @@ const Case kCases[] = {
     {"AToneDuringWhichTheMotorIsSet", "lost_pwm", "pins 3 and 11 had no PWM, since their timer 2",
      "volatile int speed = 100;\n"
      "void setup() {\n  tone(8, 440);\n}\n"
-     "void loop() {\n  analogWrite(3, speed++ & 127 | 1);  //!\n  delay(20);\n}\n"},
+     "void loop() {\n  analogWrite(11, speed++ & 127 | 1);  //!\n  delay(20);\n}\n"},
     {"AToneWithMotorsOnOtherTimers", "", "",
      "volatile int speed = 100;\n"
      "void setup() {\n  tone(8, 440, 200);\n}\n"
@@ -88,6 +88,18 @@ const Case kCases[] = {
      "const byte motors[] = {5, 7};\nvolatile int speed = 100;\nvoid setup() {}\n"
      "void loop() {\n  for (byte i = 0; i < 2; i++)\n    analogWrite(motors[i], speed);  //!\n  "
      "delay(10);\n}\n"},
+    {"AButtonWhosePinIsAnOutput", "driven_input",
+     "pin 4 is an output, but the sketch should read a part there",
+     "void setup() {\n  for (byte pin = 4; pin <= 10; pin++)\n    pinMode(pin, OUTPUT);  //!\n}\n"
+     "void loop() { delay(5); }\n"},
+    {"ASensorWhosePinIsAnOutput", "driven_input", "(S2, reflectance-array)",
+     "void setup() {\n  pinMode(A1, OUTPUT);  //!\n}\nvoid loop() { delay(5); }\n"},
+    {"AnEncoderWhosePinIsWritten", "driven_input", "pin 2 is an output",
+     "void setup() {\n  DDRD |= 1 << 2;  //!\n  PORTD |= 1 << 2;\n}\nvoid loop() { delay(5); }\n"},
+    {"ASensorThatIsChargedThroughItsPin", "", "",
+     "void setup() {}\n"
+     "void loop() {\n  pinMode(A1, OUTPUT);\n  digitalWrite(A1, HIGH);\n  delayMicroseconds(10);\n"
+     "  pinMode(A1, INPUT);\n  delay(5);\n}\n"},
     {"AnUnlimitedCorrection", "pwm_range", "analogWrite(6, -80) acted like analogWrite(6, 176)",
      "volatile int turn = 200;\nvoid setup() {}\n"
      "void loop() {\n  analogWrite(5, turn);\n  analogWrite(6, 120 - turn);  //!\n  delay(10);\n}\n"},

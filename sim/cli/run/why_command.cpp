@@ -20,8 +20,8 @@ constexpr std::size_t kMostLines = 10, kMostFindings = 3;
 /// Returns whether a link has lines that ran at its time, not long before or never.
 bool is_live(const result::Cause& cause) { return cause.t_s > 0.0 && cause.text != result::kSetBefore; }
 
-/// Keeps the most direct lines of a chain: the first line of each link, then the other lines of live links, the
-/// first ones first, then the rest. Returns the number of removed lines.
+/// Keeps the most direct lines of a chain: the first line of each link, then the other lines of live links,
+/// then the rest. Returns the number of removed lines.
 std::size_t keep_direct(std::vector<result::Cause>& chain) {
   std::size_t all = 0, room = kMostLines;
   for (const result::Cause& cause : chain) all += cause.lines.size();

@@ -66,6 +66,21 @@ TEST(PinWarnings, SayThatSerialIsNeverBegun) {
   EXPECT_EQ(of("uno", "void loop() { if (Serial.read() == 1) stop(); }"), "");
 }
 
+TEST(PinWarnings, SayThatASketchWaitsForAComputerThatARobotOnTheFloorDoesNotHave) {
+  const auto of = [](const char* board, const std::string& code) {
+    return usb_warning("#line 1 \"My.ino\"\nvoid setup() {\n  " + code + "\n}\n", *find_board(board));
+  };
+  EXPECT_THAT(of("leonardo", "while (!Serial) {}"),
+              AllOf(StartsWith("My.ino:2: warning: while (!Serial) waits until a computer opens the port"),
+                    HasSubstr("while (!Serial && millis() < 2000)")));
+  EXPECT_THAT(of("micro", "while (!Serial);"), StartsWith("My.ino:2: "));
+  EXPECT_THAT(of("leonardo", "while(!Serial) { delay(10); }"), StartsWith("My.ino:2: "));
+  EXPECT_EQ(of("leonardo", "while (!Serial && millis() < 3000);"), "");
+  EXPECT_EQ(of("leonardo", "if (!Serial) return;"), "");
+  EXPECT_EQ(of("leonardo", "while (!Serial.available());"), "");
+  EXPECT_EQ(of("uno", "while (!Serial) {}"), "") << "its port is open at once";
+}
+
 TEST(PinWarnings, SayThatAPinIsAnalogOnly) {
   EXPECT_THAT(on("nano", "pinMode(A6, INPUT_PULLUP);"),
               HasSubstr("pin A6 of the nano can only be read with analogRead()"));

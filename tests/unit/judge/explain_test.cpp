@@ -491,6 +491,10 @@ TEST_F(Explain, ARobotThatNeverMovedIsLookedIntoPinByPin) {
   e.went_high[7] = true;
   EXPECT_EQ(next(Verdict::timeout), "the robot never moved; its motors were never driven")
       << "one of the two inputs may stay low";
+  e.went_high[5] = true;
+  EXPECT_EQ(next(Verdict::timeout),
+            "the robot never moved; its motors were never driven: with equal levels at both inputs, a driver "
+            "brakes its motor");
   robot_is_at(9 * kSecond, {3, 1}, true, true);
   e.moved = false;
   EXPECT_EQ(
