@@ -103,6 +103,10 @@ const Case kCases[] = {
     {"AnUnlimitedCorrection", "pwm_range", "analogWrite(6, -80) acted like analogWrite(6, 176)",
      "volatile int turn = 200;\nvoid setup() {}\n"
      "void loop() {\n  analogWrite(5, turn);\n  analogWrite(6, 120 - turn);  //!\n  delay(10);\n}\n"},
+    {"AConstantOfWhichTheCompilerKeepsOneByte", "", "",
+     "const int kSpeed = 150;\n"
+     "static void start() {\n  analogWrite(5, kSpeed);\n  analogWrite(6, kSpeed);\n}\n"
+     "void setup() { start(); }\nvoid loop() { delay(5); }\n"},
     {"ALimitedCorrection", "", "",
      "volatile int turn = 200;\nvoid setup() {}\n"
      "void loop() {\n  analogWrite(5, constrain(120 + turn, 0, 255));\n"

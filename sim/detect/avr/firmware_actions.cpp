@@ -70,21 +70,24 @@ void FirmwareActions::tell(Kind kind, int64_t first, int64_t second, int64_t thi
 
 void FirmwareActions::called(const Function& function) {
   const std::vector<exec::DebugInfo::Argument>& arguments = function.entry.arguments;
-  const auto value = [&](std::size_t number) -> std::optional<std::int64_t> {
+  // The compiler may leave out the upper bytes of an argument that the function does not use. Then the
+  // remaining register or constant is not the argument.
+  const auto value = [&](std::size_t number, std::size_t size) -> std::optional<std::int64_t> {
     if (number >= arguments.size()) return std::nullopt;
     const exec::DebugInfo::Argument& argument = arguments[number];
-    if (argument.registers.empty()) return argument.constant;
+    if (argument.registers.empty() && size == 1 && argument.constant) return *argument.constant & 0xFF;
+    if (argument.registers.size() != size) return std::nullopt;
     std::int64_t bytes = 0;
-    for (std::size_t i = argument.registers.size(); i-- > 0;)
-      bytes = bytes << 8 | cpu_.data[argument.registers[i]];
+    for (std::size_t i = size; i-- > 0;) bytes = bytes << 8 | cpu_.data[argument.registers[i]];
     return bytes;
   };
   const auto caller = [&] {
     return program_.debug.place(function.entry.is_inlined ? function.entry.address : call_site(cpu_));
   };
-  const std::optional<std::int64_t> first = value(0), second = value(1);
+  constexpr std::size_t kByte = 1, kInt = 2, kLong = 4;
+  const std::optional<std::int64_t> first = value(0, function.kind == Kind::delay ? kLong : kByte),
+                                    second = value(1, kInt);
   if (!first || (function.kind == Kind::analog_write && !second)) return;
-  // analogWrite()'s value is an int of 16 bits.
   tell(function.kind, *first, function.kind == Kind::analog_write ? static_cast<std::int16_t>(*second) : 0, 0,
        caller);
 }
