@@ -68,7 +68,12 @@ bool is_of_sketch(std::string_view line) {
 bool has(std::string_view line, std::string_view text) { return line.find(text) != std::string_view::npos; }
 
 std::string fault_in(std::string_view line) {
-  if (has(line, "No space left on device") || has(line, "Disk quota exceeded")) return kNoRoom;
+  if (has(line, "No space left on device") || has(line, "Disk quota exceeded")) {
+    // ld says so, too, if it can write only a part of a file because of ulimit -f.
+    rlimit limit{};
+    const bool limited = ::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return limited ? std::string(kNoRoom) + ", or " + too_large_files() : kNoRoom;
+  }
   if (has(line, "Too many open files") || has(line, "out of file descriptors")) return too_many_files();
   if (has(line, "File too large") || has(line, "File size limit exceeded")) return too_large_files();
   if (has(line, "Cannot create temporary file") || has(line, "cannot open temporary file"))

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace robosim::detect {
 namespace {
 
@@ -47,19 +49,32 @@ void DrivenInput::powered_on() {
 }
 
 std::vector<exec::Detected> DrivenInput::found(SimTime now) const {
-  std::vector<exec::Detected> all;
-  for (const Input& input : state_.inputs) {
-    if (!input.output_since || (!input.is_found && now - *input.output_since < kLong)) continue;
-    const robot::WiredPin& wired = input.wired;
-    all.push_back(
-        {result::detector("driven_input"),
-         fmt::format("pin {} is an output, but the sketch should read a part there ({}, {}): the two drive "
-                     "against each other; it was set",
-                     wired.pin, wired.role.empty() ? wired.part : wired.role, wired.type),
-         fmt::format("Call pinMode({}, INPUT), or wire the part to another pin.", wired.pin), input.where,
-         1e-9 * static_cast<double>(*input.output_since), 1});
-  }
-  return all;
+  std::vector<const Input*> driven;
+  for (const Input& input : state_.inputs)
+    if (input.output_since && (input.is_found || now - *input.output_since >= kLong))
+      driven.push_back(&input);
+  if (driven.empty()) return {};
+  std::string pins;
+  for (const Input* const one : driven)
+    pins += fmt::format("{}{} ({})",
+                        pins.empty()           ? ""
+                        : one == driven.back() ? " and "
+                                               : ", ",
+                        one->wired.pin,
+                        one->wired.type == "reflectance-array" ? one->wired.role : one->wired.part);
+  const Input& first = **std::min_element(
+      driven.begin(), driven.end(),
+      [](const Input* one, const Input* other) { return *one->output_since < *other->output_since; });
+  const bool several = driven.size() > 1;
+  return {{result::detector("driven_input"),
+           fmt::format(
+               "pin{} {} {}, but the part there gives a level to read, and the two drive against each other; "
+               "it was set",
+               several ? "s" : "", pins, several ? "are outputs" : "is an output"),
+           "Set the pin to INPUT. If the part is at another pin, correct the robot file (robosim wire drafts "
+           "one).",
+           first.where, 1e-9 * static_cast<double>(*first.output_since),
+           static_cast<std::int64_t>(driven.size())}};
 }
 
 }  // namespace robosim::detect

@@ -89,13 +89,16 @@ const Case kCases[] = {
      "void loop() {\n  for (byte i = 0; i < 2; i++)\n    analogWrite(motors[i], speed);  //!\n  "
      "delay(10);\n}\n"},
     {"AButtonWhosePinIsAnOutput", "driven_input",
-     "pin 4 is an output, but the sketch should read a part there",
+     "pin 4 (start) is an output, but the part there gives a level to read",
      "void setup() {\n  for (byte pin = 4; pin <= 10; pin++)\n    pinMode(pin, OUTPUT);  //!\n}\n"
      "void loop() { delay(5); }\n"},
-    {"ASensorWhosePinIsAnOutput", "driven_input", "(S2, reflectance-array)",
+    {"ASensorWhosePinIsAnOutput", "driven_input", "pin 15 (S2) is an output",
      "void setup() {\n  pinMode(A1, OUTPUT);  //!\n}\nvoid loop() { delay(5); }\n"},
-    {"AnEncoderWhosePinIsWritten", "driven_input", "pin 2 is an output",
+    {"AnEncoderWhosePinIsWritten", "driven_input", "pin 2 (encoder_left) is an output",
      "void setup() {\n  DDRD |= 1 << 2;  //!\n  PORTD |= 1 << 2;\n}\nvoid loop() { delay(5); }\n"},
+    {"ARobotFileOfAnotherRobot", "driven_input", "pins 15 (S2), 3 (encoder_right) and 4 (start) are outputs",
+     "void setup() {\n  pinMode(3, OUTPUT);  //!\n  pinMode(4, OUTPUT);\n  pinMode(A1, OUTPUT);\n}\n"
+     "void loop() { delay(5); }\n"},
     {"ASensorThatIsChargedThroughItsPin", "", "",
      "void setup() {}\n"
      "void loop() {\n  pinMode(A1, OUTPUT);\n  digitalWrite(A1, HIGH);\n  delayMicroseconds(10);\n"
