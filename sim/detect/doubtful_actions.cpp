@@ -13,6 +13,11 @@ constexpr int64_t kHighest = 255, kNoInterrupt = 255;
 constexpr std::size_t kMost = 16;
 constexpr double kMsPerDay = 24 * 3600 * 1000;
 
+/// Returns a pin's usual name: 5 for D5, or A0.
+std::string name_of(const BoardSpec& board, Pin pin) {
+  return board.pins[pin].name[0] == 'A' ? board.pins[pin].name : fmt::format("{}", pin);
+}
+
 /// Returns the pins for which `is_one` returns true, as "3, 5 and 6" if `last` is " and ".
 template <class IsOne>
 std::string pins_of(const BoardSpec& board, std::string_view last, IsOne&& is_one) {
@@ -20,7 +25,7 @@ std::string pins_of(const BoardSpec& board, std::string_view last, IsOne&& is_on
   for (Pin pin = 0; pin < board.pin_count; ++pin) {
     if (!is_one(board.pins[pin])) continue;
     if (!held_back.empty()) names += (names.empty() ? "" : ", ") + held_back;
-    held_back = fmt::format("{}", pin);
+    held_back = name_of(board, pin);
   }
   return names.empty() ? held_back : fmt::format("{}{}{}", names, last, held_back);
 }
@@ -93,7 +98,7 @@ void DoubtfulActions::wrote(int64_t number, int64_t value, SimTime t, const Wher
   if (pin.pwm || value == 0 || value == kHighest || is_known("lost_pwm", number)) return;
   add(result::detector("lost_pwm"), number,
       fmt::format("pin {} of the {} has no PWM, and is LOW below 128 and HIGH otherwise: analogWrite({}, {})",
-                  number, board_->name, number, value),
+                  name_of(*board_, static_cast<Pin>(number)), board_->name, number, value),
       fmt::format("Use a pin with PWM: {}.", pwm_pins(*board_)), {t, where()});
 }
 

@@ -5,6 +5,17 @@
 #include "hal/board/board_spec.h"
 
 namespace robosim::detect {
+namespace {
+
+// Returns whether a timer can capture the pin's edges. A timer awaits these edges as soon as firmware reads its
+// flags, as the Servo library does, even if nothing uses the captures.
+bool can_capture(const BoardSpec& board, Pin pin) {
+  const BoardSpec& model = host_model(board);  // has the registers on the host
+  return board.pins[pin].chip_pin.captured_by >= 0 ||
+         (pin < model.pin_count && model.pins[pin].chip_pin.captured_by >= 0);
+}
+
+}  // namespace
 
 FloorReads::FloorReads(const robot::Robot& robot, exec::Executor& executor) : executor_(executor) {
   for (const robot::WiredPin& wired : robot.wiring()) {
@@ -22,7 +33,7 @@ SimTime FloorReads::last(SimTime now) const {
   const exec::BoardProbe& probe = executor_.probe();
   for (const Pin pin : pins_) {
     const exec::PinUse& use = probe.use(pin);
-    last = std::max(last, use.awaited ? now : use.last_seen);
+    last = std::max(last, use.awaited && !can_capture(executor_.board().spec(), pin) ? now : use.last_seen);
   }
   return last;
 }

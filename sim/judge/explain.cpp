@@ -487,8 +487,11 @@ NextStep next_step(const Evidence& e) {
   if (!low.empty())
     text += fmt::format("; motor pin{} {} stayed LOW", low.size() > 1 ? "s" : "", list_of_pins(low));
   if (!never_output.empty())
-    text += fmt::format("; motor pin{} {} {} never set to OUTPUT", never_output.size() > 1 ? "s" : "",
-                        list_of_pins(never_output), never_output.size() > 1 ? "were" : "was");
+    text +=
+        fmt::format("; motor pin{} {}: no pinMode(…, OUTPUT) or analogWrite() has run for {}",
+                    never_output.size() > 1 ? "s" : "",
+                    list_of_pins(never_output) + (never_output.size() > 1 ? " are inputs" : " is an input"),
+                    never_output.size() > 1 ? "them" : "it");
   if (std::none_of(e.wiring.begin(), e.wiring.end(), turns_wheel))
     text += ": it has no motors";
   else if (low.empty() && never_output.empty())

@@ -193,7 +193,8 @@ TEST_F(CliWhy, NamesWhatLeftAValueAsItWas) {
 
 TEST_F(CliWhy, NamesWhatStoppedItAndWhyItDidNotDriveOn) {
   folder_.write("Stops/Stops.ino", kStops);
-  const Ended why = robosim_command({"why", "./Stops", "--map", "oval", "--for", "4s", "--all"}, folder_.path());
+  const Ended why =
+      robosim_command({"why", "./Stops", "--map", "oval", "--for", "4s", "--all"}, folder_.path());
   EXPECT_THAT(why.out, AllOf(StartsWith("timeout: "), HasSubstr("the robot left the line; "),
                              HasSubstr("← its motors stopped here and stayed off; "),
                              HasSubstr("Stops.ino:13 "), HasSubstr("Stops.ino:17 ")));

@@ -261,10 +261,12 @@ void Hunt::look_back() {
   if (!has_goal || reached_ > 0 || !findings_.empty() || result.goal == "none" ||
       result.metrics.distance_m < kMoved_m)
     return;
-  add_plain(
-      {"goal", "goal",
-       fmt::format("In none of {} runs did the robot reach its goal, {}. {}", runs_, result.goal, result.why),
-       true});
+  add_plain({"goal", "goal",
+             runs_ == 0 ? fmt::format("In the first run, the robot did not reach its goal, {}. {}",
+                                      result.goal, result.why)
+                        : fmt::format("In none of {} runs did the robot reach its goal, {}. {}", runs_,
+                                      result.goal, result.why),
+             true});
 }
 
 std::string Hunt::remark() const {

@@ -68,7 +68,10 @@ Checked rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request, 
 }
 
 bool deserves_detectors(const build::Request& sketch, const result::RunResult& first) {
-  if (first.verdict == "crashed" || first.verdict == "interrupted") return false;
+  // With checks, a torn number ends the run before other findings.
+  const bool is_torn =
+      first.crash && (first.crash->check.starts_with("torn_") || first.crash->check == "lost_update");
+  if ((first.verdict == "crashed" && !is_torn) || first.verdict == "interrupted") return false;
   const bool has_failed = first.verdict == "lost" || first.verdict == "stuck" || first.verdict == "hung" ||
                           first.verdict == "timeout";
   const bool has_stood =
@@ -100,11 +103,6 @@ AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request,
   for (result::Detected& seen : detect_clock_wrap(runner, request, second))
     found.detected.push_back(std::move(seen));
   return found;
-}
-
-bool drives_blindly(const result::RunResult& result) {
-  return std::any_of(result.detected.begin(), result.detected.end(),
-                     [](const result::Detected& one) { return one.detector == "blind"; });
 }
 
 std::string next_of(const result::RunResult& result) {

@@ -43,9 +43,6 @@ struct AsFlashed {
 AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
                                const result::RunResult& first);
 
-/// Returns whether a detector has seen that the robot drove without reading its sensors.
-bool drives_blindly(const result::RunResult& result);
-
 /// Returns the hint `next` of the run's result, with the flags that the user needs.
 std::string next_of(const result::RunResult& result);
 /// Returns the hint `next` of the first run, updated by the second run's result.

@@ -69,7 +69,9 @@ std::string hunt_summary(const campaign::Hunt& hunt, const campaign::CampaignRun
                          const fs::path& out) {
   const std::size_t found = hunt.findings().size();
   std::string text = fmt::format("{} runs, {:.0f} s of simulated time: {}\n", hunt.runs(), hunt.simulated_s(),
-                                 found == 0   ? std::string("nothing was found")
+                                 found == 0 && hunt.runs_with_goal() > 0 && hunt.runs_that_reached() == 0
+                                     ? std::string("no cause was found")
+                                 : found == 0 ? std::string("nothing was found")
                                  : found == 1 ? std::string("1 finding")
                                               : fmt::format("{} findings", found));
   for (std::size_t i = 0; i < found; ++i)
@@ -77,8 +79,8 @@ std::string hunt_summary(const campaign::Hunt& hunt, const campaign::CampaignRun
                         hunt.findings()[i].times == 1 ? "" : "s", hunt.findings()[i].symptom.group);
   text += hunt.remark();
   if (hunt.runs_with_goal() > 0)
-    text += fmt::format("{} of {} runs reached the goal {}\n", hunt.runs_that_reached(), hunt.runs_with_goal(),
-                        hunt.baseline().result.goal);
+    text += fmt::format("{} of {} runs reached the goal {}\n", hunt.runs_that_reached(),
+                        hunt.runs_with_goal(), hunt.baseline().result.goal);
   for (const std::string& map : hunt.baseline().reached() ? runner.left_maps() : std::vector<std::string>{})
     text += fmt::format(
         "{0} was skipped, because the sketch did not reach its goal there: --map {0} includes it\n", map);

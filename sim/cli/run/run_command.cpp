@@ -212,7 +212,7 @@ int run_command(const RunArguments& arguments) {
     campaign::AsFlashed flashed = campaign::rerun_with_detectors(runner, run.request, run.wanted, result);
     if (flashed.crashed) result = std::move(*flashed.crashed);
     result.detected = std::move(flashed.detected);
-    if (campaign::drives_blindly(result)) result.next = result::without_wirings(result.next);
+    if (!result.detected.empty()) result.next = result::without_wirings(result.next);
     progress.clear();
   }
 

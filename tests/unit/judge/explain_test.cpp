@@ -485,7 +485,9 @@ TEST_F(Explain, ADriverInStandbyIsNamedInsteadOfItsMotorPins) {
 }
 
 TEST_F(Explain, ARobotThatNeverMovedIsLookedIntoPinByPin) {
-  EXPECT_EQ(next(Verdict::timeout), "the robot never moved; motor pins 5 and 7 were never set to OUTPUT");
+  EXPECT_EQ(next(Verdict::timeout),
+            "the robot never moved; motor pins 5 and 7 are inputs: no pinMode(…, OUTPUT) or analogWrite() "
+            "has run for them");
   e.was_output[5] = e.was_output[7] = true;
   EXPECT_EQ(next(Verdict::timeout), "the robot never moved; motor pins 5 and 7 stayed LOW");
   e.went_high[7] = true;
