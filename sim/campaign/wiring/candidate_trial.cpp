@@ -15,7 +15,7 @@ namespace {
 constexpr int kMostDrafts = 5;
 constexpr std::size_t kMostTrials = 64;
 constexpr std::int64_t kSampleEvery_ns = 50'000'000;
-constexpr double kLook_s = 5.0;
+constexpr double kLook_s = 10.0;
 constexpr double kDrive_s = 60.0;
 constexpr double kSquare_mm = 50.0;  // of FollowedLine
 constexpr const char* kGoal = "laps:1";
@@ -43,7 +43,7 @@ bool may_be_better(const Ways& ways, const Ways& follower) {
 
 }  // namespace
 
-const BoardSpec& board_for(const launch::SketchChoice& sketch) {
+GuessedBoard board_for(const launch::SketchChoice& sketch) {
   const build::ProjectRules rules = request_of(sketch, *board_at(0), "host", {}).rules;
   return board_for(build::read_sketch(sketch.path, rules));
 }
@@ -96,7 +96,7 @@ CandidateTrial::CandidateTrial(launch::Launch launch, const BoardSpec& board,
 result::RunResult CandidateTrial::run(const RobotDraft& draft, double for_s, const std::string& goal,
                                       const std::function<void(const wire::Event&)>& on_event) {
   write_file(file_, wiring::text_of(draft));
-  launch_.request.script = presses(draft);
+  launch_.request.script = presses(draft) + key_;
   launch_.request.goal = goal;
   launch_.request.for_ns = to_ns(for_s);
   const launch::Prepared run = launcher_.prepare(
@@ -119,6 +119,9 @@ Trial CandidateTrial::attempt(const RobotDraft& draft, const Ways& ways) {
 
 RobotDraft CandidateTrial::guess(const Ways& ways) {
   RobotDraft draft = wiring::guess(board_, names_, history_, ways);
+  if (!key_.empty())
+    draft.notes.push_back("The sketch reads its sensors after a line of a script: " +
+                          key_.substr(0, key_.size() - 1));
   for (;;) {
     write_file(file_, wiring::text_of(draft));
     try {
@@ -131,12 +134,42 @@ RobotDraft CandidateTrial::guess(const Ways& ways) {
   }
 }
 
+void CandidateTrial::choose_key(const RobotDraft& draft) {
+  constexpr double kLookForKey_s = 6.0, kMuch = 1.5;
+  constexpr double kSome = 20.0;  // reads
+  const std::string& object = names_.serial_object;
+  if (object.empty() || object.find("Serial") == std::string::npos) return;
+  const auto count = [&](const std::string& key) {
+    double reads = 0.0;
+    key_ = key;
+    history_.begin();
+    const result::RunResult result = run(draft, kLookForKey_s, "none", [&](const wire::Event& event) {
+      history_.add(event);
+      if (std::holds_alternative<wire::LevelSeen>(event) || std::holds_alternative<wire::VoltsSeen>(event))
+        ++reads;
+    });
+    history_.end(to_ns(result.time_s));
+    return reads;
+  };
+  double most = names_.serial_keys.empty() ? 0.0 : kMuch * count("") + kSome;
+  std::string best;
+  for (const char key : names_.serial_keys) {
+    const std::string line = std::string("at 300ms send \"") + key + "\"\n";
+    const double reads = count(line);
+    if (reads <= most) continue;
+    most = reads;
+    best = line;
+  }
+  key_ = best;
+}
+
 RobotDraft CandidateTrial::draft() {
   RobotDraft draft;
   draft.base = "uno3";
   draft.board = board_.name;
   std::string text = wiring::text_of(draft);
   launch_.request.pins = launch_.request.io = true;
+  choose_key(draft);
   for (int i = 0; i < kMostDrafts; ++i) {
     history_.begin();
     const result::RunResult result =

@@ -15,8 +15,8 @@
 
 namespace robosim::wiring {
 
-/// Returns a board that has all pins of the sketch (sketch_names.h).
-const BoardSpec& board_for(const launch::SketchChoice& sketch);
+/// Returns a board for the sketch (sketch_names.h).
+GuessedBoard board_for(const launch::SketchChoice& sketch);
 
 /// Returns whether the robot has followed the line for a lap. Excludes laps by luck, in which the RMS
 /// cross-track error is at least 50 mm. Also excludes laps in which the sensors are off the line half of the
@@ -68,12 +68,17 @@ class CandidateTrial {
                         const std::function<void(const wire::Event&)>& on_event);
   Trial attempt(const RobotDraft& draft, const Ways& ways);
 
+  /// Finds the character with which the sketch reads more pins than without, and sends it in all further
+  /// runs.
+  void choose_key(const RobotDraft& draft);
+
   launch::Launch launch_;
   const BoardSpec& board_;
   std::filesystem::path file_;
   launch::Launcher launcher_;
   client::Runner runner_;
   SketchNames names_;
+  std::string key_;  ///< a line of a script that sends a character; empty = none
   PinHistory history_;
 };
 

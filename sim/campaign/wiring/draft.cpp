@@ -17,6 +17,7 @@ std::string text_of(const PartDraft& part) {
   std::string text = "\n[[part]]\n" + line(fmt::format("name = \"{}\"", part.name), part.why);
   text += fmt::format("type = \"{}\"\n", part.type);
   for (const auto& [key, value] : part.keys) text += fmt::format("{} = {}\n", key, value);
+  for (const std::string& note : part.notes) text += "# " + note + '\n';
   for (const std::string& doubt : part.doubts) text += "# ? " + doubt + '\n';
   return text;
 }
@@ -42,12 +43,14 @@ std::string other_drivers(const std::string& chosen) {
 std::string text_of(const RobotDraft& draft, const std::vector<std::string>& remarks) {
   std::string text;
   for (const std::string& remark : remarks) text += "# " + remark + '\n';
+  for (const std::string& note : draft.notes) text += "# " + note + '\n';
   const char* const kit =
       draft.base == "uno5" ? "micro metal gear motors, wheels of 32 mm" : "yellow TT motors, wheels of 65 mm";
   text += line(fmt::format("base = \"{}\"", draft.base),
                fmt::format("? the chassis, motors and battery of the base: {}", kit));
   text += line("remove = \"all\"", "parts of the base; this robot's parts follow");
-  text += line(fmt::format("board = \"{}\"", draft.board), "");
+  text += line(fmt::format("board = \"{}\"", draft.board),
+               draft.board_doubt.empty() ? "" : "? " + draft.board_doubt);
   text +=
       "\n# ? These determine how the robot drives: measure them, and remove the #.\n"
       "# [chassis]\n# track = \"… mm\"   # between the wheels\n# wheel = \"… mm\"   # diameter\n";

@@ -36,8 +36,10 @@ void add_pin_part(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue
 
 void guess_input(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue) {
   const bool low = clue.facts->pulled_up;
+  const std::vector<Pin>& flags = evidence.names().flag_interrupts;
+  const bool is_flag = low && std::count(flags.begin(), flags.end(), clue.pin) != 0;
   if (says(clue.words, {"enc"}) ||
-      (evidence.is_given_to({"attachInterrupt", "digitalPinToInterrupt"}, clue.pin) &&
+      (evidence.is_given_to({"attachInterrupt", "digitalPinToInterrupt"}, clue.pin) && !is_flag &&
        !says(clue.words, {"butt", "btn", "start", "sw"}))) {
     PartDraft part{part_name(draft, clue.name.empty() ? "encoder" : clue.name),
                    "encoder",

@@ -15,7 +15,8 @@ struct PartDraft {
   std::string type;
   std::vector<std::pair<std::string, std::string>> keys;  ///< in their order, as written in TOML
   std::string why;                                        ///< the evidence: "ENA, IN1, IN2"
-  std::vector<std::string> doubts;                        ///< sentences for the user
+  std::vector<std::string> doubts;                        ///< questions to the user
+  std::vector<std::string> notes = {};                    ///< evidence for the user
 };
 
 /// Differences from the first guess that names in the source may leave open. A run on a robot without the
@@ -54,9 +55,11 @@ inline constexpr Way kWays[] = {
 struct RobotDraft {
   std::string base;  ///< a stock robot that provides chassis and motors
   std::string board;
-  std::string driver;   ///< the motor driver's chip
-  std::string standby;  ///< standby pin, as TOML; empty = none
-  std::string supply;   ///< voltage of the motors' supply, as TOML; empty = that of the base
+  std::vector<std::string> notes;  ///< sentences about the runs
+  std::string board_doubt;         ///< question about the board; empty = none
+  std::string driver;              ///< the motor driver's chip
+  std::string standby;             ///< standby pin, as TOML; empty = none
+  std::string supply;              ///< voltage of the motors' supply, as TOML; empty = that of the base
   std::vector<PartDraft> parts;
   std::vector<std::string> questions;  ///< questions about pins without a part
   Ways ways;                           ///< the ways of this draft

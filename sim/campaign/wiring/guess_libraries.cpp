@@ -119,13 +119,25 @@ class Libraries {
       for (const Pin pin : *pins) clues_.take(pin);
   }
 
-  // Reads shiftOut(data, clock, …), and finds the latch by its name.
+  // Returns whether a function writes only this pin, LOW and HIGH: around shiftOut().
+  bool frames(Pin pin) const {
+    for (const PinBlock& block : clues_.names().blocks) {
+      const bool is_alone = std::all_of(block.writes.begin(), block.writes.end(),
+                                        [&](const PinWrite& write) { return write.pin == pin; });
+      if (block.shifts_out && is_alone) return true;
+    }
+    return false;
+  }
+
+  // Reads shiftOut(data, clock, …), and finds the latch by its name or by its writes.
   void shift_register(const Given& given, Pin data, Pin clock) {
     if (!clues_.is_free(data) || !clues_.is_free(clock)) return;
     Pin latch = kNoPin;
     for (const PinEvidence* clue : clues_.left())
       if (clue->facts->driven && clue->pin != data && clue->pin != clock && latch == kNoPin &&
-          says(clue->words, {"latch", "rclk", "rck", "st", "stcp", "strobe", "load", "cs", "ss"}))
+          !says(clue->words, {"stby", "standby"}) &&
+          (frames(clue->pin) ||
+           says(clue->words, {"latch", "rclk", "rck", "st", "stcp", "strobe", "load", "cs", "ss"})))
         latch = clue->pin;
     if (latch == kNoPin) return;
     add(given, "shift-register",

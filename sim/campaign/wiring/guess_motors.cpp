@@ -11,11 +11,12 @@ using Pins = std::vector<const PinEvidence*>;
 
 bool is_motor_like(const PinEvidence& clue) {
   if (!clue.facts->driven || clue.facts->toned || clue.facts->discharged || clue.in_array)
-    return clue.in_array && clue.facts->driven && says(clue.words, {"mot", "wheel"});
+    return clue.in_array && clue.facts->driven && names_motor(clue.words);
   if (says(clue.words, {"led", "light", "lamp", "buzz", "beep", "speak", "piezo", "trig", "echo", "emit",
-                        "sens", "debug"}))
+                        "senso", "debug"}))  // the French "sens" is a direction
     return false;
-  if (says(clue.words, {"mot", "wheel", "pwm", "dir", "speed", "drive"})) return true;
+  if (names_motor(clue.words) || says(clue.words, {"pwm", "dir", "speed", "drive"})) return true;
+  if (says_forward(clue.words) || says_backward(clue.words)) return true;
   return clue.facts->pwm || side_of(clue.words) != Side::unknown || clue.name.empty();
 }
 
@@ -67,8 +68,13 @@ int named_order(const PinEvidence& a, const PinEvidence& b) {
   if (is_backward(a) != is_backward(b)) return is_backward(a) ? -1 : 1;
   if (number_of(a) >= 0 && number_of(b) >= 0 && number_of(a) != number_of(b))
     return number_of(a) < number_of(b) ? 1 : -1;
-  if (a.name == b.name && a.argument >= 0 && b.argument >= 0) return a.argument < b.argument ? 1 : -1;
+  if (a.object == b.object && a.argument >= 0 && b.argument >= 0) return a.argument < b.argument ? 1 : -1;
   return 0;
+}
+
+// Returns whether two names only differ in the letters a and b. These are channels, and b is not backward.
+bool are_letters(const PinEvidence& a, const PinEvidence& b) {
+  return !a.words.empty() && !b.words.empty() && a.words.back() == "a" && b.words.back() == "b";
 }
 
 // Returns whether a name is that of a direction. In Portuguese, "direita" is the right side.
@@ -112,8 +118,17 @@ class Motor {
   bool is_transistor() const { return en_ && !in1_ && !phase_; }
   /// Returns whether the inputs are named forward and backward, or by such abbreviations.
   bool direction_is_named() const {
-    return in1_ && (is_forward(*in1_) || is_backward(*in1_) || is_forward(*in2_) || is_backward(*in2_));
+    if (!in1_ || are_letters(*in1_, *in2_)) return false;
+    if (in1_->is_direction_from_source && in2_->is_direction_from_source) return false;
+    return (is_forward(*in1_) || is_backward(*in1_) || is_forward(*in2_) || is_backward(*in2_));
   }
+
+  MotorPins motor_pins() const {
+    const auto pin = [](const PinEvidence* clue) { return clue ? clue->pin : kNoPin; };
+    return {pin(en_), pin(phase_ ? phase_ : in1_), pin(in2_)};
+  }
+  /// Returns 1 if the source drives forward with in1 or the phase HIGH, -1 with LOW, 0 if it is open.
+  int forward_in_source() const { return forward_in_blocks(clues_.names().blocks, motor_pins()); }
 
   // Returns a value above 0 if the motor was mostly driven forward.
   double lean() const {
@@ -146,7 +161,8 @@ class Motor {
     const int order = named_order(*a, *b);
     in1_ = order < 0 ? b : a;
     in2_ = order < 0 ? a : b;
-    if (order == 0 && lean() < 0.0) std::swap(in1_, in2_);
+    const int forward = direction_is_named() ? 1 : forward_in_source();
+    if (forward < 0 || (forward == 0 && order == 0 && lean() < 0.0)) std::swap(in1_, in2_);
   }
   void phase() {
     en_ = pwm_[0];
@@ -306,14 +322,9 @@ Sides sides_of_shield(Evidence& evidence, Pins& pins, RobotDraft& draft) {
   return sides;
 }
 
-}  // namespace
-
-void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
-  if (std::any_of(draft.parts.begin(), draft.parts.end(),
-                  [](const PartDraft& p) { return p.type == "motor"; }))
-    return;  // the motors are on a shield
+// Finds the pins of motors, and the standby pin of their driver.
+Pins find_pins(Evidence& evidence, RobotDraft& draft, bool& has_standby) {
   Pins pins;
-  bool has_standby = false;
   for (const PinEvidence* clue : evidence.left()) {
     const bool is_standby =
         clue->facts->driven && says(clue->words, {"stby", "standby", "slp", "nsleep", "sleep"});
@@ -321,6 +332,9 @@ void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
     if (is_standby || is_enable_of_both(evidence, *clue)) {
       draft.standby = evidence.toml(clue->pin);
       evidence.take(clue->pin);
+    } else if (is_of_serial(evidence.board(), clue->pin) &&
+               !evidence.is_given_to({"digitalWrite", "analogWrite"}, clue->pin)) {
+      continue;  // pinMode(leftSpeed, OUTPUT) is a slip
     } else if (is_motor_like(*clue) && !(clue->name.empty() && clue->pin == evidence.board().led_builtin)) {
       pins.push_back(clue);
     }
@@ -330,9 +344,60 @@ void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   const auto has_name = [](const PinEvidence* clue) { return !clue->name.empty(); };
   if (std::count_if(pins.begin(), pins.end(), has_name) >= 2)
     pins.erase(std::stable_partition(pins.begin(), pins.end(), has_name), pins.end());
+  return pins;
+}
+
+// Corrects the sides by functions such as turnLeft(), if only conventions have named them. If comments or
+// values have named them, such functions may contradict these; the sides are then open.
+void check_sides_in_source(const Evidence& evidence, Sides& sides) {
+  const Motor left(evidence, sides.left), right(evidence, sides.right);
+  const auto forward = [](const Motor& motor) {
+    return motor.direction_is_named() ? 1 : motor.forward_in_source();
+  };
+  const int order = order_in_blocks(evidence.names().blocks, left.motor_pins(), right.motor_pins(),
+                                    forward(left), forward(right));
+  const bool is_from_source = std::any_of(sides.left.begin(), sides.left.end(),
+                                          [](const PinEvidence* clue) { return clue->is_side_from_source; });
+  if (is_from_source && order < 0) sides.named = false;
+  if (sides.named || order == 0 || is_from_source) return;
+  if (order < 0) std::swap(sides.left, sides.right);
+  sides.named = true;
+}
+
+// Adds the part of one motor.
+void add_motor(const Motor& motor, const Sides& sides, bool is_left, bool both_lean_back, const Ways& ways,
+               RobotDraft& draft) {
+  const int forward = motor.direction_is_named() ? 0 : motor.forward_in_source();
+  const bool is_open = !motor.is_transistor() && !motor.direction_is_named() && forward == 0;
+  (is_left ? draft.open.left_reversed : draft.open.right_reversed) = is_open;
+  PartDraft part{is_left ? "left" : "right", "motor", {{"pins", motor.pins()}}, motor.why(), {}};
+  if (!sides.named)
+    part.doubts.push_back(
+        "which motor is the left one is guessed: from A and B, numbers, or the order of the pins");
+  if (!sides.paired)
+    part.doubts.push_back("which inputs belong to which PWM pin is guessed from the order of the pins");
+  // A motor that turns on the spot leans back, too, so only both motors disprove names.
+  const bool leans_back = is_open ? motor.lean() < 0.0 : forward == 0 && both_lean_back;
+  const bool other_way = is_left ? ways.left_reversed : ways.right_reversed;
+  if ((leans_back || forward < 0) != other_way) part.keys.emplace_back("reversed", "true");
+  if (other_way) part.doubts.push_back(fmt::format("reversed or not: {}", kByTrial));
+  if (leans_back && !other_way)
+    part.doubts.push_back("reversed, because the sketch mostly drives it backwards");
+  draft.parts.push_back(std::move(part));
+}
+
+}  // namespace
+
+void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
+  if (std::any_of(draft.parts.begin(), draft.parts.end(),
+                  [](const PartDraft& p) { return p.type == "motor"; }))
+    return;  // the motors are on a shield
+  bool has_standby = false;
+  Pins pins = find_pins(evidence, draft, has_standby);
   if (pins.empty()) return;
   const bool is_shield = is_motor_shield(evidence, pins);
-  const Sides sides = is_shield ? sides_of_shield(evidence, pins, draft) : divide(evidence, pins);
+  Sides sides = is_shield ? sides_of_shield(evidence, pins, draft) : divide(evidence, pins);
+  check_sides_in_source(evidence, sides);
   const Motor left(evidence, sides.left), right(evidence, sides.right);
   for (const auto* side : {&sides.left, &sides.right}) {
     if (side->size() <= kMostPinsOfAMotor) continue;
@@ -344,25 +409,8 @@ void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   if (!left.found() || !right.found() || left.is_transistor() != right.is_transistor()) return;
   draft.open.other_sides = !sides.named;
   const bool both_lean_back = left.lean() < 0.0 && right.lean() < 0.0;
-  for (const bool is_left : {true, false}) {
-    const Motor& motor = is_left != ways.other_sides ? left : right;
-    const bool is_open = !motor.is_transistor() && !motor.direction_is_named();
-    (is_left ? draft.open.left_reversed : draft.open.right_reversed) = is_open;
-    PartDraft part{is_left ? "left" : "right", "motor", {{"pins", motor.pins()}}, motor.why(), {}};
-    if (!sides.named)
-      part.doubts.push_back(
-          "which motor is the left one is guessed: from A and B, numbers, or the order of the pins");
-    if (!sides.paired)
-      part.doubts.push_back("which inputs belong to which PWM pin is guessed from the order of the pins");
-    // A motor that turns on the spot leans back, too, so only both motors disprove names.
-    const bool leans_back = is_open ? motor.lean() < 0.0 : both_lean_back;
-    const bool other_way = is_left ? ways.left_reversed : ways.right_reversed;
-    if (leans_back != other_way) part.keys.emplace_back("reversed", "true");
-    if (other_way) part.doubts.push_back(fmt::format("reversed or not: {}", kByTrial));
-    if (leans_back && !other_way)
-      part.doubts.push_back("reversed, because the sketch mostly drives it backwards");
-    draft.parts.push_back(std::move(part));
-  }
+  for (const bool is_left : {true, false})
+    add_motor(is_left != ways.other_sides ? left : right, sides, is_left, both_lean_back, ways, draft);
   for (const auto* side : {&sides.left, &sides.right})
     for (const PinEvidence* clue : *side) evidence.take(clue->pin);
   const bool toshiba = has_standby || std::any_of(pins.begin(), pins.end(), [](const PinEvidence* clue) {

@@ -10,14 +10,13 @@ namespace {
 
 using Pins = std::vector<const PinEvidence*>;
 
-// Returns whether a pin has a meaningful name. The array `int pins[] = {2, 3, 13}` has none.
+// Returns whether a pin has a meaningful name. The array `int pins[] = {2, 3, 13}` and inPin have none.
 bool is_named(const PinEvidence& clue) {
   const auto says_nothing = [](const std::string& word) {
     return word == "pin" || word == "pins" || word == "in" || word == "io" || word == "input" ||
            word == "inputs" || word == "port" || word == "ports" || word == "all";
   };
-  return !clue.name.empty() &&
-         !(clue.in_array && std::all_of(clue.words.begin(), clue.words.end(), says_nothing));
+  return !clue.name.empty() && !(std::all_of(clue.words.begin(), clue.words.end(), says_nothing));
 }
 
 bool is_sensor_like(const Evidence& evidence, const PinEvidence& clue) {
@@ -89,6 +88,7 @@ void sort_by_number(Pins& sensors) {
       return;
     const int number = std::stoi(words.back());
     words.pop_back();
+    if (words.size() > 1 && (words.back() == "a" || words.back() == "d")) words.pop_back();  // A1, D7
     if (stem.empty()) stem = words;
     if (words != stem || !numbered.emplace(number, clue).second) return;
   }
@@ -100,10 +100,55 @@ const char* kind_of(const PinEvidence& sensor) {
   return sensor.facts->measured ? "analog" : sensor.facts->discharged ? "rc" : "digital";
 }
 
-// Returns the sensors of the most frequent kind, which can form one array. The other sensors become parts of
-// their own.
-Pins alike(const Pins& sensors) {
-  Pins most;
+// Returns the sensors that a library for line sensors reads, if there is such an array.
+Pins of_library(const Evidence& evidence, const Pins& sensors) {
+  for (const Given& given : evidence.names().given) {
+    if (given.type != "setSensorPins" && !given.type.starts_with("QTRSensors")) continue;
+    for (const std::vector<Pin>& array : given.each) {
+      Pins inside;
+      for (const PinEvidence* clue : sensors)
+        if (std::count(array.begin(), array.end(), clue->pin) != 0) inside.push_back(clue);
+      if (inside.size() > 1) return inside;
+    }
+  }
+  return {};
+}
+
+// Returns whether the sensors have the same name except for a number, or are the elements of one array.
+bool is_one_series(const Evidence& evidence, const Pins& sensors) {
+  const auto has_all = [&](const std::vector<Pin>& array) {
+    return std::all_of(sensors.begin(), sensors.end(), [&](const PinEvidence* clue) {
+      return std::count(array.begin(), array.end(), clue->pin) != 0;
+    });
+  };
+  for (const Named& named : evidence.names().named)
+    if (named.is_array && has_all(named.pins)) return true;
+  const auto stem_of = [](const PinEvidence* clue) {
+    WordList words = clue->words;
+    std::erase_if(words, [](const std::string& word) {
+      return word.size() == 1 || std::isdigit(static_cast<unsigned char>(word[0])) != 0;
+    });
+    return words;
+  };
+  const auto is_numbered = [](const PinEvidence* clue) {
+    return !clue->words.empty() && std::isdigit(static_cast<unsigned char>(clue->words.back()[0])) != 0;
+  };
+  return !stem_of(sensors.front()).empty() &&
+         std::all_of(sensors.begin(), sensors.end(), [&](const PinEvidence* clue) {
+           return is_numbered(clue) && stem_of(clue) == stem_of(sensors.front());
+         });
+}
+
+// Returns the sensors of one array: those of a library, a series, or those of the most frequent kind. The
+// other sensors become parts of their own.
+Pins alike(const Evidence& evidence, const Pins& sensors) {
+  if (sensors.empty()) return {};
+  Pins most = of_library(evidence, sensors);
+  if (!most.empty()) return most;
+  const bool has_rc = std::any_of(sensors.begin(), sensors.end(), [](const PinEvidence* clue) {
+    return std::string("rc") == kind_of(*clue);
+  });
+  if (!has_rc && is_one_series(evidence, sensors)) return sensors;
   for (const std::string kind : {"analog", "rc", "digital"}) {
     Pins same;
     std::copy_if(sensors.begin(), sensors.end(), std::back_inserter(same),
@@ -111,6 +156,18 @@ Pins alike(const Pins& sensors) {
     if (same.size() > most.size()) most = same;
   }
   return most;
+}
+
+// Returns how the sensors are read. If some are read with the ADC and others as levels, they are digital,
+// unless a pin is only an analog input.
+std::string kind_of_all(const Evidence& evidence, const Pins& sensors) {
+  const std::string kind = kind_of(*sensors.front());
+  const bool is_same = std::all_of(sensors.begin(), sensors.end(),
+                                   [&](const PinEvidence* clue) { return kind == kind_of(*clue); });
+  const bool has_analog_input = std::any_of(sensors.begin(), sensors.end(), [&](const PinEvidence* clue) {
+    return !evidence.board().pins[clue->pin].digital;
+  });
+  return is_same ? kind : has_analog_input ? "analog" : "digital";
 }
 
 // Distance between two elements, and from the axle forward to the elements, as in the stock robots.
@@ -127,6 +184,16 @@ Layout layout_of(std::size_t count, bool close) {
 
 constexpr std::size_t kMostElements = 16;
 
+// Adds the level over black, from the source or as a question.
+void add_level(const Ways& ways, const std::string& kind, RobotDraft& draft, PartDraft& part) {
+  draft.open.black_low = kind != "rc";
+  const bool is_low = ways.black_low;
+  if (is_low) part.keys.emplace_back("black", "\"low\"");
+  if (draft.open.black_low && !ways.black_low)
+    part.doubts.push_back("HIGH over black is guessed; if it is LOW, add black = \"low\"");
+  if (draft.open.black_low && ways.black_low) part.doubts.push_back(fmt::format("black: {}", kByTrial));
+}
+
 }  // namespace
 
 void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
@@ -136,7 +203,7 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   const auto has_name = [](const PinEvidence* clue) { return is_named(*clue); };
   if (std::count_if(sensors.begin(), sensors.end(), has_name) > 1)
     std::erase_if(sensors, [&](const PinEvidence* clue) { return !has_name(clue); });
-  sensors = in_order_of_array(evidence, alike(sensors));
+  sensors = in_order_of_array(evidence, alike(evidence, sensors));
   if (sensors.empty() || sensors.size() > kMostElements) return;
   const auto is_at = [&](bool left) {
     return std::any_of(sensors.begin(), sensors.end(), [&](const PinEvidence* clue) {
@@ -150,7 +217,7 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   else
     sort_by_number(sensors);
 
-  const std::string kind = kind_of(*sensors.front());
+  const std::string kind = kind_of_all(evidence, sensors);
   const Layout layout = layout_of(sensors.size(), ways.close);
   std::string pins, why;
   for (const PinEvidence* clue : sensors) {
@@ -172,16 +239,12 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   part.keys.emplace_back("footprint", fmt::format("\"{}\"", layout.footprint));
   draft.open.other_order = !placed && sensors.size() > 1;
   draft.open.close = sensors.size() == 2;
-  draft.open.black_low = kind != "rc";
+  add_level(ways, kind, draft, part);
   if (ways.other_order) part.keys.emplace_back("first", "\"right\"");
-  if (ways.black_low) part.keys.emplace_back("black", "\"low\"");
   if (draft.open.other_order && !ways.other_order)
     part.doubts.push_back(
         "the order from left to right is guessed; if it is the reverse, add first = \"right\"");
-  if (draft.open.black_low && !ways.black_low)
-    part.doubts.push_back("HIGH over black is guessed; if it is LOW, add black = \"low\"");
   if (ways.other_order) part.doubts.push_back(fmt::format("first: {}", kByTrial));
-  if (ways.black_low) part.doubts.push_back(fmt::format("black: {}", kByTrial));
 
   for (const PinEvidence* clue : evidence.left()) {
     if (!clue->facts->driven || !says(clue->words, {"emit", "irled", "ledon"})) continue;

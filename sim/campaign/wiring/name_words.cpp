@@ -90,6 +90,17 @@ Side spelled_side(const std::vector<std::string>& words) {
   return Side::unknown;
 }
 
+Side only_side(const std::vector<std::string>& words) {
+  Side side = Side::unknown;
+  for (const std::string& word : words) {
+    const Side one = spelled_side({word});
+    if (one == Side::unknown) continue;
+    if (side != Side::unknown && side != one) return Side::unknown;
+    side = one;
+  }
+  return side;
+}
+
 Side side_of(const std::vector<std::string>& words) {
   if (const Side side = spelled_side(words); side != Side::unknown) return side;
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {  // before the letters: motor1DirB
@@ -116,13 +127,39 @@ bool says(const std::vector<std::string>& words, Words beginnings) {
 }
 
 bool says_forward(const std::vector<std::string>& words) {
-  return says(words, {"fwd", "forw", "fow", "front", "ahead", "avan", "cw", "plus", "pos", "adelante",
+  return says(words, {"fwd", "forw", "farw", "fow", "front", "ahead", "avan", "cw", "plus", "pos", "adelante",
                       "frente", "vorw", "ileri", "maju", "aage"});
 }
 
 bool says_backward(const std::vector<std::string>& words) {
-  return says(words, {"bwd", "back", "rev", "ccw", "retro", "minus", "neg", "atras", "arriere", "rueckw",
-                      "ruckw", "zuruck", "zurueck", "indietro", "geri", "mundur", "peeche", "piche"});
+  return says(words,
+              {"bwd", "back", "rev", "ccw", "retro", "minus", "neg", "atras", "tras", "arriere", "rueckw",
+               "ruckw", "zuruck", "zurueck", "indietro", "geri", "mundur", "peeche", "piche"});
+}
+
+bool function_goes_forward(const std::vector<std::string>& words) {
+  const bool is_straight =
+      says(words, {"fwd", "forw", "farw", "front", "ahead", "avan", "adelante", "frente", "vorw", "ileri",
+                   "maju", "aage", "straight", "recto", "reto", "lurus", "duz", "gerade"});
+  return is_straight && !function_goes_backward(words);
+}
+
+bool function_goes_backward(const std::vector<std::string>& words) {
+  return says(words, {"bwd", "back", "revers", "retro", "atras", "tras", "arriere", "rueckw", "ruckw",
+                      "zuruck", "zurueck", "indietro", "geri", "mundur", "peeche", "piche"});
+}
+
+Side turn_of_function(const std::vector<std::string>& words) {
+  if (function_goes_forward(words) || function_goes_backward(words)) return Side::unknown;
+  for (const std::string& word : words) {
+    if (is_one_of(word, {"sola", "soladon"})) return Side::left;
+    if (is_one_of(word, {"saga", "sagadon"})) return Side::right;
+  }
+  return spelled_side(words);
+}
+
+bool names_motor(const std::vector<std::string>& words) {
+  return says(words, {"mot", "wheel", "rueda", "roda", "roue", "ruota", "teker", "engine"});
 }
 
 }  // namespace robosim::wiring

@@ -11,10 +11,11 @@ namespace {
 
 using namespace std::string_literals;
 
-// Replaces abbreviations that mean a side next to certain other names: in Spanish pwmi and pwmd next to izq
-// or der, and in Portuguese motorE and motorD.
+// Replaces letters that mean a side next to certain other names: in Spanish pwmi and pwmd next to izq or der,
+// in Portuguese motorE and motorD, in French motorG and motorD. The letter of a use may follow: EV, DV. The
+// outermost sensors have the letter twice: EE, DD.
 void read_letters_as_sides(std::vector<PinEvidence>& pins) {
-  const auto any = [&](const char* word) {
+  const auto any = [&](const std::string& word) {
     return std::any_of(pins.begin(), pins.end(), [&](const PinEvidence& clue) {
       return std::find(clue.words.begin(), clue.words.end(), word) != clue.words.end();
     });
@@ -22,14 +23,26 @@ void read_letters_as_sides(std::vector<PinEvidence>& pins) {
   const bool is_spanish = std::any_of(pins.begin(), pins.end(), [](const PinEvidence& clue) {
     return says(clue.words, {"izq", "der"});
   });
-  const bool has_e_and_d = any("e") && any("d") && !any("l") && !any("r");
+  const bool has_no_other = !any("l") && !any("r");
+  // The letter of a use may follow, and the outermost sensors have the letter twice.
+  const auto replace = [](PinEvidence& clue, std::size_t i, char letter, const char* side) {
+    std::string& word = clue.words[i];
+    const bool is_double = word.size() == 2 && word[1] == letter;
+    const bool has_use = word.size() == 2 && (word[1] == 'v' || word[1] == 'p');
+    if (word[0] != letter || (word.size() > 1 && !is_double && !has_use)) return;
+    word = side;
+    if (is_double) clue.words.insert(clue.words.begin(), "far");
+  };
+  const bool is_portuguese = any("e") && any("d") && has_no_other;
+  const bool is_french = any("g") && any("d") && has_no_other;
   for (PinEvidence& clue : pins) {
     if (spelled_side(clue.words) != Side::unknown) continue;
-    for (std::string& word : clue.words) {
-      if (is_spanish && (word == "pwmi" || word == "i")) word = "izq";
-      if (is_spanish && (word == "pwmd" || word == "d")) word = "der";
-      if (has_e_and_d && word == "e") word = "esq";
-      if (has_e_and_d && word == "d") word = "direita";
+    for (std::size_t i = 0; i < clue.words.size(); ++i) {
+      if (is_spanish && (clue.words[i] == "pwmi" || clue.words[i] == "i")) clue.words[i] = "izq";
+      if (is_spanish && (clue.words[i] == "pwmd" || clue.words[i] == "d")) clue.words[i] = "der";
+      if (is_portuguese) replace(clue, i, 'e', "esq");
+      if (is_french) replace(clue, i, 'g', "gauche");
+      if (is_portuguese || is_french) replace(clue, i, 'd', "direita");
     }
   }
 }
@@ -95,6 +108,8 @@ Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHi
       history_(history),
       by_pin_(board.pin_count),
       facts_(uses_in_source(names, board)) {
+  const bool uses_servo = std::any_of(names.given.begin(), names.given.end(),
+                                      [](const Given& given) { return given.type == "attach"; });
   for (Pin pin = 0; pin < board.pin_count; ++pin) {
     PinEvidence& clue = by_pin_[pin];
     clue.pin = pin;
@@ -102,11 +117,30 @@ Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHi
     const bool is_read_in_source = facts_[pin].looked, is_in_source = clue.is_used();
     PinFacts seen = history.of(pin);
     seen.looked |= seen.looked_along && (is_read_in_source || names.reads_ports);
+    // The library Servo reads flags of timers, which a run reports as reads of a pin.
+    const bool is_of_library = std::any_of(names.given.begin(), names.given.end(), [&](const Given& given) {
+      return std::count(given.pins.begin(), given.pins.end(), pin) != 0;
+    });
+    if (uses_servo && !names.reads_levels && !names.reads_ports && !is_of_library) seen.looked = false;
     const bool is_seen = seen.driven || seen.looked || seen.measured || seen.pulled_up;
     clue.is_assumed = is_in_source && !is_seen;
+    // Without pinMode(), digitalWrite() only switches the pull-up.
+    if (facts_[pin].driven && seen.pulled_up && !seen.driven && !seen.looked && !seen.measured)
+      seen.driven = true;
     if (is_seen) facts_[pin] = seen;
   }
-  std::vector<std::size_t> rank(board.pin_count);
+  add_names(history);
+  read_dir_as_right(by_pin_);
+  read_letters_as_sides(by_pin_);
+  add_source_words();
+  for (Pin pin = 0; pin < board.pin_count; ++pin)
+    if (by_pin_[pin].name.empty()) order_.push_back(pin);
+}
+
+// Names the pins. A name that the sketch passes to a pin function precedes a name whose value may be any
+// number.
+void Evidence::add_names(const PinHistory& history) {
+  std::vector<std::size_t> rank(board_.pin_count);
   std::size_t next_rank = 0;
   const auto name = [&](Pin pin, const std::string& text, bool in_array, const Spot& spot) {
     PinEvidence& clue = by_pin_[pin];
@@ -118,37 +152,66 @@ Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHi
     order_.push_back(pin);
     rank[pin] = next_rank;
   };
-  // A name that the sketch passes to a pin function precedes a name whose value may be any number.
   for (const bool sure : {true, false}) {
-    for (const Named& named : names.named) {
+    for (const Named& named : names_.named) {
       if (named.sure != sure) continue;
-      next_rank = static_cast<std::size_t>(&named - names.named.data());
+      next_rank = static_cast<std::size_t>(&named - names_.named.data());
       for (const Pin pin : named.pins) {
-        const Pin channel = static_cast<Pin>(pin + board.analog_pin_0);
+        const Pin channel = static_cast<Pin>(pin + board_.analog_pin_0);
         if (sure || by_pin_[pin].is_used())
           name(pin, named.name, named.is_array, named.spot);
-        else if (channel < board.pin_count && history.of(channel).measured)
+        else if (channel < board_.pin_count && history.of(channel).measured)
           name(channel, named.name, named.is_array, named.spot);
       }
     }
   }
   std::stable_sort(order_.begin(), order_.end(), [&](Pin a, Pin b) { return rank[a] < rank[b]; });
-  for (const Given& given : names.given) {
+  for (const Given& given : names_.given) {
     if (given.name.empty() || is_too_general(given)) continue;
     const std::vector<Pin> pins = pins_with_names(given);
     for (std::size_t i = 0; i < pins.size() && pins[i] != kNoPin; ++i) {
       PinEvidence& clue = by_pin_[pins[i]];
       if (!clue.is_used()) continue;
       name(clue.pin, given.name, false, given.spot);
-      if (clue.argument < 0) clue.argument = static_cast<int>(i);
+      if (clue.argument < 0) {
+        clue.argument = static_cast<int>(i);
+        clue.object = &given;
+      }
       const auto more = words_of(given.type);
       if (clue.name == given.name) clue.words.insert(clue.words.end(), more.begin(), more.end());
     }
   }
-  read_dir_as_right(by_pin_);
-  read_letters_as_sides(by_pin_);
-  for (Pin pin = 0; pin < board.pin_count; ++pin)
-    if (by_pin_[pin].name.empty()) order_.push_back(pin);
+}
+
+// Adds the sides and directions that comments and functions of the source name, to pins whose names do not.
+void Evidence::add_source_words() {
+  std::map<Pin, Side> sides;
+  std::map<Side, std::set<Side>> of_channel;  // by the side of a channel: A, 1 …
+  for (PinEvidence& clue : by_pin_) {
+    const auto remark = names_.remarks.find(clue.pin);
+    if (remark != names_.remarks.end()) {
+      const std::vector<std::string>& words = remark->second;
+      if (clue.name.empty()) clue.words = words;
+      const bool is_open = !says_forward(clue.words) && !says_backward(clue.words);
+      const bool forward = function_goes_forward(words), backward = function_goes_backward(words);
+      clue.is_direction_from_source = clue.name.empty() || is_open;
+      if (is_open && forward != backward)
+        clue.words.insert(clue.words.begin(), forward ? "forward" : "backward");
+      sides[clue.pin] = only_side(words);
+    }
+    if (spelled_side(clue.words) != Side::unknown) continue;
+    if (sides[clue.pin] == Side::unknown) sides[clue.pin] = side_in_blocks(names_.blocks, clue.pin);
+    if (sides[clue.pin] != Side::unknown) of_channel[side_of(clue.words)].insert(sides[clue.pin]);
+  }
+  for (PinEvidence& clue : by_pin_) {
+    const Side side = sides[clue.pin], channel = side_of(clue.words);
+    if (side == Side::unknown || spelled_side(clue.words) != Side::unknown) continue;
+    if (channel != Side::unknown && of_channel[channel].size() > 1)
+      continue;  // the source contradicts itself
+    // Numbers and letters of the name remain the last words.
+    clue.words.insert(clue.words.begin(), side == Side::left ? "left" : "right");
+    clue.is_side_from_source = true;
+  }
 }
 
 std::vector<const PinEvidence*> Evidence::left() const {

@@ -14,10 +14,13 @@ namespace robosim::wiring {
 
 struct PinEvidence {
   Pin pin = kNoPin;
-  std::string name;                ///< empty = none
-  std::vector<std::string> words;  ///< words of the name
+  std::string name;                       ///< empty = none
+  std::vector<std::string> words;         ///< words of the name, and the side that the source names elsewhere
+  bool is_direction_from_source = false;  ///< a comment names the direction, not the pin's name
+  bool is_side_from_source = false;       ///< comments or functions name the side, not the pin's name
   bool in_array = false;
-  int argument = -1;  ///< position among the object's arguments; -1 = none
+  int argument = -1;              ///< position among the object's arguments; -1 = none
+  const Given* object = nullptr;  ///< the object
   Spot spot;
   const PinFacts* facts = nullptr;
   bool is_assumed = false;  ///< not used in the runs: the facts come from calls in the source
@@ -61,6 +64,9 @@ class Evidence {
   std::vector<PinFacts> facts_;  ///< per pin
   std::vector<Pin> order_;
   std::set<Pin> taken_;
+
+  void add_names(const PinHistory& history);
+  void add_source_words();
 };
 
 /// Returns whether the pin belongs to the serial line to the computer.

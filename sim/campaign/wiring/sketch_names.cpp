@@ -1,5 +1,7 @@
 #include "sim/campaign/wiring/sketch_names.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -7,6 +9,8 @@
 
 #include "sim/base/file.h"
 #include "sim/build/sketch.h"
+#include "sim/campaign/wiring/counted_loops.h"
+#include "sim/campaign/wiring/pin_remarks.h"
 #include "sim/campaign/wiring/tokens.h"
 
 namespace robosim::wiring {
@@ -39,6 +43,12 @@ bool is_device(const std::string& word) {
   return names.count(word) != 0;
 }
 
+/// An element of an array of readings: value[0] = analogRead(A8).
+struct Element {
+  std::string argument;
+  bool is_channel = false;
+};
+
 struct Value {
   std::vector<std::string> words;  // the value: one word, or the words of an array
   bool is_array = false;
@@ -52,6 +62,7 @@ class Reader {
   void read(const std::string& text, const std::string& file) {
     file_ = file;
     tokens_ = tokens_of(text);
+    sources_.push_back({file, tokens_, comments_of(text), blocks_of(tokens_)});
     for (at_ = 0; at_ < tokens_.size(); ++at_) {
       const Token& token = tokens_[at_];
       if (token.kind == Token::Kind::word && token.text.size() > 1 && token.text[0] == 'A' &&
@@ -64,6 +75,9 @@ class Reader {
         const bool is_declared = at_ > 0 && tokens_[at_ - 1].is("SoftwareSerial");
         (is_declared ? own_lines_ : lines_).insert(token.text[6] - '0');
       }
+      for (const char* const reader : {"digitalRead", "pulseIn", "attachInterrupt", "digitalReadFast"})
+        reads_levels_ |= token.is(reader);
+      if (token.is("for")) loops_.read(tokens_, at_);
       if (token.kind == Token::Kind::define)
         read_define();
       else if (token.is("enum"))
@@ -74,13 +88,31 @@ class Reader {
   }
 
   void read(const build::Sketch& sketch) {
-    for (const auto* files : {&sketch.headers, &sketch.inos, &sketch.sources})
-      for (const std::string& file : *files) read(read_file(sketch.folder / file), file);
+    std::vector<std::string> files = sketch.headers;
+    files.insert(files.end(), sketch.inos.begin(), sketch.inos.end());
+    files.insert(files.end(), sketch.sources.begin(), sketch.sources.end());
+    add_included(sketch, files);
+    for (const std::string& file : files) read(read_file(sketch.folder / file), file);
+  }
+
+  // Adds the files of the sketch's other folders that these files include: #include "Library/Motor.h".
+  static void add_included(const build::Sketch& sketch, std::vector<std::string>& files) {
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      const std::filesystem::path folder = std::filesystem::path(files[i]).parent_path();
+      for (const std::string& name : includes_of(read_file(sketch.folder / files[i]))) {
+        const std::string file = (folder / name).lexically_normal().string();
+        const bool is_known = std::find(files.begin(), files.end(), file) != files.end();
+        if (is_known || file.starts_with("..") || !std::filesystem::is_regular_file(sketch.folder / file))
+          continue;
+        files.push_back(file);
+      }
+    }
   }
 
   SketchNames names() const {
     SketchNames names;
     names.reads_ports = reads_ports_;
+    names.reads_levels = reads_levels_;
     for (const std::string& name : order_) {
       const Value& value = values_.at(name);
       const bool used = used_.count(name) != 0;
@@ -93,7 +125,14 @@ class Reader {
       if (all && !named.pins.empty() && (!value.is_array || used || all_analog(named.pins)))
         names.named.push_back(std::move(named));
     }
-    for (Given given : given_) {
+    add_fills(names);
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      Given given = given_[i];
+      if (const auto range = ranges_.find(i); range != ranges_.end()) {
+        given.each.push_back(pins_of_range(range->second, given.type == "analogRead"));
+        given.pins = given.each[0];
+        given.arguments.clear();
+      }
       for (const std::string& argument : given.arguments) {
         auto pins = given.type == "analogRead" || given.type == "QTRSensorsAnalog" ? channels_of(argument)
                                                                                    : pins_of(argument);
@@ -105,7 +144,43 @@ class Reader {
           std::any_of(given.pins.begin(), given.pins.end(), [](Pin pin) { return pin != kNoPin; });
       if (any || is_device(given.type)) names.given.push_back(std::move(given));
     }
+    names.blocks = pin_blocks(sources_, {[this](const std::string& argument) { return pins_of(argument); },
+                                         [this](const std::string& word) { return value_of(word); }});
+    add_serial_keys(names);
+    for (const auto& [word, handler] : handlers_)
+      if (const auto pin = pin_of(word); pin && only_sets_flags(handler))
+        names.flag_interrupts.push_back(*pin);
+    names.remarks = remarks_of(names, sources_);
     return names;
+  }
+
+  /// Returns whether a comment names this board and no other, as in `Board: Arduino Nano`.
+  bool is_named_in_comments() const {
+    bool is_named = false;
+    for (const SourceText& source : sources_)
+      for (const Comment& comment : source.comments) {
+        const WordList words = words_of_text(comment.text);
+        if (!says(words, {"arduino", "board", "placa", "carte", "kart", "tarjeta", "scheda"})) continue;
+        for (const std::string& name : build::boards_of("avr")) {
+          if (std::count(words.begin(), words.end(), name) == 0) continue;
+          if (name != board_.name) return false;
+          is_named = true;
+        }
+      }
+    return is_named;
+  }
+
+  /// Returns whether none of the digital pins of analogWrite() has PWM on this board.
+  bool lacks_pwm() const {
+    std::size_t count = 0;
+    for (const Given& given : given_) {
+      if (given.type != "analogWrite") continue;
+      const std::vector<Pin> pins = pins_of(given.arguments[0]);
+      if (pins.size() != 1 || board_.pins[pins[0]].analog_channel >= 0) continue;
+      if (board_.pins[pins[0]].pwm) return false;
+      ++count;
+    }
+    return count > 0;
   }
 
   /// Returns whether the board has all pins that the sketch passes to pin functions, and all serial lines.
@@ -130,6 +205,13 @@ class Reader {
                            [&](const std::string& element) { return lacks(element, is_channel); });
       });
     };
+    const auto lacks_range = [&](const auto& range) {
+      const bool is_channel = given_[range.first].type == "analogRead";
+      const std::vector<std::string> words = words_in_range(range.second);
+      return std::any_of(words.begin(), words.end(),
+                         [&](const std::string& word) { return lacks(word, is_channel); });
+    };
+    if (std::any_of(ranges_.begin(), ranges_.end(), lacks_range)) return false;
     return !lacks_any(numbers_, false) && !lacks_any(channels_, true) && !lacks_any(analog_words_, false) &&
            std::none_of(modes_.begin(), modes_.end(), [&](const std::string& word) {
              return lacks(word, false) && lacks(word, true);  // sketches pass channels to pinMode(), too
@@ -143,8 +225,37 @@ class Reader {
   }
   Spot spot() const { return {file_, tokens_[at_].line}; }
 
+  // Adds the characters of `== 'F'` and `case 'F':`, if the sketch reads a serial line.
+  void add_serial_keys(SketchNames& names) const {
+    constexpr std::size_t kMost = 12;
+    for (const SourceText& source : sources_)
+      for (std::size_t i = 2; i + 1 < source.tokens.size(); ++i) {
+        const std::vector<Token>& tokens = source.tokens;
+        if (tokens[i].is("read") && tokens[i - 1].is(".") && tokens[i + 1].is("("))
+          names.serial_object = tokens[i - 2].text;
+        const bool is_compared = (tokens[i - 1].is("=") && tokens[i - 2].is("=")) || tokens[i - 1].is("case");
+        const std::string& text = tokens[i].text;
+        if (!is_compared || tokens[i].kind != Token::Kind::text || text.size() != 1 ||
+            std::isalnum(static_cast<unsigned char>(text[0])) == 0 || names.serial_keys.size() == kMost)
+          continue;
+        if (std::count(names.serial_keys.begin(), names.serial_keys.end(), text[0]) == 0)
+          names.serial_keys.push_back(text[0]);
+      }
+  }
+
+  // Adds the arrays that consecutive statements fill: value[0] = analogRead(A8); value[1] = analogRead(A9);
+  void add_fills(SketchNames& names) const {
+    for (const auto& [name, elements] : fills_) {
+      Named named{name, {}, true, false, {}};
+      for (const auto& [index, element] : elements)
+        if (const auto pin = element.is_channel ? channel_of(element.argument) : pin_of(element.argument))
+          named.pins.push_back(*pin);
+      if (named.pins.size() > 1 && named.pins.size() == elements.size())
+        names.named.push_back(std::move(named));
+    }
+  }
+
   void set(const std::string& name, Value value) {
-    if (name.size() == 1 && name >= "a" && !value.is_array) return;  // probably a loop's variable
     if (values_.emplace(name, std::move(value)).second) order_.push_back(name);
   }
 
@@ -219,7 +330,8 @@ class Reader {
         ++i;
       }
       if (value.is_array) handed_on_.insert(value.words.begin(), value.words.end());
-      if (!value.words.empty()) set(name, std::move(value));
+      const bool is_loop = name.size() == 1 && name >= "a" && !value.is_array;  // probably a loop's variable
+      if (!value.words.empty() && !is_loop) set(name, std::move(value));
       if (!ahead(i).is(",") || ahead(i + 1).kind != Token::Kind::word || is_number_type(ahead(i + 1).text))
         return;
       at_ += i + 1;
@@ -232,6 +344,11 @@ class Reader {
     std::vector<std::string> list(1);
     int depth = 0;
     for (std::size_t i = from; !ahead(i).text.empty() && !ahead(i).is(";"); ++i) {
+      // Skips the namespaces of hardware::pins::LEFT.
+      if (ahead(i).kind == Token::Kind::word && ahead(i + 1).is(":") && ahead(i + 2).is(":")) {
+        i += 2;
+        continue;
+      }
       const bool opens = ahead(i).is("(") || ahead(i).is("{"), closes = ahead(i).is(")") || ahead(i).is("}");
       if (closes && --depth == 0) break;
       if (ahead(i).is(",") && depth == 1)
@@ -272,6 +389,7 @@ class Reader {
                                                 "pinMode"};
     if (kUses.count(function) == 0) return;
     const bool is_output = function == "pinMode" && list.size() > 1 && list[1] == "OUTPUT";
+    if (const auto range = loops_.range_of(list[0])) ranges_.emplace(given_.size(), *range);
     given_.push_back({is_output ? "OUTPUT" : function, "", {}, {list[0]}, spot()});
   }
 
@@ -285,6 +403,8 @@ class Reader {
     if (tokens_[at_].is("shiftOut") && list.size() > 1)
       given_.push_back({"shiftOut", "", {}, {list[0], list[1]}, spot()});
     if (tokens_[at_].is("attachInterrupt")) {
+      if (list.size() > 2 && list[2] == "FALLING")
+        handlers_.emplace_back(pin_word_of_interrupt(list), list[1]);
       if (const auto pin = pin_of_interrupt(list))
         given_.push_back({"attachInterrupt", "", {}, {*pin}, spot()});
       return;
@@ -311,7 +431,16 @@ class Reader {
   // Reads `int leftSensor = analogRead(A1);`. The variable's name becomes the pin's name if it has no other
   // name.
   void read_result(const std::string& argument) {
-    if (at_ < 2 || !tokens_[at_ - 1].is("=") || tokens_[at_ - 2].kind != Token::Kind::word) return;
+    if (at_ < 2 || !tokens_[at_ - 1].is("=")) return;
+    const bool is_element = at_ > 5 && tokens_[at_ - 2].is("]") && tokens_[at_ - 4].is("[") &&
+                            tokens_[at_ - 3].kind == Token::Kind::number && tokens_[at_ - 3].text.size() < 3;
+    if (is_element)
+      fills_[tokens_[at_ - 5].text].emplace(std::stoi(tokens_[at_ - 3].text),
+                                            Element{argument, tokens_[at_].is("analogRead")});
+    const std::size_t end = behind_brackets(1);
+    const bool is_compared =
+        ahead(end).is("<") || ahead(end).is(">") || ahead(end).is("=") || ahead(end).is("!");
+    if (tokens_[at_ - 2].kind != Token::Kind::word || is_compared) return;
     if (argument.find(' ') != std::string::npos || values_.count(argument) != 0) return;
     const std::string& name = tokens_[at_ - 2].text;
     values_.erase(name);
@@ -364,6 +493,28 @@ class Reader {
       if (&token != &inner[0] && token.kind != Token::Kind::punctuation) list.push_back(token.text);
     note_arguments(list);
     given_.push_back({inner[0].text, outer, {}, list, spot()});
+  }
+
+  // Returns the word of the pin: attachInterrupt(digitalPinToInterrupt(BUMPER), …).
+  std::string pin_word_of_interrupt(const std::vector<std::string>& list) const {
+    const std::size_t bracket = list[0].find(" ( ");
+    if (bracket == std::string::npos) return pin_of_interrupt(list).value_or("");
+    const std::size_t begin = bracket + 3;
+    return list[0].substr(begin, list[0].find(' ', begin) - begin);
+  }
+
+  // Returns whether an interrupt's function only sets variables to constants, and does not count.
+  bool only_sets_flags(const std::string& handler) const {
+    bool sets = false;
+    for (const SourceText& source : sources_)
+      for (const Block& block : source.blocks) {
+        if (block.function != handler) continue;
+        for (const Statement& statement : block.statements) {
+          if (statement.tokens.size() != 3 || !statement.tokens[1].is("=")) return false;
+          sets = true;
+        }
+      }
+    return sets;
   }
 
   // Returns the name of the pin whose interrupt number is the first argument, as in attachInterrupt(0, …).
@@ -429,6 +580,16 @@ class Reader {
     return pins.size() == words.size() ? pins : std::vector<Pin>{};
   }
 
+  std::vector<Pin> pins_of_range(const PinRange& range, bool is_channel) const {
+    std::vector<Pin> pins;
+    for (const std::string& word : words_in_range(range))
+      if (const auto pin = is_channel ? channel_of(word) : pin_of(word)) pins.push_back(*pin);
+    return pins;
+  }
+  std::vector<std::string> words_in_range(const PinRange& range) const {
+    return pins_in(range, [this](const std::string& word) { return value_of(word); });
+  }
+
   // Returns the pins of an argument of analogRead().
   std::vector<Pin> channels_of(const std::string& argument) const {
     if (const auto pin = channel_of(argument)) return {*pin};
@@ -446,6 +607,7 @@ class Reader {
 
   const BoardSpec& board_;
   std::string file_;
+  std::vector<SourceText> sources_;
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   std::map<std::string, Value> values_;
@@ -454,11 +616,16 @@ class Reader {
   std::set<std::string> used_;       // names passed to a pin function or to an object
   std::set<std::string> channels_;   // arguments of analogRead()
   std::set<std::string> numbers_;    // arguments of the other pin functions, except pinMode()
+  bool reads_levels_ = false;
   bool reads_ports_ = false;
   std::set<int> lines_, own_lines_;     // numbers after Serial; and those that the sketch declares
   std::set<std::string> modes_;         // arguments of pinMode()
   std::set<std::string> analog_words_;  // A0, A1 …
   std::vector<Given> given_;
+  std::vector<std::pair<std::string, std::string>> handlers_;  // pins and functions of interrupts on FALLING
+  CountedLoops loops_;
+  std::map<std::size_t, PinRange> ranges_;               // of the arguments of given_, by their index
+  std::map<std::string, std::map<int, Element>> fills_;  // arrays that are filled element by element
 };
 
 }  // namespace
@@ -479,15 +646,23 @@ SketchNames read_names(const build::Sketch& sketch, const BoardSpec& board) {
   return reader.names();
 }
 
-const BoardSpec& board_for(const build::Sketch& sketch) {
+GuessedBoard board_for(const build::Sketch& sketch) {
   const std::vector<std::string> names = build::boards_of("avr");
+  const BoardSpec *first = nullptr, *with_pwm = nullptr;
   for (const std::string& name : names) {
     const BoardSpec& board = *find_board(name.c_str());
     Reader reader(board);
     reader.read(sketch);
-    if (reader.has_all_pins()) return board;
+    if (!reader.has_all_pins()) continue;
+    if (reader.is_named_in_comments()) return {&board, ""};
+    if (first == nullptr) first = &board;
+    if (with_pwm == nullptr && !reader.lacks_pwm()) with_pwm = &board;
   }
-  return *find_board(names.front().c_str());
+  if (first == nullptr) return {find_board(names.front().c_str()), "no board has all pins of the sketch"};
+  if (with_pwm == nullptr || with_pwm == first)
+    return {first, "guessed: the first board that has all pins of the sketch"};
+  return {with_pwm,
+          fmt::format("guessed: analogWrite() drives pins without PWM on the board {}", first->name)};
 }
 
 SketchNames names_in_text(const std::string& text, const std::string& file, const BoardSpec& board) {

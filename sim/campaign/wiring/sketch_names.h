@@ -2,11 +2,14 @@
 // compiled. The results are therefore hints, and only a run shows the sketch's behaviour.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hal/board/board_spec.h"
 #include "sim/build/source.h"
+#include "sim/campaign/wiring/pin_blocks.h"
 
 namespace robosim::wiring {
 
@@ -36,18 +39,34 @@ struct Given {
 };
 
 struct SketchNames {
-  bool reads_ports = false;  ///< the source names input registers, such as PINC
+  bool reads_levels = false;  ///< the source calls digitalRead(), pulseIn() or attachInterrupt()
+  bool reads_ports = false;   ///< the source names input registers, such as PINC
   std::vector<Named> named;
   std::vector<Given> given;
+  /// Pins of interrupts on FALLING that only set a flag.
+  std::vector<Pin> flag_interrupts = {};
+  /// Characters with which the sketch compares what it reads from a serial line, and that line's object.
+  std::vector<char> serial_keys = {};
+  std::string serial_object = {};  ///< "Serial"; empty if the sketch reads no serial line
+  std::vector<PinBlock> blocks = {};
+  /// Words of the comments next to the declaration of a pin, or next to its pinMode().
+  std::map<Pin, std::vector<std::string>> remarks = {};
 };
 
 SketchNames read_names(const build::Sketch& sketch, const BoardSpec& board);
 /// Returns whether a name is that of a number of things or of a limit, in the languages of published
 /// sketches.
 bool is_quantity(const std::string& name);
-/// Returns the first board with an AVR chip that has all pins of the sketch's calls, such as digitalRead(A6).
-/// Without such a board, returns the usual board.
-const BoardSpec& board_for(const build::Sketch& sketch);
+/// A board with an AVR chip, and a question about it.
+struct GuessedBoard {
+  const BoardSpec* board = nullptr;
+  std::string doubt;  ///< empty if a comment of the sketch names the board
+};
+
+/// Returns the board that a comment names, or the first board that has all pins of the sketch's calls, such
+/// as digitalRead(A6). Prefers a board with PWM on the pins of analogWrite(). Without such a board, returns
+/// the usual board.
+GuessedBoard board_for(const build::Sketch& sketch);
 /// Reads one file's text, for tests.
 SketchNames names_in_text(const std::string& text, const std::string& file, const BoardSpec& board);
 

@@ -122,10 +122,12 @@ int wire_command(const WireArguments& arguments) {
   const launch::SketchChoice sketch = launch::choose_sketch(arguments.sketch, arguments.environment);
   if (arguments.board.empty()) project::check_board(sketch.project);
   const bool is_guessed = arguments.board.empty() && !sketch.project.board;
-  const BoardSpec& board = is_guessed                ? wiring::board_for(sketch)
+  const wiring::GuessedBoard guessed = is_guessed ? wiring::board_for(sketch) : wiring::GuessedBoard();
+  const BoardSpec& board = is_guessed                ? *guessed.board
                            : arguments.board.empty() ? *sketch.project.board
                                                      : board_named(arguments.board);
-  const auto [draft, trials] = drafted(arguments, board);
+  auto [draft, trials] = drafted(arguments, board);
+  draft.board_doubt = guessed.doubt;
 
   std::vector<std::string> remarks = {
       "Drafted by `robosim wire` from the sketch's names and from its use of the pins in a run.",

@@ -1,0 +1,198 @@
+#include "sim/campaign/wiring/source_blocks.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace robosim::wiring {
+namespace {
+
+constexpr int kDeepest = 300;              // nested blocks, and branches of an if
+constexpr std::size_t kLongestHead = 400;  // tokens of a function's head
+
+class BlockReader {
+ public:
+  explicit BlockReader(const std::vector<Token>& tokens) : tokens_(tokens) {}
+
+  std::vector<Block> run() {
+    while (at_ < tokens_.size()) {
+      if (tokens_[at_].kind == Token::Kind::define)
+        skip_define();
+      else if (is_function())
+        read_function();
+      else if (is("{") && at_ > 0 && tokens_[at_ - 1].is("="))
+        skip_pair("{", "}");
+      else
+        ++at_;
+    }
+    return std::move(blocks_);
+  }
+
+ private:
+  bool is(const char* text, std::size_t ahead = 0) const {
+    return at_ + ahead < tokens_.size() && tokens_[at_ + ahead].is(text);
+  }
+  bool is_word(std::size_t ahead) const {
+    return at_ + ahead < tokens_.size() && tokens_[at_ + ahead].kind == Token::Kind::word;
+  }
+  int line() const { return at_ < tokens_.size() ? tokens_[at_].line : 0; }
+
+  void skip_define() {
+    while (at_ < tokens_.size() && !is(kEndOfDefine)) ++at_;
+  }
+
+  // Returns the index after the pair of brackets that begins at `from`.
+  std::size_t after_pair(std::size_t from, const char* open, const char* close,
+                         std::size_t most = std::string::npos) const {
+    int depth = 0;
+    for (std::size_t i = from; i < tokens_.size() && i - from < most; ++i) {
+      if (tokens_[i].is(open)) ++depth;
+      if (tokens_[i].is(close) && --depth == 0) return i + 1;
+    }
+    return tokens_.size();
+  }
+  void skip_pair(const char* open, const char* close) { at_ = after_pair(at_, open, close); }
+
+  // Returns whether `name(…) {` is next. A constructor's initialisers may precede the brace.
+  bool is_function() const {
+    if (!is_word(0) || !is("(", 1)) return false;
+    std::size_t i = after_pair(at_ + 1, "(", ")", kLongestHead);
+    while (i < tokens_.size() && !tokens_[i].is("{") && !tokens_[i].is(";") && !tokens_[i].is("=") &&
+           !tokens_[i].is("}"))
+      ++i;
+    return i < tokens_.size() && tokens_[i].is("{");
+  }
+
+  void read_function() {
+    Block head;
+    head.function = tokens_[at_].text;
+    const std::size_t end = after_pair(at_ + 1, "(", ")");
+    for (std::size_t i = at_ + 2; i < end; ++i)
+      if ((tokens_[i].is(",") || i + 1 == end) && tokens_[i - 1].kind == Token::Kind::word)
+        head.parameters.push_back(tokens_[i - 1].text);
+    at_ = end;
+    while (at_ < tokens_.size() && !is("{")) ++at_;
+    read_body(head, 0);
+  }
+
+  // Reads a block with its braces, or one statement.
+  void read_body(const Block& head, int depth) {
+    Block block = head;
+    block.first_line = line();
+    const bool has_braces = is("{");
+    if (has_braces) ++at_;
+    while (at_ < tokens_.size() && !is("}")) {
+      read_statement(block, depth);
+      if (!has_braces) break;
+    }
+    block.last_line = line();
+    if (has_braces && at_ < tokens_.size()) ++at_;
+    add(block);
+  }
+
+  void add(const Block& block) {
+    if (!block.statements.empty()) blocks_.push_back(block);
+  }
+
+  void read_statement(Block& block, int depth) {
+    if (depth > kDeepest) {
+      ++at_;
+    } else if (tokens_[at_].kind == Token::Kind::define) {
+      skip_define();
+    } else if (is("if") && is("(", 1)) {
+      read_if(block, depth);
+    } else if ((is("while") || is("switch")) && is("(", 1)) {
+      Block inner = without_statements(block);
+      inner.conditions.push_back(condition());
+      read_body(inner, depth + 1);
+    } else if (is("for") && is("(", 1)) {
+      ++at_;
+      skip_pair("(", ")");
+      read_body(without_statements(block), depth + 1);
+    } else if (is("{")) {
+      read_body(without_statements(block), depth + 1);
+    } else if (is("else") || is("do")) {
+      ++at_;
+    } else if (is("case") || is("default")) {
+      read_case(block);
+    } else {
+      read_plain(block);
+    }
+  }
+
+  static Block without_statements(const Block& block) {
+    Block inner = block;
+    inner.statements.clear();
+    inner.has_case = false;
+    return inner;
+  }
+
+  // Reads `if (…) … else …`.
+  void read_if(Block& block, int depth) {
+    Block inner = without_statements(block);
+    inner.conditions.push_back(condition());
+    read_body(inner, depth + 1);
+    if (!is("else")) return;
+    ++at_;
+    inner.conditions.back().is_negated = true;
+    if (is("if"))
+      read_statement(inner, depth + 1);
+    else
+      read_body(inner, depth + 1);
+  }
+
+  // Begins another block at `case 'F':`.
+  void read_case(Block& block) {
+    Block done = block;
+    done.last_line = line();
+    add(done);
+    block.statements.clear();
+    block.first_line = line();
+    const bool is_default = is("default");
+    std::vector<Token> label;
+    for (++at_; at_ < tokens_.size() && !is(":"); ++at_) label.push_back(tokens_[at_]);
+    if (at_ < tokens_.size()) ++at_;
+    if (block.has_case) block.conditions.pop_back();
+    block.has_case = !is_default && !block.conditions.empty();
+    if (!block.has_case) return;
+    // The label is a comparison with the value of the switch.
+    Condition condition = block.conditions.back();
+    condition.line = block.first_line;
+    const Token equal{Token::Kind::punctuation, "=", block.first_line};
+    condition.tokens.insert(condition.tokens.end(), {equal, equal});
+    condition.tokens.insert(condition.tokens.end(), label.begin(), label.end());
+    block.conditions.push_back(std::move(condition));
+  }
+
+  void read_plain(Block& block) {
+    Statement statement{{}, line()};
+    int depth = 0;
+    for (; at_ < tokens_.size(); ++at_) {
+      if (depth == 0 && (is(";") || is("}"))) break;
+      if (is("(") || is("{") || is("[")) ++depth;
+      if (is(")") || is("}") || is("]")) --depth;
+      statement.tokens.push_back(tokens_[at_]);
+    }
+    if (is(";")) ++at_;
+    if (!statement.tokens.empty()) block.statements.push_back(std::move(statement));
+  }
+
+  // Reads the word and the condition of `if (…)`.
+  Condition condition() {
+    ++at_;
+    Condition one{{}, false, line()};
+    const std::size_t end = after_pair(at_, "(", ")");
+    for (std::size_t i = at_ + 1; i + 1 < end; ++i) one.tokens.push_back(tokens_[i]);
+    at_ = end;
+    return one;
+  }
+
+  const std::vector<Token>& tokens_;
+  std::size_t at_ = 0;
+  std::vector<Block> blocks_;
+};
+
+}  // namespace
+
+std::vector<Block> blocks_of(const std::vector<Token>& tokens) { return BlockReader(tokens).run(); }
+
+}  // namespace robosim::wiring

@@ -1,0 +1,130 @@
+// Tests guesses from evidence outside of the pins' names: comments, functions, loops, interrupts.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/campaign/wiring/draft.h"
+#include "sim/campaign/wiring/guess.h"
+
+namespace robosim::wiring {
+namespace guess_evidence_test {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+// Guesses without a run, from the calls in the source.
+std::string guessed(const std::string& source, const char* board = "uno") {
+  const BoardSpec& spec = *find_board(board);
+  return text_of(guess(spec, names_in_text(source, "a.ino", spec), PinHistory(spec), {}));
+}
+
+TEST(GuessMotors, PinIsAWordOfItsOwn) {
+  const std::string text = guessed(
+      "#define PINENA 3\n#define PININ1 2\n#define PININ2 4\n#define PINENB 6\n#define PININ3 5\n#define "
+      "PININ4 7\n"
+      "void f() { analogWrite(PINENA, v); digitalWrite(PININ1, 1); digitalWrite(PININ2, 0); "
+      "analogWrite(PINENB, v); digitalWrite(PININ3, 1); digitalWrite(PININ4, 0); }");
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("{ en = 3, in1 = 2, in2 = 4 }"), HasSubstr("{ en = 6, in1 = 5, in2 = 7 }")));
+}
+
+TEST(GuessMotors, TheLettersOfALanguageAreSides) {
+  EXPECT_THAT(guessed("#define PIN_SENS_AVANCE_G 2\n#define PIN_SENS_ARRIERE_G 4\n#define PIN_EN_G 3\n"
+                      "#define PIN_SENS_AVANCE_D 7\n#define PIN_SENS_ARRIERE_D 8\n#define PIN_EN_D 5\n"
+                      "void f() { analogWrite(PIN_EN_G, v); digitalWrite(PIN_SENS_AVANCE_G, 1); "
+                      "digitalWrite(PIN_SENS_ARRIERE_G, 0); analogWrite(PIN_EN_D, v); "
+                      "digitalWrite(PIN_SENS_AVANCE_D, 1); digitalWrite(PIN_SENS_ARRIERE_D, 0); }"),
+              AllOf(HasSubstr("{ en = 3, in1 = 2, in2 = 4 }"), HasSubstr("{ en = 5, in1 = 7, in2 = 8 }"),
+                    Not(HasSubstr("which motor is the left one"))));
+  EXPECT_THAT(guessed("int M_E1 = 8, M_E2 = 7, M_EV = 6, M_DV = 5, M_D1 = 3, M_D2 = 4;\n"
+                      "void f() { analogWrite(M_EV, v); analogWrite(M_DV, v); digitalWrite(M_E1, a); "
+                      "digitalWrite(M_E2, b); digitalWrite(M_D1, a); digitalWrite(M_D2, b); }"),
+              AllOf(HasSubstr("{ en = 6, in1 = 8, in2 = 7 }"), HasSubstr("{ en = 5, in1 = 3, in2 = 4 }")));
+}
+
+TEST(GuessMotors, FunctionsOfOneSidePairPinsWithoutNames) {
+  const std::string text = guessed(
+      "void leftF(int v) { digitalWrite(4, HIGH); digitalWrite(2, LOW); analogWrite(6, v); }\n"
+      "void rightF(int v) { digitalWrite(8, HIGH); digitalWrite(7, LOW); analogWrite(5, v); }");
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("{ en = 6, in1 = 4, in2 = 2 }"), HasSubstr("{ en = 5, in1 = 8, in2 = 7 }"),
+                    Not(HasSubstr("is guessed from the order"))));
+}
+
+TEST(GuessMotors, CommentsNameSidesAndDirections) {
+  const std::string text = guessed(
+      "void setup() {\n  pinMode(10, OUTPUT);  // moteur droit arrière\n  pinMode(5, OUTPUT);  // moteur "
+      "droit avant\n"
+      "  pinMode(6, OUTPUT);  // moteur gauche avant\n  pinMode(9, OUTPUT);  // moteur gauche arrière\n}\n"
+      "void f() { analogWrite(10, a); analogWrite(5, b); analogWrite(6, c); analogWrite(9, d); }");
+  EXPECT_THAT(text, AllOf(HasSubstr("{ in1 = 6, in2 = 9 }"), HasSubstr("{ in1 = 5, in2 = 10 }")));
+}
+
+TEST(GuessMotors, ContradictoryFunctionsLeaveTheSidesOpen) {
+  const std::string pins =
+      "const int ENA = 5, IN1 = 7, IN2 = 8, ENB = 6, IN3 = 9, IN4 = 10;\n"
+      "void forward() { digitalWrite(IN1, 1); digitalWrite(IN2, 0); digitalWrite(IN3, 1); digitalWrite(IN4, "
+      "0); }\n"
+      "void right() { digitalWrite(IN1, 0); digitalWrite(IN2, 1); digitalWrite(IN3, 1); digitalWrite(IN4, "
+      "0);\n";
+  EXPECT_THAT(guessed(pins + "  analogWrite(ENA, v); analogWrite(ENB, v); }"),
+              AllOf(HasSubstr("name = \"right\"                      # ENA, IN1, IN2"),
+                    Not(HasSubstr("which motor is the left one"))))
+      << "the wheel that turns back is at the right";
+  EXPECT_THAT(guessed(pins + "  analogWrite(ENA, leftSpeed); analogWrite(ENB, rightSpeed); }"),
+              HasSubstr("which motor is the left one is guessed"));
+}
+
+TEST(GuessSensors, ALoopReadsASeries) {
+  EXPECT_THAT(guessed("#define N 5\n#define FIRST A0\nvoid f() { for (int i = 0; i < N; i++) "
+                      "v[i] = analogRead(FIRST + i); }"),
+              HasSubstr("pins = [\"A0\", \"A1\", \"A2\", \"A3\", \"A4\"]"));
+  EXPECT_THAT(guessed("void f() { for (byte pin = 2; pin <= 6; pin++) digitalRead(pin); }"),
+              HasSubstr("pins = [2, 3, 4, 5, 6]"));
+  EXPECT_THAT(guessed("void f() { for (byte pin = 2; pin <= last(); pin++) digitalRead(pin); }"),
+              Not(HasSubstr("pins = [")));
+}
+
+TEST(GuessSensors, ReadingsThatFillAnArrayAreInItsOrder) {
+  EXPECT_THAT(guessed("const int leftIR = 4;\nvoid f() { v[0] = analogRead(A3); v[1] = analogRead(A1); "
+                      "v[2] = analogRead(A2); bool end = digitalRead(leftIR); }"),
+              AllOf(HasSubstr("pins = [\"A3\", \"A1\", \"A2\"]"), HasSubstr("# ? pin 4 (leftIR")));
+}
+
+TEST(GuessSensors, OneSeriesStaysTogether) {
+  EXPECT_THAT(guessed("enum Pins { SENSOR_D0 = 11, SENSOR_A1 = A5, SENSOR_A2 = A4, SENSOR_D3 = 12 };\n"
+                      "void f() { digitalRead(SENSOR_D0); digitalRead(SENSOR_D3); analogRead(SENSOR_A1); "
+                      "analogRead(SENSOR_A2); }"),
+              HasSubstr("read = \"digital\"\npins = [11, \"A5\", \"A4\", 12]"));
+  EXPECT_THAT(guessed("#define ee A4\n#define e A3\n#define c A2\n#define d A1\n#define dd A0\n"
+                      "void f() { int EE = analogRead(ee), E = analogRead(e), C = analogRead(c), D = "
+                      "analogRead(d), DD = analogRead(dd); }"),
+              HasSubstr("pins = [\"A4\", \"A3\", \"A2\", \"A1\", \"A0\"]"));
+}
+
+TEST(GuessInputs, AnInterruptThatOnlySetsAFlagIsAButton) {
+  const std::string setup =
+      "#define STOP_PIN 2\nvoid setup() { pinMode(STOP_PIN, INPUT_PULLUP); "
+      "attachInterrupt(digitalPinToInterrupt(STOP_PIN), hit, FALLING); }\nvoid f() { digitalRead(STOP_PIN); "
+      "}\n";
+  const BoardSpec& uno = *find_board("uno");
+  PinHistory history(uno);
+  history.add(wire::PinChange{0, "D2", "input_pullup"});
+  history.add(wire::LevelSeen{1, "D2", true});
+  history.end(1000);
+  const auto text = [&](const std::string& source) {
+    return text_of(guess(uno, names_in_text(source, "a.ino", uno), history, {}));
+  };
+  EXPECT_THAT(text(setup + "void hit() { stopped = true; }"), HasSubstr("type = \"button\"\npin = 2"));
+  EXPECT_THAT(text(setup + "void hit() { ticks++; }"), HasSubstr("type = \"encoder\""));
+}
+
+TEST(GuessLibraries, TheLatchIsThePinAroundShiftOut) {
+  EXPECT_THAT(guessed("#define stby 8\nvoid f() { digitalWrite(stby, HIGH); }\n"
+                      "void show(int n) { digitalWrite(3, LOW); shiftOut(4, 2, MSBFIRST, n); digitalWrite(3, "
+                      "HIGH); }"),
+              HasSubstr("{ data = 4, clock = 2, latch = 3 }"));
+}
+
+}  // namespace guess_evidence_test
+}  // namespace robosim::wiring
