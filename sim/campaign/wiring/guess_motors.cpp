@@ -182,7 +182,8 @@ constexpr std::size_t kMostPinsOfAMotor = 3;
 struct Sides {
   Pins left, right;
   bool named = true;
-  bool paired = true;  ///< false: which direction pins belong to which PWM pin is only guessed
+  bool contradict = false;  ///< turns contradict the comments and values that name the sides
+  bool paired = true;       ///< false: which direction pins belong to which PWM pin is only guessed
 };
 
 // Returns the pins of one motor that the sketch passes to one object, as in Motor(5, 7, 8). `number` selects
@@ -358,7 +359,8 @@ void check_sides_in_source(const Evidence& evidence, Sides& sides) {
                                     forward(left), forward(right));
   const bool is_from_source = std::any_of(sides.left.begin(), sides.left.end(),
                                           [](const PinEvidence* clue) { return clue->is_side_from_source; });
-  if (is_from_source && order < 0) sides.named = false;
+  sides.contradict = is_from_source && order < 0;
+  if (sides.contradict) sides.named = false;
   if (sides.named || order == 0 || is_from_source) return;
   if (order < 0) std::swap(sides.left, sides.right);
   sides.named = true;
@@ -386,6 +388,17 @@ void add_motor(const Motor& motor, const Sides& sides, bool is_left, bool both_l
   draft.parts.push_back(std::move(part));
 }
 
+// Adds a question about a level over black that follows from the names of turns. Only applies if these names
+// contradict the motors' sides.
+void ask_for_level(const Evidence& evidence, const Sides& sides, RobotDraft& draft) {
+  const std::optional<StatedLevel>& level = evidence.names().level;
+  if (!sides.contradict || !level || !level->is_by_turns) return;
+  for (PartDraft& part : draft.parts)
+    if (part.type.starts_with("reflectance"))
+      part.doubts.push_back(
+          "black: the level follows from the names of turns, which contradict the motors' sides");
+}
+
 }  // namespace
 
 void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
@@ -408,6 +421,7 @@ void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   }
   if (!left.found() || !right.found() || left.is_transistor() != right.is_transistor()) return;
   draft.open.other_sides = !sides.named;
+  ask_for_level(evidence, sides, draft);
   const bool both_lean_back = left.lean() < 0.0 && right.lean() < 0.0;
   for (const bool is_left : {true, false})
     add_motor(is_left != ways.other_sides ? left : right, sides, is_left, both_lean_back, ways, draft);

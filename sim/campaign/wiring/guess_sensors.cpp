@@ -185,10 +185,14 @@ Layout layout_of(std::size_t count, bool close) {
 constexpr std::size_t kMostElements = 16;
 
 // Adds the level over black, from the source or as a question.
-void add_level(const Ways& ways, const std::string& kind, RobotDraft& draft, PartDraft& part) {
-  draft.open.black_low = kind != "rc";
-  const bool is_low = ways.black_low;
+void add_level(const Evidence& evidence, const Ways& ways, const std::string& kind, RobotDraft& draft,
+               PartDraft& part) {
+  const std::optional<StatedLevel>& stated = evidence.names().level;
+  draft.open.black_low = kind != "rc" && !stated;
+  const bool is_low = stated ? kind != "rc" && !stated->is_high : ways.black_low;
   if (is_low) part.keys.emplace_back("black", "\"low\"");
+  if (kind != "rc" && stated)
+    part.notes.push_back(fmt::format("{} over black: {}", stated->is_high ? "HIGH" : "LOW", stated->why));
   if (draft.open.black_low && !ways.black_low)
     part.doubts.push_back("HIGH over black is guessed; if it is LOW, add black = \"low\"");
   if (draft.open.black_low && ways.black_low) part.doubts.push_back(fmt::format("black: {}", kByTrial));
@@ -239,7 +243,7 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   part.keys.emplace_back("footprint", fmt::format("\"{}\"", layout.footprint));
   draft.open.other_order = !placed && sensors.size() > 1;
   draft.open.close = sensors.size() == 2;
-  add_level(ways, kind, draft, part);
+  add_level(evidence, ways, kind, draft, part);
   if (ways.other_order) part.keys.emplace_back("first", "\"right\"");
   if (draft.open.other_order && !ways.other_order)
     part.doubts.push_back(

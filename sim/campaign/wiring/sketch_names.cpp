@@ -150,6 +150,7 @@ class Reader {
     for (const auto& [word, handler] : handlers_)
       if (const auto pin = pin_of(word); pin && only_sets_flags(handler))
         names.flag_interrupts.push_back(*pin);
+    names.level = level_in_source(sources_);
     names.remarks = remarks_of(names, sources_);
     return names;
   }

@@ -9,6 +9,7 @@
 
 #include "hal/board/board_spec.h"
 #include "sim/build/source.h"
+#include "sim/campaign/wiring/line_level.h"
 #include "sim/campaign/wiring/pin_blocks.h"
 
 namespace robosim::wiring {
@@ -49,6 +50,7 @@ struct SketchNames {
   std::vector<char> serial_keys = {};
   std::string serial_object = {};  ///< "Serial"; empty if the sketch reads no serial line
   std::vector<PinBlock> blocks = {};
+  std::optional<StatedLevel> level = {};  ///< over black
   /// Words of the comments next to the declaration of a pin, or next to its pinMode().
   std::map<Pin, std::vector<std::string>> remarks = {};
 };

@@ -102,6 +102,15 @@ TEST(GuessSensors, OneSeriesStaysTogether) {
               HasSubstr("pins = [\"A4\", \"A3\", \"A2\", \"A1\", \"A0\"]"));
 }
 
+TEST(GuessSensors, TheSourceStatesTheLevelOverBlack) {
+  const std::string reads =
+      "const int s[] = {A0, A1, A2};\nvoid f() { analogRead(s[0]); analogRead(s[1]); "
+      "analogRead(s[2]); }\n";
+  EXPECT_THAT(guessed("#define PRETO LOW\n" + reads),
+              AllOf(HasSubstr("black = \"low\"\n# LOW over black: PRETO LOW, a.ino:1"),
+                    Not(HasSubstr("HIGH over black is guessed"))));
+}
+
 TEST(GuessInputs, AnInterruptThatOnlySetsAFlagIsAButton) {
   const std::string setup =
       "#define STOP_PIN 2\nvoid setup() { pinMode(STOP_PIN, INPUT_PULLUP); "
