@@ -123,6 +123,7 @@ class Motor {
     return (is_forward(*in1_) || is_backward(*in1_) || is_forward(*in2_) || is_backward(*in2_));
   }
 
+  const std::vector<PinBlock>& blocks() const { return clues_.names().blocks; }
   MotorPins motor_pins() const {
     const auto pin = [](const PinEvidence* clue) { return clue ? clue->pin : kNoPin; };
     return {pin(en_), pin(phase_ ? phase_ : in1_), pin(in2_)};
@@ -385,6 +386,11 @@ void add_motor(const Motor& motor, const Sides& sides, bool is_left, bool both_l
   if (other_way) part.doubts.push_back(fmt::format("reversed or not: {}", kByTrial));
   if (leans_back && !other_way)
     part.doubts.push_back("reversed, because the sketch mostly drives it backwards");
+  for (const PinBlock& block : motor.blocks())
+    for (const PinWrite& write : block.writes)
+      if (motor.is_transistor() && write.pin == motor.motor_pins().en && write.is_said_off &&
+          write.level > 0 && part.notes.empty())
+        part.notes.push_back("? a comment says that HIGH stops this motor: here, HIGH drives it");
   draft.parts.push_back(std::move(part));
 }
 

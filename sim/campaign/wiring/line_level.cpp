@@ -212,8 +212,9 @@ class Votes {
 
 class LevelReader {
  public:
-  explicit LevelReader(const std::vector<SourceText>& sources) : sources_(sources), tests_(constants_) {
-    count_assignments();
+  explicit LevelReader(const std::vector<SourceText>& sources)
+      : sources_(sources), assignments_(assignments_in(sources)), tests_(constants_) {
+    find_constants();
     bool white = false, black = false;
     for (const SourceText& source : sources) {
       for (const Comment& comment : source.comments) {
@@ -286,26 +287,17 @@ class LevelReader {
 
   static bool is_end(const Token& token) { return token.is(";") || token.is(",") || token.is("}"); }
 
-  // Counts the assignments of each word. A word that is only assigned once, by a constant, is a constant.
-  void count_assignments() {
+  // Finds the constants: words that are only assigned once, by a single word.
+  void find_constants() {
     for (const SourceText& source : sources_)
       for (std::size_t i = 0; i + 2 < source.tokens.size(); ++i) {
         const Tokens& tokens = source.tokens;
-        if (tokens[i].kind == Token::Kind::define && tokens[i + 2].is(kEndOfDefine))
-          constants_[tokens[i].text] = tokens[i + 1].text;
-        if (tokens[i].kind != Token::Kind::word) continue;
-        const bool is_set = tokens[i + 1].is("=") && !tokens[i + 2].is("=");
-        const bool is_changed = tokens[i + 2].is("=") && (tokens[i + 1].is("+") || tokens[i + 1].is("-"));
-        const bool is_counted =
-            (tokens[i + 1].is("+") || tokens[i + 1].is("-")) && tokens[i + 2].is(tokens[i + 1].text.c_str());
-        if (is_set || is_changed || is_counted) ++assignments_[tokens[i].text];
-        if (is_set && i + 3 < tokens.size() && is_end(tokens[i + 3]))
-          constants_[tokens[i].text] = tokens[i + 2].text;
+        const bool is_define = tokens[i].kind == Token::Kind::define && tokens[i + 2].is(kEndOfDefine);
+        const bool is_set = tokens[i].kind == Token::Kind::word && tokens[i + 1].is("=") &&
+                            i + 3 < tokens.size() && is_end(tokens[i + 3]) &&
+                            is_assigned_once(tokens[i].text);
+        if (is_define || is_set) constants_[tokens[i].text] = tokens[i + (is_define ? 1 : 2)].text;
       }
-    std::erase_if(constants_, [&](const auto& one) {
-      const auto count = assignments_.find(one.first);
-      return count != assignments_.end() && count->second > 1;
-    });
   }
 
   bool is_assigned_once(const std::string& name) const {
@@ -504,8 +496,8 @@ class LevelReader {
   }
 
   const std::vector<SourceText>& sources_;
-  TestReader::Constants constants_;
   std::map<std::string, int> assignments_;
+  TestReader::Constants constants_;
   TestReader tests_;
   const SourceText* source_ = nullptr;
   int line_ = 1;  // the line is 1 = black, -1 = white

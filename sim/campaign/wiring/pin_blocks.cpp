@@ -98,12 +98,32 @@ class BlockResolver {
     for (auto token = tokens.begin() + 2; token != comma; ++token)
       argument += (argument.empty() ? "" : " ") + token->text;
     const std::vector<Pin> pins = resolver_.pins_of(argument);
-    if (pins.size() != 1) return;
-    PinWrite write{pins[0], {}, is_pwm, commented_side(block, statement.line)};
+    const auto parameter = std::find(block.parameters.begin(), block.parameters.end(), argument);
+    const bool is_parameter = parameter != block.parameters.end();
+    if (pins.size() != 1 && !is_parameter) return;
+    PinWrite write{is_parameter ? kNoPin : pins[0], {}, is_pwm, commented_side(block, statement.line)};
+    if (is_parameter) write.parameter = static_cast<int>(parameter - block.parameters.begin());
+    write.is_said_off = says_off(statement.line);
     if (value.size() == 1) write.level = level_of(resolver_.value_of(value[0].text));
+    // digitalWrite(IN1, speed > 0) also shows the level of forward.
+    const auto condition_end =
+        std::find_if(value.begin(), value.end(), [](const Token& t) { return t.is("?"); });
+    const int sign = sign_of({{value.begin(), condition_end}, false, 0}, block);
+    if (sign != 0 && !is_pwm && (condition_end == value.end() || (condition_end + 1)->is("HIGH"))) {
+      write.level = sign > 0 ? 1 : 0;
+      if (result.sense == 0) result.sense = 1;
+    }
     if (write.side == Side::unknown && is_pwm) write.side = only_side(words_in(value));
     if (write.side == Side::unknown) write.side = side_of_conditions(block);
     result.writes.push_back(write);
+  }
+
+  bool says_off(int line) const {
+    return std::any_of(comments_.begin(), comments_.end(), [&](const Comment& comment) {
+      return comment.line == line && !comment.is_alone &&
+             says(words_of_text(comment.text),
+                  {"deslig", "off", "apag", "stop", "parad", "aus", "arret", "spegn"});
+    });
   }
 
   static Side side_of_conditions(const Block& block) {
@@ -132,8 +152,41 @@ class BlockResolver {
   const Resolver& resolver_;
 };
 
+// Returns the pin of each argument of a call; kNoPin if it is not a pin.
+std::vector<Pin> arguments_of(const std::vector<Token>& call, const Resolver& resolver) {
+  std::vector<Pin> pins;
+  std::string argument;
+  int depth = 0;
+  const auto finish = [&] {
+    const std::vector<Pin> found = resolver.pins_of(argument);
+    pins.push_back(found.size() == 1 ? found[0] : kNoPin);
+    argument.clear();
+  };
+  for (std::size_t i = 1; i < call.size(); ++i) {
+    if (call[i].is("(") && ++depth == 1) continue;
+    if (call[i].is(")") && --depth == 0) break;
+    if (call[i].is(",") && depth == 1)
+      finish();
+    else
+      argument += (argument.empty() ? "" : " ") + call[i].text;
+  }
+  finish();
+  return pins;
+}
+
+// Puts the pins of a call in the place of the function's parameters.
+void substitute(const std::vector<Pin>& pins, std::vector<PinWrite>& writes) {
+  for (PinWrite& write : writes) {
+    const auto position = static_cast<std::size_t>(write.parameter);
+    if (write.parameter >= 0 && position < pins.size()) write.pin = pins[position];
+    write.parameter = -1;
+  }
+  std::erase_if(writes, [](const PinWrite& write) { return write.pin == kNoPin; });
+}
+
 // Adds the writes of the functions that a block without writes calls.
-void inline_calls(const std::vector<Block>& blocks, std::vector<PinBlock>& results) {
+void inline_calls(const std::vector<Block>& blocks, const Resolver& resolver,
+                  std::vector<PinBlock>& results) {
   constexpr std::size_t kMostWrites = 4;
   std::map<std::string, std::vector<std::size_t>> by_function;
   for (std::size_t i = 0; i < results.size(); ++i) by_function[results[i].function].push_back(i);
@@ -144,11 +197,38 @@ void inline_calls(const std::vector<Block>& blocks, std::vector<PinBlock>& resul
       if (statement.tokens.size() < 3 || !statement.tokens[1].is("(")) continue;
       const auto callee = by_function.find(statement.tokens[0].text);
       if (callee == by_function.end() || callee->second.size() != 1) continue;
-      const std::vector<PinWrite>& writes = direct[callee->second[0]].writes;
+      std::vector<PinWrite> writes = direct[callee->second[0]].writes;
+      substitute(arguments_of(statement.tokens, resolver), writes);
       if (writes.size() <= kMostWrites)
         results[i].writes.insert(results[i].writes.end(), writes.begin(), writes.end());
     }
   }
+}
+
+// Replaces blocks that write to parameters by one block for each call: motor(PWMA, IN1, IN2, speed).
+void insert_arguments(const std::vector<Block>& blocks, const Resolver& resolver,
+                      std::vector<PinBlock>& results) {
+  constexpr std::size_t kMostBlocks = 2000;
+  const auto has_parameter = [](const PinBlock& block) {
+    return std::any_of(block.writes.begin(), block.writes.end(),
+                       [](const PinWrite& write) { return write.parameter >= 0; });
+  };
+  std::map<std::string, std::vector<PinBlock>> templates;
+  for (const PinBlock& block : results)
+    if (has_parameter(block)) templates[block.function].push_back(block);
+  for (const Block& block : blocks)
+    for (const Statement& statement : block.statements) {
+      const auto callee = statement.tokens.size() > 2 && statement.tokens[1].is("(")
+                              ? templates.find(statement.tokens[0].text)
+                              : templates.end();
+      if (callee == templates.end() || results.size() > kMostBlocks) continue;
+      const std::vector<Pin> pins = arguments_of(statement.tokens, resolver);
+      for (PinBlock copy : callee->second) {
+        substitute(pins, copy.writes);
+        results.push_back(std::move(copy));
+      }
+    }
+  std::erase_if(results, has_parameter);
 }
 
 std::optional<int> level_in(const PinBlock& block, Pin pin) {
@@ -189,7 +269,8 @@ std::vector<PinBlock> pin_blocks(const std::vector<SourceText>& sources, const R
     for (const Block& block : source.blocks) results.push_back(reader.resolve(block));
     blocks.insert(blocks.end(), source.blocks.begin(), source.blocks.end());
   }
-  inline_calls(blocks, results);
+  inline_calls(blocks, resolver, results);
+  insert_arguments(blocks, resolver, results);
   std::erase_if(results, [](const PinBlock& block) { return block.writes.empty(); });
   return results;
 }

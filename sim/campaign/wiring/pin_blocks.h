@@ -19,6 +19,8 @@ struct PinWrite {
   std::optional<int> level;   ///< 0 = LOW; otherwise HIGH, or the duty cycle; empty if it is not a constant
   bool is_pwm = false;        ///< an analogWrite()
   Side side = Side::unknown;  ///< the side that a comment or the value names
+  int parameter = -1;         ///< position of the function's parameter that is the pin; -1 = none
+  bool is_said_off = false;   ///< a comment says that this write stops the motor
 };
 
 struct PinBlock {

@@ -144,8 +144,12 @@ class Reader {
           std::any_of(given.pins.begin(), given.pins.end(), [](Pin pin) { return pin != kNoPin; });
       if (any || is_device(given.type)) names.given.push_back(std::move(given));
     }
-    names.blocks = pin_blocks(sources_, {[this](const std::string& argument) { return pins_of(argument); },
-                                         [this](const std::string& word) { return value_of(word); }});
+    names.blocks = pin_blocks(
+        sources_, {[this](const std::string& argument) { return pins_of(argument); },
+                   [this, assignments = assignments_in(sources_)](const std::string& word) {
+                     const auto count = assignments.find(word);
+                     return count != assignments.end() && count->second > 1 ? word : value_of(word);
+                   }});
     add_serial_keys(names);
     for (const auto& [word, handler] : handlers_)
       if (const auto pin = pin_of(word); pin && only_sets_flags(handler))

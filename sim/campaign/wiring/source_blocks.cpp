@@ -193,6 +193,19 @@ class BlockReader {
 
 }  // namespace
 
+std::map<std::string, int> assignments_in(const std::vector<SourceText>& sources) {
+  std::map<std::string, int> counts;
+  for (const SourceText& source : sources)
+    for (std::size_t i = 0; i + 2 < source.tokens.size(); ++i) {
+      const Token &word = source.tokens[i], &next = source.tokens[i + 1], &after = source.tokens[i + 2];
+      if (word.kind != Token::Kind::word) continue;
+      const bool is_sign = next.is("+") || next.is("-");
+      const bool is_set = next.is("=") && !after.is("=");
+      if (is_set || (is_sign && (after.is("=") || after.is(next.text.c_str())))) ++counts[word.text];
+    }
+  return counts;
+}
+
 std::vector<Block> blocks_of(const std::vector<Token>& tokens) { return BlockReader(tokens).run(); }
 
 }  // namespace robosim::wiring

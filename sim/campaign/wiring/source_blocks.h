@@ -2,6 +2,7 @@
 // runs.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -40,5 +41,8 @@ struct SourceText {
 
 /// Returns the blocks of all functions, also of methods. Skips initialisers of variables.
 std::vector<Block> blocks_of(const std::vector<Token>& tokens);
+
+/// Returns how often each word is assigned, also by ++ or +=. Does not count definitions by #define.
+std::map<std::string, int> assignments_in(const std::vector<SourceText>& sources);
 
 }  // namespace robosim::wiring

@@ -75,6 +75,16 @@ TEST(GuessMotors, ContradictoryFunctionsLeaveTheSidesOpen) {
               HasSubstr("which motor is the left one is guessed"));
 }
 
+TEST(GuessMotors, ACommentThatHighStopsAMotorIsAskedFor) {
+  const std::string pins = "#define motor1 5\n#define motor2 9\n";
+  EXPECT_THAT(guessed(pins + "void f() {\n  digitalWrite(motor1, HIGH);  // DESLIGA MOTOR 1\n"
+                             "  digitalWrite(motor2, HIGH);  // apaga el motor 2\n}"),
+              HasSubstr("# ? a comment says that HIGH stops this motor"));
+  EXPECT_THAT(
+      guessed(pins + "void f() {\n  digitalWrite(motor1, LOW);  // off\n  digitalWrite(motor2, LOW);\n}"),
+      Not(HasSubstr("HIGH stops")));
+}
+
 TEST(GuessSensors, ALoopReadsASeries) {
   EXPECT_THAT(guessed("#define N 5\n#define FIRST A0\nvoid f() { for (int i = 0; i < N; i++) "
                       "v[i] = analogRead(FIRST + i); }"),

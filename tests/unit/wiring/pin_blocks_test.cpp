@@ -66,6 +66,21 @@ TEST(Forward, IsTheOnlyWayThatAMotorTurns) {
             0);
 }
 
+TEST(Forward, IsKnownThroughParametersAndValues) {
+  const auto found =
+      blocks(kPins +
+             "void motor(byte pwm, byte a, byte b, int v) { digitalWrite(a, v < 0); digitalWrite(b, v "
+             "> 0 ? HIGH : LOW); analogWrite(pwm, abs(v)); }\n"
+             "void loop() { motor(ENA, IN1, IN2, 90); motor(ENB, IN4, IN3, 90); }\n");
+  EXPECT_EQ(forward_in_blocks(found, kLeft), -1);
+  EXPECT_EQ(forward_in_blocks(found, kRight), 1);
+  EXPECT_EQ(forward_in_blocks(blocks(kPins + "int d = 1;\nvoid loop() { d = 0; digitalWrite(IN1, d); "
+                                             "digitalWrite(IN2, LOW); }"),
+                              kLeft),
+            0)
+      << "d is a variable";
+}
+
 TEST(SideOfAPin, IsNamedByACommentAValueAConditionOrAFunction) {
   const auto found = blocks(kPins +
                             "void set(int izq, int der) {\n"
