@@ -41,8 +41,7 @@ bool is_black(const std::string& word) {
 }
 
 bool is_white(const std::string& word) {
-  return begins(word, {"white", "blanc", "branc", "bianc", "weiss", "beyaz", "putih"}) ||
-         is_in(word, {"wit", "wht"});
+  return begins(word, {"white", "blanc", "branc", "bianc", "weiss", "beyaz", "putih"}) || word == "wht";
 }
 
 bool is_line(const std::string& word) {

@@ -207,6 +207,17 @@ void guess_the_rest(Evidence& evidence, RobotDraft& draft) {
   ask_for_unused(evidence, draft);
 }
 
+// Adds a question about a level over black that follows from the names of turns. Only applies if the motors'
+// sides are open.
+void ask_for_level(const Evidence& evidence, RobotDraft& draft) {
+  const std::optional<StatedLevel>& level = evidence.names().level;
+  if (!draft.open.other_sides || !level || !level->is_by_turns) return;
+  for (PartDraft& part : draft.parts)
+    if (part.type.starts_with("reflectance"))
+      part.doubts.push_back(
+          "black: the level follows from the names of turns, but the motors' sides are open");
+}
+
 RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,
                  const Ways& ways) {
   RobotDraft draft;
@@ -219,6 +230,7 @@ RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHist
   guess_by_libraries(evidence, draft);
   guess_sensors(evidence, ways, draft);
   guess_motors(evidence, ways, draft);
+  ask_for_level(evidence, draft);
   guess_wheel_servos(draft);
   guess_the_rest(evidence, draft);
   draft.open.low_battery = std::any_of(draft.parts.begin(), draft.parts.end(),

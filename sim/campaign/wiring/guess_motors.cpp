@@ -138,6 +138,14 @@ class Motor {
     return in1_ ? clues_.history().lean(enable, in1_->pin, in2_->pin) : 0.0;
   }
 
+  /// Returns whether the run drove the motor backwards almost all the time. A robot that has lost the line
+  /// turns both ways, which shows nothing.
+  bool leans_back() const {
+    constexpr double kMostly = 0.8;
+    const MotorPins pins = motor_pins();
+    return lean() < 0.0 && -lean() > kMostly * clues_.history().effort(pins.en, pins.in1, pins.in2);
+  }
+
   std::string pins() const {
     std::string text;
     const auto add = [&](const char* use, const PinEvidence* clue) {
@@ -183,8 +191,7 @@ constexpr std::size_t kMostPinsOfAMotor = 3;
 struct Sides {
   Pins left, right;
   bool named = true;
-  bool contradict = false;  ///< turns contradict the comments and values that name the sides
-  bool paired = true;       ///< false: which direction pins belong to which PWM pin is only guessed
+  bool paired = true;  ///< false: which direction pins belong to which PWM pin is only guessed
 };
 
 // Returns the pins of one motor that the sketch passes to one object, as in Motor(5, 7, 8). `number` selects
@@ -360,8 +367,7 @@ void check_sides_in_source(const Evidence& evidence, Sides& sides) {
                                     forward(left), forward(right));
   const bool is_from_source = std::any_of(sides.left.begin(), sides.left.end(),
                                           [](const PinEvidence* clue) { return clue->is_side_from_source; });
-  sides.contradict = is_from_source && order < 0;
-  if (sides.contradict) sides.named = false;
+  if (is_from_source && order < 0) sides.named = false;
   if (sides.named || order == 0 || is_from_source) return;
   if (order < 0) std::swap(sides.left, sides.right);
   sides.named = true;
@@ -380,7 +386,7 @@ void add_motor(const Motor& motor, const Sides& sides, bool is_left, bool both_l
   if (!sides.paired)
     part.doubts.push_back("which inputs belong to which PWM pin is guessed from the order of the pins");
   // A motor that turns on the spot leans back, too, so only both motors disprove names.
-  const bool leans_back = is_open ? motor.lean() < 0.0 : forward == 0 && both_lean_back;
+  const bool leans_back = is_open ? motor.leans_back() : forward == 0 && both_lean_back;
   const bool other_way = is_left ? ways.left_reversed : ways.right_reversed;
   if ((leans_back || forward < 0) != other_way) part.keys.emplace_back("reversed", "true");
   if (other_way) part.doubts.push_back(fmt::format("reversed or not: {}", kByTrial));
@@ -392,17 +398,6 @@ void add_motor(const Motor& motor, const Sides& sides, bool is_left, bool both_l
           write.level > 0 && part.notes.empty())
         part.notes.push_back("? a comment says that HIGH stops this motor: here, HIGH drives it");
   draft.parts.push_back(std::move(part));
-}
-
-// Adds a question about a level over black that follows from the names of turns. Only applies if these names
-// contradict the motors' sides.
-void ask_for_level(const Evidence& evidence, const Sides& sides, RobotDraft& draft) {
-  const std::optional<StatedLevel>& level = evidence.names().level;
-  if (!sides.contradict || !level || !level->is_by_turns) return;
-  for (PartDraft& part : draft.parts)
-    if (part.type.starts_with("reflectance"))
-      part.doubts.push_back(
-          "black: the level follows from the names of turns, which contradict the motors' sides");
 }
 
 }  // namespace
@@ -427,7 +422,6 @@ void guess_motors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
   }
   if (!left.found() || !right.found() || left.is_transistor() != right.is_transistor()) return;
   draft.open.other_sides = !sides.named;
-  ask_for_level(evidence, sides, draft);
   const bool both_lean_back = left.lean() < 0.0 && right.lean() < 0.0;
   for (const bool is_left : {true, false})
     add_motor(is_left != ways.other_sides ? left : right, sides, is_left, both_lean_back, ways, draft);

@@ -83,6 +83,7 @@ void sort_by_number(Pins& sensors) {
   std::vector<std::string> stem;
   for (const PinEvidence* clue : sensors) {
     std::vector<std::string> words = clue->words;
+    if (clue->is_side_from_source) words.erase(words.begin());
     if (words.size() < 2 || words.back().size() > 2 ||
         words.back().find_first_not_of("0123456789") != std::string::npos)
       return;
@@ -198,6 +199,34 @@ void add_level(const Evidence& evidence, const Ways& ways, const std::string& ki
   if (draft.open.black_low && ways.black_low) part.doubts.push_back(fmt::format("black: {}", kByTrial));
 }
 
+// Sorts the sensors from left to right. Returns whether their names determine the order. If only some have a
+// place, the others keep the order of their numbers or of their array.
+bool arrange(Pins& sensors) {
+  const auto is_left = [](const PinEvidence* clue) { return place_of(*clue) < 0; };
+  const auto is_right = [](const PinEvidence* clue) { return place_of(*clue) > 0; };
+  const auto is_before = [](const PinEvidence* a, const PinEvidence* b) {
+    return place_of(*a) < place_of(*b);
+  };
+  const auto left = std::count_if(sensors.begin(), sensors.end(), is_left);
+  const auto right = std::count_if(sensors.begin(), sensors.end(), is_right);
+  const auto count = static_cast<std::ptrdiff_t>(sensors.size());
+  const bool is_placed = left > 0 && right > 0;
+  if (is_placed && count - left - right <= 1) {
+    std::stable_sort(sensors.begin(), sensors.end(), is_before);
+    return true;
+  }
+  sort_by_number(sensors);
+  // One sensor at an end is enough.
+  const bool is_end =
+      count > 2 && left + right == 1 && (place_of(*sensors.front()) != 0 || place_of(*sensors.back()) != 0);
+  if (!is_placed && !is_end) return false;
+  const auto place = [&](const auto& is) { return std::find_if(sensors.begin(), sensors.end(), is); };
+  if (is_placed ? place(is_right) < place(is_left) : is_right(sensors.front()) || is_left(sensors.back()))
+    std::reverse(sensors.begin(), sensors.end());
+  if (is_placed && place(is_right) < place(is_left)) return false;
+  return true;
+}
+
 }  // namespace
 
 void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
@@ -209,18 +238,7 @@ void guess_sensors(Evidence& evidence, const Ways& ways, RobotDraft& draft) {
     std::erase_if(sensors, [&](const PinEvidence* clue) { return !has_name(clue); });
   sensors = in_order_of_array(evidence, alike(evidence, sensors));
   if (sensors.empty() || sensors.size() > kMostElements) return;
-  const auto is_at = [&](bool left) {
-    return std::any_of(sensors.begin(), sensors.end(), [&](const PinEvidence* clue) {
-      return left ? place_of(*clue) < 0 : place_of(*clue) > 0;
-    });
-  };
-  const bool placed = is_at(true) && is_at(false);
-  if (placed)
-    std::stable_sort(sensors.begin(), sensors.end(),
-                     [](const PinEvidence* a, const PinEvidence* b) { return place_of(*a) < place_of(*b); });
-  else
-    sort_by_number(sensors);
-
+  const bool placed = arrange(sensors);
   const std::string kind = kind_of_all(evidence, sensors);
   const Layout layout = layout_of(sensors.size(), ways.close);
   std::string pins, why;

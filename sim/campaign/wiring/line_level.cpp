@@ -215,6 +215,9 @@ class LevelReader {
   explicit LevelReader(const std::vector<SourceText>& sources)
       : sources_(sources), assignments_(assignments_in(sources)), tests_(constants_) {
     find_constants();
+    for (const SourceText& source : sources)
+      for (std::size_t i = 1; i < source.tokens.size(); ++i)
+        reads_plainly_ |= source.tokens[i].is("digitalRead") && source.tokens[i - 1].is("=");
     bool white = false, black = false;
     for (const SourceText& source : sources) {
       for (const Comment& comment : source.comments) {
@@ -317,7 +320,8 @@ class LevelReader {
       return std::isdigit(static_cast<unsigned char>(word[0])) != 0;
     });
     constexpr std::ptrdiff_t kMostNumbers = 2;  // more are a table of readings
-    if (numbers > kMostNumbers) return;
+    const bool has_both = std::count(words.begin(), words.end(), "0") == 1;
+    if (numbers > kMostNumbers || (numbers == kMostNumbers && !has_both)) return;
     if (says(words, {"led", "butt", "boton", "botao", "puls", "motor", "pin", "buzz"})) return;
     int sign = 0, level = 0, meaning = 0;
     std::size_t since = 0;
@@ -370,12 +374,13 @@ class LevelReader {
     add(Votes::Kind::code, test.sign * meaning, "a variable of this name", statement.line);
   }
 
-  // Reads `value = 1023 - value` and `seen[i] = !digitalRead(pins[i])`.
+  // Reads `value = 1023 - value` and `seen[i] = !digitalRead(pins[i])`. Sketches that also read without an
+  // inversion have a second mode, and show nothing.
   void read_inversion(const Statement& statement) {
     const Tokens& tokens = statement.tokens;
     for (std::size_t i = 1; i + 2 < tokens.size(); ++i) {
       if (!tokens[i].is("=")) continue;
-      const bool is_not = tokens[i + 1].is("!") && tokens[i + 2].is("digitalRead");
+      const bool is_not = tokens[i + 1].is("!") && tokens[i + 2].is("digitalRead") && !reads_plainly_;
       const bool is_less = (tokens[i + 1].is("1023") || tokens[i + 1].is("1024")) && tokens[i + 2].is("-");
       if (is_not || is_less) add(Votes::Kind::inversion, -line_, "the inverted reading", statement.line);
     }
@@ -500,7 +505,8 @@ class LevelReader {
   TestReader::Constants constants_;
   TestReader tests_;
   const SourceText* source_ = nullptr;
-  int line_ = 1;  // the line is 1 = black, -1 = white
+  bool reads_plainly_ = false;  // assigns a digitalRead() without an inversion
+  int line_ = 1;                // the line is 1 = black, -1 = white
   Votes votes_;
 };
 

@@ -187,10 +187,13 @@ void Evidence::add_names(const PinHistory& history) {
 void Evidence::add_source_words() {
   std::map<Pin, Side> sides;
   std::map<Side, std::set<Side>> of_channel;  // by the side of a channel: A, 1 …
+  const bool is_portuguese = std::any_of(names_.remarks.begin(), names_.remarks.end(),
+                                         [](const auto& remark) { return says(remark.second, {"esq"}); });
   for (PinEvidence& clue : by_pin_) {
     const auto remark = names_.remarks.find(clue.pin);
     if (remark != names_.remarks.end()) {
-      const std::vector<std::string>& words = remark->second;
+      WordList words = remark->second;
+      if (is_portuguese) std::replace(words.begin(), words.end(), "dir"s, "direita"s);
       if (clue.name.empty()) clue.words = words;
       const bool is_open = !says_forward(clue.words) && !says_backward(clue.words);
       const bool forward = function_goes_forward(words), backward = function_goes_backward(words);

@@ -1,6 +1,7 @@
 #include "sim/campaign/wiring/pin_facts.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace robosim::wiring {
 namespace {
@@ -65,11 +66,12 @@ void PinHistory::settle_reads() {
   read_together_.clear();
 }
 
-double PinHistory::lean(Pin enable, Pin high, Pin low) const {
+double PinHistory::mean(Pin enable, Pin high, Pin low, bool absolute) const {
   double enabled = enable == kNoPin ? 1.0 : 0.0, up = 0.0, down = low == kNoPin ? 0.5 : 0.0, sum = 0.0;
   std::int64_t since = 0;
   const auto pass = [&](std::int64_t until) {
-    sum += static_cast<double>(until - since) * enabled * (up - down);
+    const double drive = enabled * (up - down);
+    sum += static_cast<double>(until - since) * (absolute ? std::abs(drive) : drive);
     since = until;
   };
   for (const Change& change : changes_) {

@@ -37,7 +37,9 @@ class PinHistory {
 
   /// Returns the mean over the run of (duty of `high` - duty of `low`) x duty of `enable`. With kNoPin, `low`
   /// has duty 0.5, and `enable` has duty 1. A result above 0 means that `high` was mostly higher.
-  double lean(Pin enable, Pin high, Pin low) const;
+  double lean(Pin enable, Pin high, Pin low) const { return mean(enable, high, low, false); }
+  /// Returns the mean of the absolute values, which lean() only reaches if the motor never turns back.
+  double effort(Pin enable, Pin high, Pin low) const { return mean(enable, high, low, true); }
 
  private:
   struct Change {
@@ -46,6 +48,7 @@ class PinHistory {
     double duty;  // share of the time at which the pin is high; 0 or 1 for a level
   };
 
+  double mean(Pin enable, Pin high, Pin low, bool absolute) const;
   /// Records the pins that were read at the same time.
   void settle_reads();
 

@@ -175,17 +175,17 @@ class Reader {
     return is_named;
   }
 
-  /// Returns whether none of the digital pins of analogWrite() has PWM on this board.
-  bool lacks_pwm() const {
-    std::size_t count = 0;
-    for (const Given& given : given_) {
-      if (given.type != "analogWrite") continue;
-      const std::vector<Pin> pins = pins_of(given.arguments[0]);
-      if (pins.size() != 1 || board_.pins[pins[0]].analog_channel >= 0) continue;
-      if (board_.pins[pins[0]].pwm) return false;
-      ++count;
-    }
-    return count > 0;
+  /// Counts the calls of analogWrite() for digital pins with PWM on this board (`has`), or without. The values
+  /// 0 and 255 need no PWM.
+  std::ptrdiff_t count_pwm(bool has) const {
+    std::ptrdiff_t count = 0;
+    for (const PinBlock& block : names().blocks)
+      count += std::count_if(block.writes.begin(), block.writes.end(), [&](const PinWrite& write) {
+        const bool is_level = write.level && (*write.level == 0 || *write.level >= 255);
+        const PinSpec& pin = board_.pins[write.pin];
+        return write.is_pwm && !is_level && pin.analog_channel < 0 && pin.pwm == has;
+      });
+    return count;
   }
 
   /// Returns whether the board has all pins that the sketch passes to pin functions, and all serial lines.
@@ -654,18 +654,22 @@ SketchNames read_names(const build::Sketch& sketch, const BoardSpec& board) {
 GuessedBoard board_for(const build::Sketch& sketch) {
   const std::vector<std::string> names = build::boards_of("avr");
   const BoardSpec *first = nullptr, *with_pwm = nullptr;
+  bool lacks_pwm = false;
   for (const std::string& name : names) {
     const BoardSpec& board = *find_board(name.c_str());
     Reader reader(board);
     reader.read(sketch);
     if (!reader.has_all_pins()) continue;
     if (reader.is_named_in_comments()) return {&board, ""};
-    if (first == nullptr) first = &board;
-    if (with_pwm == nullptr && !reader.lacks_pwm()) with_pwm = &board;
+    if (first == nullptr) {
+      first = &board;
+      lacks_pwm = reader.count_pwm(false) > 0 && reader.count_pwm(true) == 0;
+    } else if (with_pwm == nullptr && lacks_pwm && reader.count_pwm(true) > 0) {
+      with_pwm = &board;
+    }
   }
   if (first == nullptr) return {find_board(names.front().c_str()), "no board has all pins of the sketch"};
-  if (with_pwm == nullptr || with_pwm == first)
-    return {first, "guessed: the first board that has all pins of the sketch"};
+  if (with_pwm == nullptr) return {first, "guessed: the first board that has all pins of the sketch"};
   return {with_pwm,
           fmt::format("guessed: analogWrite() drives pins without PWM on the board {}", first->name)};
 }

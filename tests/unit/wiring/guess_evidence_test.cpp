@@ -101,6 +101,39 @@ TEST(GuessSensors, ReadingsThatFillAnArrayAreInItsOrder) {
               AllOf(HasSubstr("pins = [\"A3\", \"A1\", \"A2\"]"), HasSubstr("# ? pin 4 (leftIR")));
 }
 
+TEST(GuessSensors, OneOrTwoPlacesInCommentsOrientASeries) {
+  const std::string reads =
+      "void f() { digitalRead(s1); digitalRead(s2); digitalRead(s3); digitalRead(s4); }";
+  EXPECT_THAT(guessed("#define s1 2  // o 1o da direita\n#define s2 3\n#define s3 4\n#define s4 5  // mais a "
+                      "esquerda\n" +
+                      reads),
+              AllOf(HasSubstr("pins = [5, 4, 3, 2]"), Not(HasSubstr("the order from left to right"))));
+  EXPECT_THAT(guessed("#define s1 2\n#define s2 3\n#define s3 4\n#define s4 5  // ganz links\n" + reads),
+              HasSubstr("pins = [5, 4, 3, 2]"));
+  EXPECT_THAT(guessed("#define s1 2\n#define s2 3  // links\n#define s3 4\n#define s4 5\n" + reads),
+              HasSubstr("# ? the order from left to right is guessed"));
+}
+
+TEST(GuessMotors, ARobotThatTurnsBothWaysShowsNoDirection) {
+  const BoardSpec& uno = *find_board("uno");
+  PinHistory history(uno);
+  const auto level = [&](std::int64_t t_s, const char* pin, bool high) {
+    history.add(wire::PinChange{t_s * 1'000'000'000, pin, "output", high});
+  };
+  level(0, "D7", true);
+  level(0, "D8", false);
+  level(0, "D9", true);
+  level(0, "D10", false);
+  level(4, "D7", false);
+  level(4, "D8", true);
+  history.end(10'000'000'000);
+  const std::string source =
+      "const int LM1 = 7, LM2 = 8, RM1 = 9, RM2 = 10;\nvoid f() { digitalWrite(LM1, a); "
+      "digitalWrite(LM2, b); digitalWrite(RM1, c); digitalWrite(RM2, d); }";
+  EXPECT_THAT(text_of(guess(uno, names_in_text(source, "a.ino", uno), history, {})),
+              Not(HasSubstr("reversed = ")));
+}
+
 TEST(GuessSensors, OneSeriesStaysTogether) {
   EXPECT_THAT(guessed("enum Pins { SENSOR_D0 = 11, SENSOR_A1 = A5, SENSOR_A2 = A4, SENSOR_D3 = 12 };\n"
                       "void f() { digitalRead(SENSOR_D0); digitalRead(SENSOR_D3); analogRead(SENSOR_A1); "

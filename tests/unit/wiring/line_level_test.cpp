@@ -44,6 +44,7 @@ TEST(LineLevel, CommentsStateTheLevelInSeveralLanguages) {
   EXPECT_EQ(level("// sensor 1 is over the black tape\n"), "") << "the number of a sensor";
   EXPECT_EQ(level("// 1 1 0 0 0   black\n"), "") << "a table of readings";
   EXPECT_EQ(level("// led HIGH on black\n"), "");
+  EXPECT_EQ(level("// black: stop, motors 0 0\n"), "") << "numbers of something else";
 }
 
 TEST(LineLevel, ABranchStatesTheLevelByItsCommentItsTextOrItsTurn) {
@@ -63,6 +64,9 @@ TEST(LineLevel, ABranchStatesTheLevelByItsCommentItsTextOrItsTurn) {
 TEST(LineLevel, ContradictionsLeaveTheLevelOpenButCodeOutranksComments) {
   EXPECT_EQ(level("// HIGH = black\n// on black the sensor is LOW\n"), "");
   EXPECT_EQ(level("#define BLACK LOW\n// HIGH = black\n"), "LOW");
+  EXPECT_EQ(level("void loop() { int a = !digitalRead(2); }\n"), "LOW");
+  EXPECT_EQ(level("void loop() { int a = !digitalRead(2); }\nvoid f() { int a = digitalRead(2); }\n"), "")
+      << "two modes";
   EXPECT_EQ(level("// 1 = black line\nvoid loop() { int v = 1023 - analogRead(A0); }\n"), "");
 }
 
