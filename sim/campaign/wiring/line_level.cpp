@@ -320,7 +320,8 @@ class LevelReader {
       return std::isdigit(static_cast<unsigned char>(word[0])) != 0;
     });
     constexpr std::ptrdiff_t kMostNumbers = 2;  // more are a table of readings
-    const bool has_both = std::count(words.begin(), words.end(), "0") == 1;
+    const bool has_both =
+        std::count(words.begin(), words.end(), "0") == 1 && std::count(words.begin(), words.end(), "1") == 1;
     if (numbers > kMostNumbers || (numbers == kMostNumbers && !has_both)) return;
     if (says(words, {"led", "butt", "boton", "botao", "puls", "motor", "pin", "buzz"})) return;
     int sign = 0, level = 0, meaning = 0;

@@ -175,15 +175,16 @@ class Reader {
     return is_named;
   }
 
-  /// Counts the calls of analogWrite() for digital pins with PWM on this board (`has`), or without. The values
-  /// 0 and 255 need no PWM.
+  /// Counts the calls of analogWrite() for digital pins that have PWM on this board (`has`), or do not. Skips
+  /// the values 0 and 255, which need no PWM.
   std::ptrdiff_t count_pwm(bool has) const {
     std::ptrdiff_t count = 0;
     for (const PinBlock& block : names().blocks)
       count += std::count_if(block.writes.begin(), block.writes.end(), [&](const PinWrite& write) {
         const bool is_level = write.level && (*write.level == 0 || *write.level >= 255);
         const PinSpec& pin = board_.pins[write.pin];
-        return write.is_pwm && !is_level && pin.analog_channel < 0 && pin.pwm == has;
+        const bool is_of_serial = write.pin < 2;  // analogWrite(0, speed) is a slip
+        return write.is_pwm && !is_level && !is_of_serial && pin.analog_channel < 0 && pin.pwm == has;
       });
     return count;
   }
@@ -664,7 +665,8 @@ GuessedBoard board_for(const build::Sketch& sketch) {
     if (first == nullptr) {
       first = &board;
       lacks_pwm = reader.count_pwm(false) > 0 && reader.count_pwm(true) == 0;
-    } else if (with_pwm == nullptr && lacks_pwm && reader.count_pwm(true) > 0) {
+    } else if (with_pwm == nullptr && lacks_pwm && board.pin_count > first->pin_count &&
+               reader.count_pwm(true) > 0) {
       with_pwm = &board;
     }
   }

@@ -44,7 +44,7 @@ TEST(LineLevel, CommentsStateTheLevelInSeveralLanguages) {
   EXPECT_EQ(level("// sensor 1 is over the black tape\n"), "") << "the number of a sensor";
   EXPECT_EQ(level("// 1 1 0 0 0   black\n"), "") << "a table of readings";
   EXPECT_EQ(level("// led HIGH on black\n"), "");
-  EXPECT_EQ(level("// black: stop, motors 0 0\n"), "") << "numbers of something else";
+  EXPECT_EQ(level("// black: stop, motors 0 0\n// line search, 70 0\n"), "") << "numbers of something else";
 }
 
 TEST(LineLevel, ABranchStatesTheLevelByItsCommentItsTextOrItsTurn) {
