@@ -183,6 +183,23 @@ void Evidence::add_names(const PinHistory& history) {
   }
 }
 
+// Returns the side that the source names for all pins of a channel such as A. The channels A and B are on
+// different sides. Returns unknown if the source contradicts itself.
+Side side_of_channel(const std::map<Side, std::set<Side>>& named, Side channel) {
+  const Side other = channel == Side::left ? Side::right : Side::left;
+  const auto only = [&](Side one) {
+    const auto sides = named.find(one);
+    return sides != named.end() && sides->second.size() == 1 ? *sides->second.begin() : Side::unknown;
+  };
+  const auto is_open = [&](Side one) { return named.count(one) == 0; };
+  const auto opposite = [](Side one) {
+    return one == Side::left ? Side::right : one == Side::right ? Side::left : Side::unknown;
+  };
+  const Side own = only(channel), across = opposite(only(other));
+  if (is_open(channel)) return across;
+  return is_open(other) || own == across ? own : Side::unknown;
+}
+
 // Adds the sides and directions that comments and functions of the source name, to pins whose names do not.
 void Evidence::add_source_words() {
   std::map<Pin, Side> sides;
@@ -207,10 +224,10 @@ void Evidence::add_source_words() {
     if (sides[clue.pin] != Side::unknown) of_channel[side_of(clue.words)].insert(sides[clue.pin]);
   }
   for (PinEvidence& clue : by_pin_) {
-    const Side side = sides[clue.pin], channel = side_of(clue.words);
-    if (side == Side::unknown || spelled_side(clue.words) != Side::unknown) continue;
-    if (channel != Side::unknown && of_channel[channel].size() > 1)
-      continue;  // the source contradicts itself
+    if (spelled_side(clue.words) != Side::unknown) continue;
+    const Side channel = side_of(clue.words);
+    const Side side = channel == Side::unknown ? sides[clue.pin] : side_of_channel(of_channel, channel);
+    if (side == Side::unknown) continue;
     // Numbers and letters of the name remain the last words.
     clue.words.insert(clue.words.begin(), side == Side::left ? "left" : "right");
     clue.is_side_from_source = true;

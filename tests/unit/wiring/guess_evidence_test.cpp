@@ -60,6 +60,18 @@ TEST(GuessMotors, CommentsNameSidesAndDirections) {
   EXPECT_THAT(text, AllOf(HasSubstr("{ in1 = 6, in2 = 9 }"), HasSubstr("{ in1 = 5, in2 = 10 }")));
 }
 
+TEST(GuessMotors, TheSideOfAnEnablePinIsThatOfItsChannel) {
+  const std::string pins =
+      "const int ENA = 5, IN1 = 7, IN2 = 8, ENB = 6, IN3 = 9, IN4 = 10;\n"
+      "void f() { digitalWrite(IN1, 1); digitalWrite(IN2, 0); digitalWrite(IN3, 1); digitalWrite(IN4, 0);\n";
+  const auto right_is_a = AllOf(HasSubstr("name = \"right\"                      # ENA, IN1, IN2"),
+                                HasSubstr("name = \"left\"                       # ENB, IN3, IN4"));
+  EXPECT_THAT(guessed(pins + "  analogWrite(ENA, speedRight); analogWrite(ENB, speedLeft); }"), right_is_a);
+  EXPECT_THAT(guessed(pins + "  analogWrite(ENA, velDer); analogWrite(ENB, v); }"), right_is_a);
+  EXPECT_THAT(guessed(pins + "  analogWrite(ENA, speedRight); analogWrite(ENB, turnRight); }"),
+              HasSubstr("which motor is the left one is guessed"));
+}
+
 TEST(GuessMotors, ContradictoryFunctionsLeaveTheSidesOpen) {
   const std::string pins =
       "const int ENA = 5, IN1 = 7, IN2 = 8, ENB = 6, IN3 = 9, IN4 = 10;\n"
