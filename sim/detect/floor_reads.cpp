@@ -7,8 +7,8 @@
 namespace robosim::detect {
 namespace {
 
-// Returns whether a timer can capture the pin's edges. A timer awaits these edges as soon as firmware reads its
-// flags, as the Servo library does, even if nothing uses the captures.
+// Returns whether a timer can capture the pin's edges. As soon as firmware reads the timer's flags, the timer
+// awaits these edges, even if nothing uses the captures. The Servo library reads the flags.
 bool can_capture(const BoardSpec& board, Pin pin) {
   const BoardSpec& model = host_model(board);  // has the registers on the host
   return board.pins[pin].chip_pin.captured_by >= 0 ||

@@ -69,9 +69,7 @@ std::string hunt_summary(const campaign::Hunt& hunt, const campaign::CampaignRun
                          const fs::path& out) {
   const std::size_t found = hunt.findings().size();
   std::string text = fmt::format("{} runs, {:.0f} s of simulated time: {}\n", hunt.runs(), hunt.simulated_s(),
-                                 found == 0 && hunt.runs_with_goal() > 0 && hunt.runs_that_reached() == 0
-                                     ? std::string("no cause was found")
-                                 : found == 0 ? std::string("nothing was found")
+                                 found == 0   ? std::string("nothing was found")
                                  : found == 1 ? std::string("1 finding")
                                               : fmt::format("{} findings", found));
   for (std::size_t i = 0; i < found; ++i)
