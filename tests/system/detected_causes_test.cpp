@@ -181,6 +181,32 @@ TEST_P(DetectedCauses, HaveTheirDetectorAndLine) {
       << result::text_of(found[0]);
 }
 
+// A timer awaits the edges of its capture pin, here the left sensor's, as soon as a sketch reads the timer's flags.
+TEST(DetectedCauses, TakeNoEdgeThatATimerAwaitsForAReadOfASensor) {
+  needs_target("avr");
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "Waits");
+  write_file(folder / "robot.toml",
+             "base = \"uno3\"\n[[part]]\nname = \"left\"\npins = { en = 5, in1 = 7, in2 = 2 }\n"
+             "[[part]]\nname = \"left_sensor\"\npin = 8\n");
+  write_file(folder / "Waits/Waits.ino",
+             "void setup() {\n  for (byte p = 5; p <= 10; p++) if (p != 8) pinMode(p, OUTPUT);\n"
+             "  digitalWrite(7, HIGH);\n  digitalWrite(9, HIGH);\n  volatile byte flags = TIFR1;\n}\n"
+             "void loop() {\n  static bool odd;\n  odd = !odd;\n"
+             "  const bool left = digitalRead(8), right = digitalRead(A2);\n"
+             "  analogWrite(5, (left ? 100 : 200) + 20 * odd);\n"
+             "  analogWrite(6, (right ? 100 : 200) + 20 * odd);\n  delay(150);\n}\n");
+  wire::RunRequest request = request_of({.sketch = folder / "Waits",
+                                         .robot = folder / "robot.toml",
+                                         .goal = "laps:1",
+                                         .for_s = 10.0,
+                                         .target = "avr"});
+  request.detect = true;
+  const result::RunResult result = runner_of("avr").run(request);
+  EXPECT_NE(result.verdict, "reached");
+  for (const result::Detected& seen : result.detected) EXPECT_NE(seen.detector, "slow_control") << seen.what;
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, DetectedCauses,
                          testing::Combine(testing::ValuesIn(kCases), testing::Values("host", "avr")),
                          [](const auto& tested) {
