@@ -181,7 +181,8 @@ TEST_P(DetectedCauses, HaveTheirDetectorAndLine) {
       << result::text_of(found[0]);
 }
 
-// A timer awaits the edges of its capture pin, here the left sensor's, as soon as a sketch reads the timer's flags.
+// The left sensor is at a timer's capture pin. As soon as a sketch reads the timer's flags, the timer awaits
+// edges of this pin.
 TEST(DetectedCauses, TakeNoEdgeThatATimerAwaitsForAReadOfASensor) {
   needs_target("avr");
   const TemporaryFolder folder;

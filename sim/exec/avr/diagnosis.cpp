@@ -5,8 +5,8 @@
 
 #include <filesystem>
 
-#include "sim/exec/avr/demangle.h"
 #include "sim/exec/avr/ubsan_report.h"
+#include "sim/exec/elf/demangle.h"
 
 namespace robosim::exec::avr {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sim/exec/avr/data_flow.h"
-#include "sim/exec/avr/demangle.h"
+#include "sim/exec/elf/demangle.h"
 #include "sim/mcu/avr/instruction_effects.h"
 #include "sim/mcu/avr/instruction_table.h"
 #include "sim/result/detector_names.h"

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "sim/base/file.h"
+#include "sim/exec/elf/demangle.h"
 
 namespace robosim::exec {
 namespace {
@@ -197,7 +198,7 @@ std::vector<SourceLine> DebugInfo::frames(std::uint32_t pc) const {
       at.file = tidy(dwarf_linesrc(line, nullptr, nullptr));
     }
     for (std::size_t i = scopes.size(); i-- > 0;) {
-      at.function = name_of(scopes[i]);
+      at.function = function_name(name_of(scopes[i]));
       frames.push_back(at);
       at = call_of(unit, scopes[i]);
     }

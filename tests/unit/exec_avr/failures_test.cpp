@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "sim/exec/avr/demangle.h"
+#include "sim/exec/elf/demangle.h"
 #include "sim/exec/avr/firmware.h"
 #include "tests/unit/exec_avr/fixture.h"
 
@@ -35,9 +35,9 @@ class FailuresTest : public AvrTest {
 };
 
 TEST(Demangle, KeepsNamesThatAreNotMangled) {
-  EXPECT_EQ(avr::demangle("n"), "n") << "not the code of the type __int128";
-  EXPECT_EQ(avr::demangle("i"), "i");
-  EXPECT_EQ(avr::demangle("_ZN3Foo3barE"), "Foo::bar");
+  EXPECT_EQ(demangle("n"), "n") << "not the code of the type __int128";
+  EXPECT_EQ(demangle("i"), "i");
+  EXPECT_EQ(demangle("_ZN3Foo3barE"), "Foo::bar");
 }
 
 TEST_F(FailuresTest, EachNamesReasonFunctionAndLine) {
