@@ -14,7 +14,6 @@ namespace {
 constexpr double kLongest_of_timeout_s = 60.0;
 // A sketch with checks takes longer to crash.
 constexpr double kMargin_of_crash_s = 1.0;
-constexpr double kStands_m = 0.01;
 
 // Returns the time by which a check must fail to explain the first result.
 double limit_s(const result::RunResult& first) {
@@ -74,17 +73,14 @@ bool deserves_detectors(const build::Request& sketch, const result::RunResult& f
   if ((first.verdict == "crashed" && !is_torn) || first.verdict == "interrupted") return false;
   const bool has_failed = first.verdict == "lost" || first.verdict == "stuck" || first.verdict == "hung" ||
                           first.verdict == "timeout";
-  const bool has_stood =
-      first.verdict == "reached" && first.goal == "none" && first.metrics.distance_m < kStands_m;
-  return sketch.sanitize || has_failed || has_stood;
+  return sketch.sanitize || has_failed;
 }
 
 AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
                                const result::RunResult& first) {
   build::Request plain = sketch;
   plain.sanitize = plain.coverage = false;
-  plain.warnings = build::Warnings::none;
-  if (first.verdict == "timeout" || first.verdict == "reached")
+  if (first.verdict == "timeout")
     request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(kLongest_of_timeout_s * 1e9));
   listen_to_nothing(request);
   request.detect = true;

@@ -29,8 +29,7 @@ struct Checked {
 Checked rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
                               const result::RunResult& first, std::size_t robot = 0);
 
-/// Returns whether detectors may report: the user requested checks, the sketch has failed, or the robot stood
-/// still in a run without a goal.
+/// Returns whether detectors may report: the user requested checks, or the sketch has failed.
 bool deserves_detectors(const build::Request& sketch, const result::RunResult& first);
 
 /// A run of the sketch as flashed, without checks. Checks change the timing, and need more RAM and flash than

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <stdexcept>
 
 #include "sim/base/file.h"
 #include "sim/base/robot_name.h"
@@ -103,7 +104,9 @@ result::RunResult CandidateTrial::run(const RobotDraft& draft, double for_s, con
       launch_, launch::choose(launch_), [&](const std::string& name) { return runner_.describe_robot(name); },
       runner_.hello());
   const client::Interrupts interrupts(runner_);
-  return runner_.run(run.request, on_event);
+  result::RunResult result = runner_.run(run.request, on_event);
+  if (client::Interrupts::signal() != 0) throw std::runtime_error("interrupted");
+  return result;
 }
 
 Trial CandidateTrial::attempt(const RobotDraft& draft, const Ways& ways) {

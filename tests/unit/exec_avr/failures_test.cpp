@@ -5,8 +5,8 @@
 
 #include <array>
 
-#include "sim/exec/elf/demangle.h"
 #include "sim/exec/avr/firmware.h"
+#include "sim/exec/elf/demangle.h"
 #include "tests/unit/exec_avr/fixture.h"
 
 namespace robosim::exec {
