@@ -81,4 +81,13 @@ inline const BoardSpec& host_model(const BoardSpec& board) {
   return board.host_model ? *board.host_model : board;
 }
 
+/// Returns whether a timer can capture the pin's edges, on the chip or in the host's model of it. As soon as
+/// firmware reads such a timer's flags, the timer awaits these edges, even if nothing uses the captures. The
+/// Servo library reads the flags.
+inline bool can_capture(const BoardSpec& board, Pin pin) {
+  const BoardSpec& model = host_model(board);
+  return board.pins[pin].chip_pin.captured_by >= 0 ||
+         (pin < model.pin_count && model.pins[pin].chip_pin.captured_by >= 0);
+}
+
 }  // namespace robosim

@@ -12,10 +12,10 @@ struct FirmwareAction {
     analog_write,      ///< analogWrite(pin, value)
     attach_interrupt,  ///< attachInterrupt(number, …, mode)
     delay,             ///< delay(ms)
-    /// A timer has left or entered PWM. Arguments: its index in ChipSpec::timers; 1 = it has entered PWM; the
-    /// outputs that had PWM before, one bit each.
+    /// A timer has left or entered PWM. Arguments: TimerSpec::number; 1 = it has entered PWM; the outputs
+    /// that had PWM before, one bit each.
     timer_mode,
-    /// A duty cycle was written while the timer was not in a PWM mode. Arguments: the timer's index, the
+    /// A duty cycle was written while the timer was not in a PWM mode. Arguments: TimerSpec::number, the
     /// output.
     compare_write
   };

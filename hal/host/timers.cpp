@@ -63,7 +63,7 @@ void Timer::take_registers(const Phase& phase) {
 void Timer::tell_of_mode(bool made_pwm, uint8_t control_a) const {
   if (made_pwm == makes_pwm()) return;
   const int connected = (avr::connection(control_a, 0) >> 1) | (avr::connection(control_a, 1) & 2);
-  executor->acted({FirmwareAction::Kind::timer_mode, {number_, makes_pwm(), connected}});
+  executor->acted({FirmwareAction::Kind::timer_mode, {kChip.timers[number_].number, makes_pwm(), connected}});
 }
 
 void Timer::set_control_a(uint8_t value) {
@@ -102,7 +102,7 @@ void Timer::set_compare(int channel, uint16_t value) {
   const bool interrupts = enabled_ & flag, pwm = makes_pwm();
   if (value == compare_[channel]) return;
   if (!pwm && connection(channel) & 2)
-    executor->acted({FirmwareAction::Kind::compare_write, {number_, channel, 0}});
+    executor->acted({FirmwareAction::Kind::compare_write, {kChip.timers[number_].number, channel, 0}});
   if (!pwm && (is_top(channel) || interrupts)) {
     const Phase phase = leave_registers();
     compare_[channel] = value;

@@ -5,7 +5,6 @@
 #include "sim/detect/driven_input.h"
 #include "sim/detect/eeprom_wear.h"
 #include "sim/detect/forgotten_output.h"
-
 #include "sim/detect/motors_left_on.h"
 #include "sim/detect/overwritten_record.h"
 #include "sim/detect/slow_control.h"
@@ -35,7 +34,7 @@ Detectors::Detectors(const robot::Robot& robot, exec::Executor& executor, double
                  &add<SlowSerial>(), &add<SlowControl>()};
   add<ForgottenOutput>(robot.wiring());
   add<DrivenInput>(robot.wiring());
-  add<DoubtfulCalls>();
+  add<DoubtfulActionsOnHost>();
   add<SlowSource>();
   add<EepromWear>();
   add<TornRecord>();

@@ -18,6 +18,8 @@ std::string name_of(const BoardSpec& board, Pin pin) {
   return board.pins[pin].name[0] == 'A' ? board.pins[pin].name : fmt::format("{}", pin);
 }
 
+bool is_avr(const BoardSpec& board) { return std::string_view(board.chip->target) == "avr"; }
+
 /// Returns the pins for which `is_one` returns true, as "3, 5 and 6" if `last` is " and ".
 template <class IsOne>
 std::string pins_of(const BoardSpec& board, std::string_view last, IsOne&& is_one) {
@@ -47,7 +49,7 @@ double seconds(SimTime t) { return 1e-9 * static_cast<double>(t); }
 
 }  // namespace
 
-bool DoubtfulActions::is_known(const char* detector, int64_t key) {
+bool DoubtfulActions::add_occurrence(const char* detector, int64_t key) {
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     if (keys_[i].argument != key || std::string_view(keys_[i].detector) != detector) continue;
     ++found_[i].times;
@@ -84,8 +86,8 @@ void DoubtfulActions::wrote(int64_t number, int64_t value, SimTime t, const Wher
   if (number >= board_->pin_count || !board_->pins[number].digital) return;
   const PinSpec& pin = board_->pins[number];
   if (value < 0 || value > kHighest) {
-    if (is_known("pwm_range", number)) return;
-    const bool is_wide = pin.pwm && !board_->host_model && pin.chip_pin.timer >= 0 &&
+    if (add_occurrence("pwm_range", number)) return;
+    const bool is_wide = pin.pwm && is_avr(*board_) && pin.chip_pin.timer >= 0 &&
                          board_->chip->timers[pin.chip_pin.timer].bits == 16;
     const int64_t effect = !pin.pwm ? (value < 128 ? 0 : kHighest) : is_wide ? kHighest : value & 0xFF;
     add(result::detector("pwm_range"), number,
@@ -95,7 +97,7 @@ void DoubtfulActions::wrote(int64_t number, int64_t value, SimTime t, const Wher
         "Limit the value: constrain(value, 0, 255).", {t, where()});
     return;
   }
-  if (pin.pwm || value == 0 || value == kHighest || is_known("lost_pwm", number)) return;
+  if (pin.pwm || value == 0 || value == kHighest || add_occurrence("lost_pwm", number)) return;
   add(result::detector("lost_pwm"), number,
       fmt::format("pin {} of the {} has no PWM, and is LOW below 128 and HIGH otherwise: analogWrite({}, {})",
                   name_of(*board_, static_cast<Pin>(number)), board_->name, number, value),
@@ -103,10 +105,10 @@ void DoubtfulActions::wrote(int64_t number, int64_t value, SimTime t, const Wher
 }
 
 void DoubtfulActions::attached(int64_t number, SimTime t, const Where& where) {
-  const bool is_known_to_board = std::any_of(board_->pins, board_->pins + board_->pin_count,
-                                             [&](const PinSpec& pin) { return pin.interrupt == number; });
-  if (is_known_to_board || (number < board_->chip->external_count && !board_->host_model)) return;
-  if (is_known("no_interrupt", number)) return;
+  const bool has_number = std::any_of(board_->pins, board_->pins + board_->pin_count,
+                                      [&](const PinSpec& pin) { return pin.interrupt == number; });
+  if (has_number || (number < board_->chip->external_count && !board_->host_model)) return;
+  if (add_occurrence("no_interrupt", number)) return;
   const bool is_pin = number < board_->pin_count && board_->pins[number].interrupt >= 0;
   const std::string got =
       number == kNoInterrupt
@@ -123,7 +125,7 @@ void DoubtfulActions::attached(int64_t number, SimTime t, const Where& where) {
 }
 
 void DoubtfulActions::delayed(int64_t ms, SimTime t, const Where& where) {
-  if (ms >> 31 == 0 || is_known("long_delay", ms)) return;
+  if (ms >> 31 == 0 || add_occurrence("long_delay", ms)) return;
   add(result::detector("long_delay"), ms,
       fmt::format("delay({}) lasts {:.0f} days, since its number was negative, {}; it was called", ms,
                   static_cast<double>(ms) / kMsPerDay, static_cast<int32_t>(ms)),
@@ -133,10 +135,11 @@ void DoubtfulActions::delayed(int64_t ms, SimTime t, const Where& where) {
 
 void DoubtfulActions::changed_mode(int64_t timer, bool makes_pwm, bool had_pwm, SimTime t,
                                    const Where& where) {
+  if (!is_avr(*board_)) return;  // a sketch for another chip writes no registers of an AVR's timers
   const auto taken =
       std::find_if(timers_.begin(), timers_.end(), [&](const TakenTimer& one) { return one.timer == timer; });
   if (taken != timers_.end()) {
-    if (const auto seen = told(*taken, t); seen && !is_known("lost_pwm", key_of(timer))) {
+    if (const auto seen = told(*taken, t); seen && !add_occurrence("lost_pwm", key_of(timer))) {
       keys_.push_back({"lost_pwm", key_of(timer)});
       found_.push_back(*seen);
     }
@@ -149,9 +152,11 @@ std::optional<exec::Detected> DoubtfulActions::told(const TakenTimer& taken, Sim
   if (!taken.wrote && !taken.had_pwm) return std::nullopt;
   const Moment& moment = taken.wrote ? *taken.wrote : taken.taken;
   if (now - moment.t < kSetUp) return std::nullopt;
-  const TimerSpec& timer = board_->chip->timers[taken.timer];
-  const auto is_its = [&](const PinSpec& pin) { return pin.pwm && pin.chip_pin.timer == taken.timer; };
-  const auto is_others = [&](const PinSpec& pin) { return pin.pwm && pin.chip_pin.timer != taken.timer; };
+  const auto timer_of = [&](const PinSpec& pin) {
+    return pin.pwm && pin.chip_pin.timer >= 0 ? board_->chip->timers[pin.chip_pin.timer].number : -1;
+  };
+  const auto is_its = [&](const PinSpec& pin) { return timer_of(pin) == taken.timer; };
+  const auto is_others = [&](const PinSpec& pin) { return timer_of(pin) >= 0 && !is_its(pin); };
   const std::string pins = pins_of(*board_, " and ", is_its), others = pins_of(*board_, " or ", is_others);
   if (pins.empty()) return std::nullopt;
   const bool one = pins.find(' ') == pins.npos;
@@ -161,10 +166,10 @@ std::optional<exec::Detected> DoubtfulActions::told(const TakenTimer& taken, Sim
       taken.wrote
           ? fmt::format("{} had no PWM, since {} timer {} had left its PWM mode{} ({:.2f} s); a duty cycle "
                         "was written",
-                        subject, one ? "its" : "their", timer.number, place_of(taken.taken.where),
+                        subject, one ? "its" : "their", taken.timer, place_of(taken.taken.where),
                         seconds(taken.taken.t))
           : fmt::format("{} lost the PWM, since {} timer {} left its PWM mode", subject,
-                        one ? "its" : "their", timer.number),
+                        one ? "its" : "their", taken.timer),
       fmt::format("Use pins whose PWM comes from another timer{}, or a library that needs another timer.",
                   others.empty() ? "" : " (" + others + ")"),
       moment.where,
@@ -182,13 +187,13 @@ std::vector<exec::Detected> DoubtfulActions::found(SimTime now) const {
   return all;
 }
 
-DoubtfulCalls::DoubtfulCalls(exec::Executor& executor, SnapshotRegistry& snapshots)
+DoubtfulActionsOnHost::DoubtfulActionsOnHost(exec::Executor& executor, SnapshotRegistry& snapshots)
     : executor_(executor), state_{DoubtfulActions(executor.board().spec())} {
   if (exec::HostAccess* const host = executor.host_access()) host->watch_actions(*this);
   snapshots.add(state_);
 }
 
-void DoubtfulCalls::acted(const FirmwareAction& action, SimTime t) {
+void DoubtfulActionsOnHost::acted(const FirmwareAction& action, SimTime t) {
   state_.actions.acted(action, t, [&] { return executor_.sketch_source(); });
 }
 

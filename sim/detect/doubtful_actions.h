@@ -58,7 +58,7 @@ class DoubtfulActions {
   };
   /// A timer outside of PWM modes.
   struct TakenTimer {
-    int64_t timer = 0;  ///< index in ChipSpec::timers
+    int64_t timer = 0;  ///< TimerSpec::number
     Moment taken;
     std::optional<Moment> wrote;  ///< the first write of a duty cycle since then
     bool had_pwm = false;         ///< an output had PWM when the timer was taken
@@ -71,9 +71,8 @@ class DoubtfulActions {
   void delayed(int64_t ms, SimTime t, const Where& where);
   void changed_mode(int64_t timer, bool makes_pwm, bool had_pwm, SimTime t, const Where& where);
   std::optional<exec::Detected> told(const TakenTimer& taken, SimTime now) const;
-  /// Counts another occurrence of a finding. Returns whether there is nothing to add: the finding is known,
-  /// or there are too many.
-  bool is_known(const char* detector, int64_t key);
+  /// Counts another occurrence of a known finding. Returns false if the finding is new, and has room.
+  bool add_occurrence(const char* detector, int64_t key);
 
   struct Key {
     const char* detector;
@@ -86,9 +85,9 @@ class DoubtfulActions {
   std::vector<TakenTimer> timers_;
 };
 
-class DoubtfulCalls final : public FirmwareDetector, public exec::ActionWatcher {
+class DoubtfulActionsOnHost final : public FirmwareDetector, public exec::ActionWatcher {
  public:
-  DoubtfulCalls(exec::Executor& executor, SnapshotRegistry& snapshots);
+  DoubtfulActionsOnHost(exec::Executor& executor, SnapshotRegistry& snapshots);
 
   void acted(const FirmwareAction& action, SimTime t) override;
   void powered_on() override { state_.actions.powered_on(); }

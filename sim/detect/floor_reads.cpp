@@ -5,17 +5,6 @@
 #include "hal/board/board_spec.h"
 
 namespace robosim::detect {
-namespace {
-
-// Returns whether a timer can capture the pin's edges. As soon as firmware reads the timer's flags, the timer
-// awaits these edges, even if nothing uses the captures. The Servo library reads the flags.
-bool can_capture(const BoardSpec& board, Pin pin) {
-  const BoardSpec& model = host_model(board);  // has the registers on the host
-  return board.pins[pin].chip_pin.captured_by >= 0 ||
-         (pin < model.pin_count && model.pins[pin].chip_pin.captured_by >= 0);
-}
-
-}  // namespace
 
 FloorReads::FloorReads(const robot::Robot& robot, exec::Executor& executor) : executor_(executor) {
   for (const robot::WiredPin& wired : robot.wiring()) {

@@ -46,13 +46,11 @@ std::vector<Unit> units_of(const std::vector<robot::WiredPin>& wiring) {
 // Returns whether the board's serial line may have used the pin.
 bool is_of_uart(const BoardSpec& board, Pin pin) { return pin < 2 && board.analog_pin_0 > 2; }
 
-// Returns whether the firmware has read the pin on purpose. Edges awaited on a timer's capture input do not
-// count. A timer awaits edges as soon as firmware reads the timer's flags, as the Servo library does.
+// Returns whether the firmware has read the pin on purpose. Edges that a timer may await by itself do not
+// count.
 bool is_read_on_purpose(const BoardSpec& board, Pin pin, const exec::PinUse& use) {
-  const BoardSpec& model = host_model(board);  // has the registers on the host
-  const bool captures = board.pins[pin].chip_pin.captured_by >= 0 ||
-                        (pin < model.pin_count && model.pins[pin].chip_pin.captured_by >= 0);
-  return use.looked_at || use.measured || (use.awaited && !captures) || (use.read && use.pulled_up);
+  return use.looked_at || use.measured || (use.awaited && !can_capture(board, pin)) ||
+         (use.read && use.pulled_up);
 }
 
 std::string steady_reading(const BoardSpec& board, const exec::PinUse& use) {

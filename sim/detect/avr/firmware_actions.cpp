@@ -101,7 +101,7 @@ void FirmwareActions::stored(const Store& store, std::uint8_t value) {
   const auto here = [&] { return program_.diagnosis().sketch_line(); };
   if (store.output >= 0) {
     if (!makes_pwm(a, b) && robosim::avr::connection(a, store.output) & 2)
-      tell(Kind::compare_write, store.timer, store.output, 0, here);
+      tell(Kind::compare_write, timer.number, store.output, 0, here);
     return;
   }
   const bool made_pwm = makes_pwm(a, b), makes = store.is_b ? makes_pwm(a, value) : makes_pwm(value, b);
@@ -109,7 +109,7 @@ void FirmwareActions::stored(const Store& store, std::uint8_t value) {
   int connected = 0;
   for (int output = 0; output < channels(timer); ++output)
     if (robosim::avr::connection(a, output) & 2) connected |= 1 << output;
-  tell(Kind::timer_mode, store.timer, makes, connected, here);
+  tell(Kind::timer_mode, timer.number, makes, connected, here);
 }
 
 }  // namespace robosim::detect::avr

@@ -32,7 +32,6 @@ class FirmwareActions final : public ChipDetector {
     bool is_b = false;  ///< TCCRnB is written, not TCCRnA
   };
 
-  void find_stores();
   /// A place where a function of the API begins.
   struct Function {
     FirmwareAction::Kind kind;
@@ -40,6 +39,7 @@ class FirmwareActions final : public ChipDetector {
   };
 
   void find_functions();
+  void find_stores();
   void called(const Function& function);
   void stored(const Store& store, std::uint8_t value);
   void tell(FirmwareAction::Kind kind, int64_t first, int64_t second, int64_t third,

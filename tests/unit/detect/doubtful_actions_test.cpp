@@ -126,6 +126,20 @@ TEST_F(Actions, ATimerThatIsSetUpByRegistersOrThatMakesNoPwmIsNone) {
   EXPECT_THAT(found(), IsEmpty());
 }
 
+TEST_F(Actions, ATimerIsKnownByItsNumberOnEachBoard) {
+  const auto pins_without_pwm = [](const char* board, int64_t timer) {
+    DoubtfulActions actions(*find_board(board));
+    actions.acted({Kind::timer_mode, {timer, 0, 1}}, 0, [] { return exec::SourceLine{}; });
+    const auto found = actions.found(20 * kMs);
+    return found.empty() ? "" : found[0].what.substr(0, found[0].what.find(" lost"));
+  };
+  EXPECT_EQ(pins_without_pwm("uno", 2), "pins 3 and 11");
+  EXPECT_EQ(pins_without_pwm("mega", 5), "pins 44, 45 and 46");
+  EXPECT_EQ(pins_without_pwm("leonardo", 3), "pin 5") << "its third timer";
+  EXPECT_EQ(pins_without_pwm("leonardo", 2), "") << "it has no timer 2";
+  EXPECT_EQ(pins_without_pwm("bluepill", 2), "") << "an AVR's timer in the host's model of it";
+}
+
 TEST_F(Actions, AStartOfTheFirmwareForgetsWhichTimersWereTaken) {
   act(Kind::timer_mode, kTimer1, 0, 1);
   actions_.powered_on();
