@@ -81,6 +81,18 @@ inline const BoardSpec& host_model(const BoardSpec& board) {
   return board.host_model ? *board.host_model : board;
 }
 
+/// Returns the value from 0 to 255 that has the effect of analogWrite(pin, value) on a pin with PWM. An 8-bit
+/// timer's register takes the low byte. With 16 bits, values outside of the range are above TOP, which is
+/// full power. An STM32's core limits the value.
+inline uint8_t pwm_effect(const BoardSpec& board, Pin pin, int64_t value) {
+  constexpr uint8_t kFull = 255;
+  if (value >= 0 && value <= kFull) return static_cast<uint8_t>(value);
+  const int timer = board.pins[pin].chip_pin.timer;
+  const bool is_avr = board.chip->return_address_bytes != 0;
+  if (!is_avr) return value < 0 ? 0 : kFull;
+  return timer >= 0 && board.chip->timers[timer].bits == 16 ? kFull : static_cast<uint8_t>(value);
+}
+
 /// Returns whether a timer can capture the pin's edges, on the chip or in the host's model of it. As soon as
 /// firmware reads such a timer's flags, the timer awaits these edges, even if nothing uses the captures. The
 /// Servo library reads the flags.

@@ -151,7 +151,7 @@ ROBOSIM_FREQUENT void analogWrite(uint8_t pin, int value) {
     set_level(pin, value == 255 || value >= 128);
     return;
   }
-  if (by_itself) return host::set_pwm(pin, static_cast<uint8_t>(value));
+  if (by_itself) return host::set_pwm(pin, robosim::pwm_effect(*host::board_spec, pin, value));
   host::Timer& timer = host::timer(by.timer);
   const uint8_t connection = timer.connection(by.channel);
   if (!(connection & 2)) timer.set_connection(by.channel, connection | 2);

@@ -9,7 +9,7 @@ namespace robosim::detect {
 namespace {
 
 constexpr SimTime kSetUp = 10 * kMillisecond;  // the longest time in which a sketch sets up a timer
-constexpr int64_t kHighest = 255, kNoInterrupt = 255;
+constexpr int kHighest = 255, kNoInterrupt = 255;
 constexpr std::size_t kMost = 16;
 constexpr double kMsPerDay = 24 * 3600 * 1000;
 
@@ -87,9 +87,9 @@ void DoubtfulActions::wrote(int64_t number, int64_t value, SimTime t, const Wher
   const PinSpec& pin = board_->pins[number];
   if (value < 0 || value > kHighest) {
     if (add_occurrence("pwm_range", number)) return;
-    const bool is_wide = pin.pwm && is_avr(*board_) && pin.chip_pin.timer >= 0 &&
-                         board_->chip->timers[pin.chip_pin.timer].bits == 16;
-    const int64_t effect = !pin.pwm ? (value < 128 ? 0 : kHighest) : is_wide ? kHighest : value & 0xFF;
+    const int effect = pin.pwm       ? pwm_effect(*board_, static_cast<Pin>(number), value)
+                       : value < 128 ? 0
+                                     : kHighest;
     add(result::detector("pwm_range"), number,
         fmt::format(
             "analogWrite({}, {}) acted like analogWrite({}, {}), since it takes 0 to 255; it was called",

@@ -109,6 +109,21 @@ TEST_F(PinsTest, ANanoHasTwoMoreAnalogPins) {
   EXPECT_THAT(numbers(), ElementsAre(700));
 }
 
+TEST_F(PinsTest, AValueOutOfRangeHasTheEffectThatItHasOnTheBoardsOwnTimer) {
+  const auto duty = [&](const char* board_name, int pin, const std::string& value) {
+    board_name_ = board_name;
+    start("volatile int value = " + value + "; void setup() { analogWrite(" + std::to_string(pin) +
+          ", value); } void loop() {}");
+    run(20 * kMillisecond);
+    return std::lround(255 * board().drive(static_cast<Pin>(pin)).duty);
+  };
+  EXPECT_EQ(duty("mega", 5, "256"), 255) << "timer 3 has 16 bits";
+  EXPECT_EQ(duty("mega", 5, "-1"), 255);
+  EXPECT_EQ(duty("leonardo", 13, "300"), 44) << "timer 4 takes a byte";
+  EXPECT_EQ(duty("bluepill", 8, "-30"), 0) << "its core limits the value";
+  EXPECT_EQ(duty("bluepill", 8, "300"), 255);
+}
+
 TEST_F(PinsTest, TheAdcSamplesWithinTheTickThatRuns) {
   start("void setup() {} void loop() { analogRead(A0); }");
   FixedSource volts(1.0);
