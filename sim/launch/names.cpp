@@ -204,12 +204,13 @@ Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
     check_path("map", name);
     return {name, name, ""};
   }
-  const auto stock = names_in(stock_map_folder(), ".map");
   if (!name.empty()) {
-    if (std::find(stock.begin(), stock.end(), name) == stock.end()) {
-      throw InputError(unknown_name("map", name, stock) + file_hint(name, ".map"));
+    const fs::path file = stock_map_folder() / (name + ".map");
+    if (!is_there(file)) {
+      throw InputError(unknown_name("map", name, names_in(stock_map_folder(), ".map")) +
+                       file_hint(name, ".map"));
     }
-    return {name, stock_map_folder() / (name + ".map"), ""};
+    return {name, file, ""};
   }
   auto beside = names_in(sketch_folder, ".map");
   std::erase_if(beside, [&](const std::string& map) { return is_linkers(sketch_folder / (map + ".map")); });
@@ -265,9 +266,9 @@ Choice choose_robot(const std::string& name, const fs::path& sketch_folder, cons
     return {name, name, ""};
   }
   if (!name.empty()) {
-    const auto stock = names_in(stock_robot_folder(), ".toml");
-    if (std::find(stock.begin(), stock.end(), robot_alone) == stock.end()) {
-      throw InputError(unknown_name("robot", robot_alone, stock) + file_hint(robot_alone, ".toml"));
+    if (!is_there(stock_robot_folder() / (robot_alone + ".toml"))) {
+      throw InputError(unknown_name("robot", robot_alone, names_in(stock_robot_folder(), ".toml")) +
+                       file_hint(robot_alone, ".toml"));
     }
     return {name, name, ""};
   }
