@@ -7,7 +7,9 @@ here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 page=$here/../../docs/explanation/performance.md
 way=$1
 build=$(readlink -f "$2")
-work=$(mktemp -d)  # the length of this path, which changes the count, is equal in every checkout
+# The length of paths changes the counts. So everything runs in this folder, whose name always has the same
+# length.
+work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 tolerance=2  # per cent
 
@@ -37,7 +39,9 @@ each() {  # SHORT LONG NUMBER: the difference, divided by NUMBER
   awk -v short="$1" -v long="$2" -v number="$3" 'BEGIN { printf "%.0f\n", (long - short) / number }'
 }
 
-robosim() { echo "$build/robosim" "$@"; }
+cmake --install "$build" --prefix "$work/installed" >/dev/null
+cp -r "$here/../bench/sketches" "$work/sketches"
+robosim() { echo "$work/installed/bin/robosim" "$@"; }
 command_() { trace $(robosim "$@") | most robosim; }
 run_for() {  # RUNNER TIME SKETCH OPTION...: counts the process that simulates
   trace $(robosim run "$3" --map oval --robot uno5 --goal none --for "$2" "${@:4}") | most "$1"
@@ -45,7 +49,7 @@ run_for() {  # RUNNER TIME SKETCH OPTION...: counts the process that simulates
 simulated() {  # RUNNER SKETCH OPTION...: counts per simulated millisecond, after the first 200 ms
   local sketch=$2 span=1000
   [[ $1 == robosim-host ]] || span=500
-  [[ ! -d $here/../bench/sketches/$2 ]] || sketch=$here/../bench/sketches/$2
+  [[ ! -d $work/sketches/$2 ]] || sketch=$work/sketches/$2
   clean $(robosim build "$sketch" --robot uno5 "${@:3}") >/dev/null 2>&1
   each "$(run_for "$1" 200ms "$sketch" "${@:3}")" "$(run_for "$1" $((200 + span))ms "$sketch" "${@:3}")" $span
 }
