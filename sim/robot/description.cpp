@@ -80,7 +80,7 @@ Steering read_steering(const ConfigValue& table, TableReader& chassis) {
     if (const ConfigValue* const other = chassis.find(key))
       throw InputError(
           other->place,
-          fmt::format("{} requires a robot without steered wheels; this one has the key steering", key));
+          fmt::format("{} requires a robot without steered wheels; this robot has the key steering", key));
   TableReader reader(table, "steering");
   Steering steering;
   const ConfigValue& servo = reader.require("servo");
@@ -114,7 +114,7 @@ Chassis read_chassis(const ConfigValue& table) {
   if (const ConfigValue* const caster = reader.find("caster");
       caster && std::abs(chassis.caster.value) < 0.005)
     throw InputError(caster->place,
-                     "caster: expected at least 5 mm from the axle, ahead of it, or behind it if below 0");
+                     "caster: expected at least 5 mm ahead of the axle, or at most -5 mm, behind the axle");
   chassis.caster_radius =
       read_parameter(reader, "caster_radius", Dimension::length, {0.008, 0.0}, 0.001, 0.1);
   chassis.height = read_parameter(reader, "height", Dimension::length, {}, 0.0, 0.3);
@@ -123,7 +123,8 @@ Chassis read_chassis(const ConfigValue& table) {
     if (reader.find("wheelbase"))
       throw InputError(
           tracks->place,
-          "tracks (the length of tracks) and wheelbase (of wheels) exclude each other; give one of them");
+          "expected either tracks, the length of the tracks, or wheelbase, the distance between axles; got "
+          "both");
     chassis.wheelbase =
         read_parameter(reader, "tracks", Dimension::length, {}, 0.03, 0.6).scaled(kTrackAsWheels);
   }
@@ -194,7 +195,7 @@ Driver read_driver(const ConfigValue& table, const Terminals& terminals, std::ve
   return driver;
 }
 
-// Collects all registers before any part is read. A part may refer to a register further down in the file.
+// Collects all registers before any part is read, because a part may refer to a register further down.
 std::vector<Register> registers_of(const ConfigValue* parts) {
   std::vector<Register> registers;
   if (!parts) return registers;
@@ -204,10 +205,9 @@ std::vector<Register> registers_of(const ConfigValue* parts) {
     for (int first = 0; type == "pca9685" && first < 2 * kRegisterOutputs; first += kRegisterOutputs)
       registers.push_back({name, first});
     if (registers.size() > kMostRegisters)
-      throw InputError(
-          part.place,
-          fmt::format("too many shift registers: expected at most {}, of which a pca9685 counts as two",
-                      kMostRegisters));
+      throw InputError(part.place,
+                       fmt::format("too many shift registers: expected at most {}; a pca9685 counts as two",
+                                   kMostRegisters));
   }
   return registers;
 }
@@ -253,7 +253,7 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
       if (std::find(names.begin(), names.end(), name) != names.end())
         throw InputError(
             part->place,
-            fmt::format("duplicate name {}: expected a different one for every part and sensor", name));
+            fmt::format("duplicate name {}: expected a different name for every part and sensor", name));
       names.push_back(name);
     }
     const int wheel = part->driven_wheel();
@@ -268,7 +268,7 @@ void check_together(const Description& robot, const std::vector<Wire>& driver_wi
       const PartSpec* other = motor[world::left] ? motor[world::left] : motor[world::right];
       throw InputError(part->place,
                        fmt::format("motors {} and {} drive the same wheel; a motor with wheel = \"both\" "
-                                   "excludes others",
+                                   "excludes other motors",
                                    other->name, part->name));
     }
     if (wheel == kBothWheels) {

@@ -160,7 +160,7 @@ struct SourceText {
 };
 
 struct Description {
-  std::string name;  ///< the file's stem; if the board is replaced, with @ and the new board's name
+  std::string name;  ///< the file's stem; if the board is replaced, followed by @ and its name
   std::filesystem::path file;
   std::string sha256;  ///< hash of the file, its bases and, for a replaced board, "@" and the board's name
   const BoardSpec* board = nullptr;

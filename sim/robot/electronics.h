@@ -1,13 +1,13 @@
 // Models the table [electronics] of a robot file: the path from the battery through the board's supply to
 // its ADC. Without this table, the supply is constant and the ADC is exact.
 //
-//   supply = min(nominal, battery - drop of the board's regulator)    if fed_by_battery; also the ADC's
-//                                                                     reference
+//   supply = min(nominal, battery - drop of the board's regulator)    if fed_by_battery
 //   code   = volts / supply * steps + adc_noise g                     g: standard normal, new per conversion
 //
-// A sensor that outputs volts (a battery's divider, an infra-red distance sensor) therefore reads higher when
-// the supply drops. A sensor that outputs a share of the supply reads the same value. Examples are a
-// reflectance sensor's divider, and a current sensor whose zero is at half the supply.
+// The supply is also the ADC's reference. A sensor that outputs volts (a battery's divider, an infra-red
+// distance sensor) therefore reads higher when the supply drops. A sensor that outputs a share of the supply
+// reads the same value. Examples are a reflectance sensor's divider, and a current sensor whose zero is at
+// half the supply.
 //
 // The brightness of emitters drops with the current through their resistor:
 //   (supply - 1.2 V) / (nominal - 1.2 V)    1.2 V: forward voltage of infra-red LEDs, by their data sheets

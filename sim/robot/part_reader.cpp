@@ -135,8 +135,8 @@ std::vector<Parameter> PartReader::figures(const char* key, Dimension dimension,
   if (value->items.size() != count)
     throw InputError(
         value->place,
-        fmt::format("{}: expected {} values, one for each pin of {}, got {}; or give one for all, "
-                    "without brackets",
+        fmt::format("{}: expected {} values, one for each pin of {}, got {}; or give one value for "
+                    "all pins, without brackets",
                     key, count, name_, value->items.size()));
   std::vector<Parameter> all;
   for (const ConfigValue& item : value->items) all.push_back(as_parameter(item, key, dimension, least, most));

@@ -144,7 +144,7 @@ struct Robot::Impl {
 void Robot::Impl::refuse_name(const char* what, const std::string& name,
                               const std::vector<std::string>& known) const {
   const std::string unknown = fmt::format("unknown {} of robot “{}”", what, description.name);
-  if (known.empty()) throw InputError(fmt::format("{}: it has none, got “{}”", unknown, name));
+  if (known.empty()) throw InputError(fmt::format("{}: the robot has none, got “{}”", unknown, name));
   throw InputError(fmt::format("{}: {}", unknown, expected_one_of(name, known)));
 }
 
@@ -408,7 +408,7 @@ void Robot::check_send(const std::string& part, const Message& message) const {
 
 void Robot::check_tells(const std::string& part) const {
   if (!find_named(impl_->registry.text_outputs, part))
-    impl_->refuse_name("part that shows or reports something", part, list_of(impl_->registry.text_outputs));
+    impl_->refuse_name("part with text output", part, list_of(impl_->registry.text_outputs));
 }
 
 void Robot::check_cover(const std::string& part) const { impl_->covered_by(part); }

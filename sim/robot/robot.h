@@ -45,8 +45,8 @@ struct WiredPin {
   Pin pin = kNoPin;
 };
 
-/// A message of a script to a part: bits or a key's number for a remote control's receiver, text for
-/// Bluetooth.
+/// A message of a script to a part. A remote control's receiver gets bits or a key's number; Bluetooth gets
+/// text.
 struct Message {
   std::string text;
   SimTime held = 0;  ///< the duration for which a remote control's key is held
@@ -83,7 +83,7 @@ class Robot {
   /// Returns whether any reflectance sensor's footprint touches the line, without noise.
   bool sees_line() const;
   /// Returns whether a line passes between the outermost two reflectance sensors, as under two sensors that
-  /// straddle it. `off_m`: distance from sensor_midpoint() to the nearest line, m.
+  /// straddle it. `off_m` is the distance in m from sensor_midpoint() to the nearest line.
   bool straddles_line(double off_m) const;
   /// Returns the mean lateral position of the sensors that touch the line, m to the left of the body's
   /// middle. The weight of a sensor is the share of its footprint on the line. Returns 0 if no footprint
@@ -114,8 +114,8 @@ class Robot {
 
   /// Returns the voltage of a healthy battery ([motors] supply, as sampled for this robot).
   double battery() const;
-  /// Fixes the battery's voltage, which affects the motors and the parts that measure the voltage. A nullopt
-  /// restores the healthy voltage; a [battery] then sags and discharges by its own model.
+  /// Holds the battery's voltage constant. The voltage affects the motors and the parts that measure it. A
+  /// nullopt restores the healthy voltage; a [battery] then sags and discharges by its own model.
   void set_battery(std::optional<double> volts);
   /// Returns the voltage of a [battery] under its present load; nullopt without a [battery], or if a script
   /// sets the voltage.
@@ -141,8 +141,8 @@ class Robot {
   void send(const std::string& part, const Message& message, SimTime t);
   /// Covers or uncovers a sensor, or all sensors of an array. A covered sensor detects black.
   void cover(const std::string& part, bool covered);
-  /// Breaks a sensor, motor, button or encoder, until the next fault of the same part ("ok" repairs it).
-  /// Kinds and arguments are in docs/reference/robots.md.
+  /// Breaks a part until its next fault; the fault "ok" repairs the part. Kinds and arguments are in
+  /// docs/reference/robots.md.
   void fault(const std::string& part, const std::string& kind, const std::vector<std::string>& arguments);
   /// Break a part in two steps: read_fault() before the run, and fault() when the fault occurs.
   PartFault read_fault(const std::string& part, const std::string& kind,

@@ -105,7 +105,7 @@ class AvrExecutor::Firmware final : public ChipFirmware {
   bool has_boards_eeprom() const override { return true; }
   const std::vector<std::uint8_t>& eeprom() const override { return image_.firmware.eeprom; }
   std::string why_clock_stays() const override {
-    if (!image_.firmware.named) return "a .hex has no names, by which it is found";
+    if (!image_.firmware.named) return "a .hex file has no symbols, by which the clock is found";
     const bool has_clock = image_.firmware.find_variable("timer0_millis") && image_.firmware.find("main");
     return has_clock ? "" : "it never calls millis()";
   }

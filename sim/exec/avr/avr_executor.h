@@ -30,8 +30,8 @@ using MakeChipDetectors = std::function<std::vector<std::unique_ptr<Detector>>(
 
 class AvrExecutor final : public ChipExecutor {
  public:
-  /// Loads `image`. Throws InputError if it is not an ELF file that this board's chip can run. Without
-  /// `make_detectors`, detect() has no effect.
+  /// Loads `image`. Throws InputError if this board's chip cannot run the image. Without `make_detectors`,
+  /// detect() has no effect.
   AvrExecutor(const BoardSpec& spec, const std::filesystem::path& image,
               MakeChipDetectors make_detectors = {});
 

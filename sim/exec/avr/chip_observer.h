@@ -9,7 +9,8 @@ namespace robosim::exec::avr {
 
 class ChipObserver {
  public:
-  /// Called before an instruction runs, for each byte address requested by WatchedChip::show().
+  /// Called before the instruction at byte address `pc` runs, if WatchedChip::show() has requested this
+  /// address.
   virtual void visited(std::uint32_t pc, robosim::avr::Cycle at) {
     static_cast<void>(pc), static_cast<void>(at);
   }

@@ -1,4 +1,4 @@
-// Finds the instructions where a round of loop() begins in an image for an AVR.
+// Finds, in an image for an AVR, the instructions at which a round of loop() begins.
 #pragma once
 
 #include "sim/exec/avr/firmware.h"

@@ -8,7 +8,7 @@
 namespace robosim::exec::avr {
 namespace {
 
-// The period, in cycles, of checks whether the heap has grown.
+// The number of cycles between two checks whether the heap has grown.
 constexpr Cycle kLookEvery = 1000;
 
 }  // namespace

@@ -79,15 +79,16 @@ std::uint64_t RaceAnalysis::value_of(std::size_t index, const std::uint8_t* data
   return value;
 }
 
-/// Returns whether handlers have changed the number so that an access can be torn: a byte, or several bytes.
+/// Returns whether the changes by handlers can tear an access. If the number has several bytes, handlers must
+/// have changed at least two.
 bool RaceAnalysis::can_be_torn(std::size_t index) const {
   const std::uint64_t changed = changed_[index];
   if (changed == 0) return false;
   return number(index).size == 1 || (changed >> (std::countr_zero(changed) / 8 * 8)) > 0xFF;
 }
 
-/// Returns the number that has this address in common with an earlier access; empty if a guard of the access
-/// is changed by handlers.
+/// Returns the number that contains this address and the address of an earlier access. Returns nothing if
+/// there is no such number, or if handlers change a guard of the access.
 std::optional<std::size_t> RaceAnalysis::number_of(const RaceCandidate& access, std::uint32_t address) const {
   const auto index = numbers_.at(address);
   if (!index || (number(*index).size == 1) != (access.kind == AccessKind::writes_back)) return std::nullopt;
@@ -264,12 +265,12 @@ std::string torn_text(const RaceAnalysis::Found& found, const DebugInfo& debug, 
   if (found.kind == AccessKind::writes_back)
     return fmt::format(
         "lost update of {}, which is read, changed and written back: {} changes it in an interrupt; "
-        "{:.1f} µs earlier, that change would have been lost",
+        "if the interrupt had come {:.1f} µs earlier, that change would have been lost",
         found.number, handler, later_us);
   const bool writes = found.kind == AccessKind::writes;
   return fmt::format(
-      "torn {} of {}, whose {} bytes the chip {} one by one: {} changes them in an interrupt; {:.0f} µs "
-      "earlier, old and new bytes would have been mixed",
+      "torn {} of {}, whose {} bytes the chip {} one by one: {} changes them in an interrupt; if the "
+      "interrupt had come {:.0f} µs earlier, old and new bytes would have been mixed",
       writes ? "write" : "read", found.number, found.size, writes ? "writes" : "reads", handler, later_us);
 }
 

@@ -28,8 +28,8 @@ using robosim::avr::registers_of;
 using robosim::avr::row_of;
 
 constexpr std::uint32_t kLargestNumber = 8;
-// Largest distances in words: from the first to the last instruction of an access, and from an access to
-// another read of the number. Also from a comparison to the jump back.
+// Largest distances in words: within an access, from an access to another read of the number, and from a
+// comparison to its jump.
 constexpr std::uint32_t kWordsOfAccess = 16, kWordsOfSecondLook = 48, kWordsOfJump = 8;
 constexpr int kZeroRegister = 1;  // register that always contains 0 in code of avr-gcc
 constexpr int kFramePointer = 28;

@@ -48,10 +48,10 @@ struct RaceCandidate {
   std::uint32_t pc = 0;  ///< byte address of the instruction
   AccessKind kind = AccessKind::reads;
   std::optional<std::size_t> number;  ///< empty if a pointer register contains the address
-  // Addresses relative to this access:
-  std::vector<int> earlier;  ///< of earlier accesses by the same pointer
-  /// Of bytes that a loop accesses before this access, and reads after it to decide whether to repeat it. If
-  /// handlers change such a byte, the loop repeats torn accesses.
+  /// Addresses of earlier accesses by the same pointer, relative to this access.
+  std::vector<int> earlier;
+  /// Relative addresses of bytes that a loop accesses before this access. After the access, the loop reads
+  /// these bytes to decide whether to repeat. If handlers change them, the loop repeats torn accesses.
   std::vector<int> guards;
 };
 

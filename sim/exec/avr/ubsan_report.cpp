@@ -35,7 +35,7 @@ class Memory {
   const WatchedChip& chip_;
 };
 
-/// Converts "'int [6]'" to "'int'". avr-gcc 5 describes an `int` by the description of the first `int` array.
+/// Converts "'int [6]'" to "'int'". avr-gcc 5 gives the type `int` the name of the first array of `int`.
 std::string without_lengths(std::string name) {
   const std::size_t length = name.find(" [");
   return length == name.npos ? name : name.replace(length, name.rfind(']') + 1 - length, "");

@@ -3,7 +3,7 @@
 //   ELF ──► ChipFirmware ── power_on() ──► RunningChip ──► ClockedBoard ──► board
 //
 // A tick runs up to the first instruction that ends at or after the tick's end. An edge or byte from the
-// robot reaches the chip after the instruction that runs at its scheduled time.
+// robot is scheduled for a certain time. It reaches the chip after the instruction that runs at this time.
 #pragma once
 
 #include <memory>

@@ -86,8 +86,8 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// Returns the time before which all reads of `pin` return the same level as at `t`, and have no effect.
   /// Returns `t` if that time is unknown.
   SimTime same_until(Pin pin, SimTime t) const;
-  /// Returns whether convert() must be called instead of read_volts(). This is so if a source charges the
-  /// ADC's capacitor slowly, or if a watcher observes the ADC.
+  /// Returns whether convert() must be called instead of read_volts(). A source that charges the ADC's
+  /// capacitor slowly requires this call, and so does a watcher of the ADC.
   bool converts_slowly() const { return converts_slowly_; }
   /// Moves the next input to `input` if that input arrives at or before `until`; otherwise returns false.
   bool take_input(SimTime until, BoardInput& input);

@@ -26,12 +26,11 @@ using result::SourceLine;
 
 /// The last actions of the firmware, so that a verdict can name what the firmware waits for.
 struct Activity {
-  SimTime last_call = 0;  ///< time of the last API call; on a chip, of the last I/O outside handlers
-  std::string call;       ///< the call as the sketch would write it: "digitalRead(2)"
-  Pin pin = kNoPin;       ///< pin of the call
-  Pin polled = kNoPin;  ///< the only input that was read lately, at least twice (InputReads), with a read in
-                        ///< the last second
-  SourceLine where;     ///< source line that is running
+  SimTime last_call = 0;   ///< time of the last API call; on a chip, of the last I/O outside handlers
+  std::string call;        ///< the call as the sketch would write it: "digitalRead(2)"
+  Pin pin = kNoPin;        ///< pin of the call
+  Pin polled = kNoPin;     ///< InputReads::only_pin(), if that pin was read in the last second
+  SourceLine where;        ///< source line that is running
   std::string stopped_by;  ///< "exit(0)" if the firmware stopped itself; else empty
 };
 

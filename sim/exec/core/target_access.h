@@ -56,7 +56,7 @@ class ChipAccess {
   ~ChipAccess() = default;
 };
 
-/// Receives the actions of firmware that may be mistakes.
+/// Receives actions that may be mistakes of the firmware.
 class ActionWatcher {
  public:
   /// Receives an action while the firmware carries it out: Executor::sketch_source() is the action's line.

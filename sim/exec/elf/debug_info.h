@@ -49,14 +49,14 @@ class DebugInfo {
   };
   CodeOf code_of(const std::string& function) const;
 
-  /// Where a parameter's value is when its function begins. Without registers and constant, this is unknown.
+  /// The location of a parameter's value when its function begins. The location is unknown if `registers` and
+  /// `constant` are empty.
   struct Argument {
     std::vector<std::uint8_t> registers;  ///< DWARF's numbers of registers with a byte each, the lowest first
     std::optional<std::int64_t> constant;
   };
-  /// A place where a function begins: its code itself, a variant of it, or a copy that was inlined. Of an
-  /// inlined copy, the address may be a few instructions after the beginning, so that the arguments are
-  /// known.
+  /// A place where a function begins: its code itself, a variant of it, or a copy that was inlined. The
+  /// address of an inlined copy may be a few instructions after its beginning, where the arguments are known.
   struct Entry {
     std::uint32_t address = 0;
     bool is_inlined = false;
@@ -78,7 +78,7 @@ class DebugInfo {
     std::uint32_t address = 0, size = 0;
     std::string path;  ///< path within the variable: "", ".left.pwm" or "[1]"
   };
-  /// Returns these numbers. Bit fields and members of unions are not included.
+  /// Returns all such numbers. Bit fields and members of unions are not included.
   std::vector<Number> numbers() const;
 
   /// A variable or constant of the user's code that has an address.

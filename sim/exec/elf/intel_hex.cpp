@@ -53,12 +53,12 @@ std::vector<std::uint8_t> read_intel_hex(std::string_view text, const std::strin
         if (end > flash_bytes)
           throw InputError(
               {file, number, 0},
-              fmt::format("beyond the end of the chip's flash: expected at most {} bytes", flash_bytes));
+              fmt::format("data beyond the end of the chip's flash: expected at most {} bytes", flash_bytes));
         if (at >= room) break;
         if (end > room) {
           throw InputError(
               {file, number, 0},
-              fmt::format("beyond the end of the board's flash for a sketch: expected at most {} bytes",
+              fmt::format("data beyond the end of the board's flash for a sketch: expected at most {} bytes",
                           room));
         }
         if (flash.size() < end) flash.resize(end, 0xFF);

@@ -76,7 +76,7 @@ class Server {
   enum class Order { go, step, go_back, step_back };
   /// Reports why `processor` is halted, and serves the debugger until the debugger continues the program. The
   /// first call also waits for the debugger to attach. If the debugger detaches, kills the program, or
-  /// disconnects, returns Order::go. No debugger is attached any more then.
+  /// disconnects, returns Order::go. Afterwards no debugger is attached.
   Order stand_still(Processor& processor, const Stop& stop);
   /// Returns whether a debugger is attached or still expected.
   bool attached() const { return !met_ || connection_.open(); }

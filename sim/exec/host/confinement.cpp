@@ -37,8 +37,8 @@ constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProc
 /// Size in bytes of the kernel's signal sets.
 constexpr std::size_t kSignalSet = 8;
 /// Limit of the address space. RLIMIT_DATA does not count page tables and read-only pages, so this limit
-/// bounds them. A process may make a page read-only after a write. Some kernels allocate even pages without a
-/// write.
+/// bounds them. A process may make a page read-only after a write. Some kernels allocate even pages that were
+/// never written.
 constexpr rlim_t kConfinedAddresses = kConfinedMemory + (64 << 20);
 /// Size of the process's first stack, which RLIMIT_DATA does not count.
 constexpr rlim_t kConfinedStack = 8 << 20;
@@ -276,7 +276,7 @@ std::string_view subject_of(std::string_view call) {
 }  // namespace
 
 std::string what_kernel_lacks() {
-  if (!kKnownMachine) return "Robosim does not support it on this kind of processor yet";
+  if (!kKnownMachine) return "Robosim cannot confine sketches on this kind of processor yet";
   // Passes an invalid address. A kernel that supports filters tries to read the filter there, and sets
   // EFAULT.
   static const bool has_filter =

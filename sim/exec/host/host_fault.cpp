@@ -45,7 +45,7 @@ std::string reason_of(const HostFault& fault, const GuardedMemory& heap, const G
   if (fault.signal == SIGSYS) return refusal(fault.call);
   if (fault.signal == SIGILL)
     return "an instruction that does not exist (a damaged stack or pointer to a function?)";
-  if (fault.signal == SIGFPE) return "a division by zero, or one whose result does not fit";
+  if (fault.signal == SIGFPE) return "a division by zero, or a division whose result does not fit";
   if (stack.in_guard_before(fault.address)) return "stack overflow (deep recursion?)";
   const char* const hint = address < kNullPage ? " (null pointer)" : "";
   if (fault.address == fault.pc) return fmt::format("jump to address {:#x}{}", address, hint);

@@ -25,7 +25,7 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const LoopMarks& lo
   for (const std::uint32_t pc : loop.first) mark(pc, &Mark::starts);
   for (const std::uint32_t pc : loop.each) mark(pc, &Mark::loop);
   // Marks functions that only read variables which interrupt handlers write. Calls of these functions count
-  // as accesses to registers, since the firmware polls.
+  // as accesses to registers, since firmware that calls them polls.
   for (const char* name : {"millis", "HAL_GetTick", "_ZN14HardwareSerial9availableEv",
                            "_ZN14HardwareSerial4peekEv", "_ZN14HardwareSerial4readEv"})
     if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Mark::call);

@@ -37,12 +37,12 @@ struct Link {
   Nvic nvic{};
   Reset reset_cause = Reset::none;  ///< cause of the pending reset; `none` = no reset is pending
   Signals listened_to = 0;          ///< signals with a listener
-  InputReads reads{};               ///< of firmware, with numbers of the board's pins
+  InputReads reads{};               ///< reads by firmware, with the board's pin numbers
   std::function<void(Signals)> signal{};
   std::uint32_t map = 0;  ///< AFIO_MAPR
   /// Peripherals call this function when the set of pins that they watch has changed.
   std::function<void()> watch_changed{};
-  /// Adds a read of a pin, InputReads::kAnalog or kSeveral.
+  /// Adds a read: a pin, InputReads::kAnalog or InputReads::kSeveral.
   void note_read(Pin read) {
     if (!nvic.in_handler()) reads.add(read);
   }

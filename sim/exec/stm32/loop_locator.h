@@ -1,4 +1,4 @@
-// Finds the instructions where a round of loop() begins in an image for an STM32F103.
+// Finds, in an image for an STM32F103, the instructions at which a round of loop() begins.
 #pragma once
 
 #include "sim/exec/elf/debug_info.h"

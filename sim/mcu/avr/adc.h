@@ -10,9 +10,9 @@
 //
 // An auto trigger restarts the prescaler: origin becomes the third cycle after the trigger's flag is set. The
 // sample is then taken at origin + 2 P, and the conversion ends at origin + 13.5 P (table 24-1). The chip
-// also starts a conversion when it enters a sleep mode in which the ADC clock runs (10.3, 24.6). With auto
-// triggering enabled, sleep starts no conversion. A stopped clock (PRR, deeper sleep) pauses a conversion;
-// clearing ADEN ends the conversion.
+// also starts a conversion when it enters a sleep mode in which the ADC clock runs (10.3, 24.6). While auto
+// triggering is enabled, entering sleep does not start a conversion. A stopped clock (PRR, deeper sleep)
+// pauses a conversion; clearing ADEN ends the conversion.
 #pragma once
 
 #include <cstdint>

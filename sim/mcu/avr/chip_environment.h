@@ -1,8 +1,8 @@
 // Declares the interface through which a chip accesses its environment. A robot's board, a test or a web page
 // implements it.
 //
-// Pins are indices in ChipSpec::pins, and times are processor cycles. Compared with the previous call, the
-// time may be earlier by at most the cycles of one instruction.
+// Pins are indices in ChipSpec::pins, and times are processor cycles. The time of a call may be earlier than
+// that of the previous call, by at most the cycles of one instruction.
 #pragma once
 
 #include "hal/board/board.h"
@@ -17,7 +17,7 @@ class ChipEnvironment {
   /// the pin.
   virtual bool level(int pin, bool pull_up, Cycle at) = 0;
   /// Returns the level for a read by a peripheral, or by an instruction that reads the whole port. Firmware
-  /// possibly ignores this pin's level.
+  /// may ignore this pin's level.
   virtual bool level_along(int pin, bool pull_up, Cycle at) = 0;
   /// Returns the first cycle after `at` at which the result of level() may change. Before that cycle, the
   /// caller need not call level() again. Returns `at` if that cycle is unknown.

@@ -1,5 +1,5 @@
 // Analyses one pass of a loop that reads a timer's counter. Tracks the values that the pass computes from the
-// counter. Determines how far the counter can advance before a jump of the pass gets another target.
+// counter. Determines how far the counter can advance before a jump in the pass leads to another target.
 //
 //   n       number of counts by which a later pass is ahead: this pass reads v0, the later pass v0 + n
 //   Line    an integer that is linear in n: `now` + n * `step`

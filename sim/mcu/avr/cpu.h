@@ -75,8 +75,8 @@ class Cpu {
   Call on_wdr;
 
   // --- interrupts
-  /// Enters the handler of an interrupt: pushes the return address and clears I. Takes 4 cycles; 5 with a
-  /// 22-bit program counter.
+  /// Enters the handler of an interrupt: pushes the return address and clears the flag I. Takes 4 cycles; 5
+  /// with a 22-bit program counter.
   void enter(int vector);
   /// Runs the complete handler in one step if it is the Arduino core's handler of timer 0 (time_count.h).
   /// Otherwise does nothing. Call this after enter(). The caller guarantees that no event affects the handler
@@ -84,8 +84,8 @@ class Cpu {
   void count_time(Cycle until);
   /// Returns the word address of an interrupt vector.
   std::uint32_t entry_of(int vector) const;
-  /// Returns whether an interrupt can be entered now: I must be set. After an instruction that sets I, such
-  /// as SEI or RETI, one more instruction runs first.
+  /// Returns whether an interrupt can be entered now: the flag I must be set. After an instruction that sets
+  /// I, such as SEI or RETI, one more instruction runs first.
   bool interruptible() const { return state.sreg & kI && state.cycle != state.held_at; }
   bool interrupts_enabled() const { return state.sreg & kI; }
   /// Points to the pending interrupts, one bit per vector. An instruction that sets I makes run() return if
@@ -128,8 +128,8 @@ class Cpu {
   /// Returns the relevant bits of the I/O register that the instruction at `pc` reads. The other bits are
   /// discarded by this instruction or the next one. Returns kAllBits if the relevant bits are unknown.
   std::uint8_t bits_read(std::uint32_t pc) const;
-  /// Returns the bits that the instructions after a read test first. Unlike with bits_read(), firmware may
-  /// use other bits later.
+  /// Returns the bits that firmware tests first after a read. Unlike with bits_read(), firmware may use other
+  /// bits later.
   std::uint8_t bits_tested(std::uint32_t pc) const;
   static constexpr std::uint8_t kAllBits = 0xFF;
 

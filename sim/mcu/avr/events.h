@@ -32,7 +32,7 @@ class Events {
   };
 
   /// Registers an event, which calls `Method` of `owner` with the event's due cycle. When the event occurs,
-  /// the processor may already be a few cycles further, in the middle of an instruction.
+  /// the processor may already be a few cycles later, in the middle of an instruction.
   template <auto Method, typename Owner>
   Id add(Owner* owner) {
     if (count_ == kMost) throw std::logic_error("too many events: expected at most " + std::to_string(kMost));

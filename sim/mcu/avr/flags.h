@@ -31,7 +31,7 @@ struct Flags {
     return static_cast<std::uint8_t>(others | carry | (zero == 0 ? Cpu::kZ : 0u) | (negative >> 5 & Cpu::kN) |
                                      (v() >> 4 & Cpu::kV) | (sign() >> 3 & Cpu::kS) | (half << 1 & Cpu::kH));
   }
-  /// Returns `sreg` with T and I replaced by the T and I stored here.
+  /// Returns `sreg` with its T and I replaced by the stored T and I.
   std::uint8_t packed_into(unsigned sreg) const {
     return static_cast<std::uint8_t>((sreg & ~unsigned{Cpu::kT | Cpu::kI}) | others);
   }

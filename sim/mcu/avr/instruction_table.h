@@ -17,7 +17,7 @@ enum class Control : std::uint8_t {
   straight,       ///< with the following instruction
   jump,           ///< at the target
   branch,         ///< at the target, or with the following instruction
-  skip,           ///< with the following instruction, or with the next but one
+  skip,           ///< with the following instruction, or with the instruction after that
   call,           ///< at the target, and later with the following instruction
   indirect_jump,  ///< at an address in Z
   indirect_call,

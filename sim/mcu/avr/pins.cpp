@@ -124,8 +124,8 @@ void Pins::write_digital_off(Address address, std::uint8_t value) {
 }
 
 // Returns whether the digital input of a pin is on: DIDR0 and DIDR1 (24.9.5, 23.3.2). If the chip has a
-// DIDR2, this register contains the analog inputs from 8 on. On an ATtiny85, DIDR0 contains one bit per pin
-// of the port.
+// DIDR2, this register contains the bits of the analog inputs from 8 on. On an ATtiny85, DIDR0 contains one
+// bit per pin of the port.
 bool Pins::is_read(int pin) const {
   if (!state_.some_off) [[likely]]
     return true;

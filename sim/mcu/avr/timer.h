@@ -87,7 +87,7 @@ class Timer final : public Peripheral {
     int shift = -1;         ///< the prescaler divides by 1 << shift; -1 = no prescaler clock
     bool drives_stale = false;
     std::uint8_t tones = 0,
-                 heard = 0;  ///< bits of channels: `tones` are reported as tones; `heard` have listeners
+                 heard = 0;  ///< one bit per channel: reported as a tone (`tones`), has a listener (`heard`)
     std::array<Output, 3> outputs{};
     EdgesUnderWay pulses, captures;
     NoiseCanceler canceler;

@@ -1,4 +1,4 @@
-// Simulates many robots without firmware on one floor. Each robot moves as if it were alone. The caller
+// Simulates many robots on one floor, without firmware. Each robot moves as if it were alone. The caller
 // commands the motors and reads the line sensors. Typical uses are parameter studies, searches, and
 // reinforcement learning.
 //

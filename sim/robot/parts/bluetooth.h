@@ -1,5 +1,5 @@
 // type = "bluetooth": a serial module (HC-05, HC-06 and similar). A script sends lines to the sketch through
-// it (`send bt "go\n"`), and the sketch's output is reported line by line.
+// the module (`send bt "go\n"`). The sketch's output is reported line by line.
 //
 // serial_line.h describes the line to the board. A frame whose stop bit is low is reported as "?". 9600 baud
 // is the factory setting of such modules (HC-03/05 serial command set).

@@ -1,6 +1,6 @@
-// type = "bumper": a collision sensor at the robot's front, a switch that closes while something presses
-// against the body from ahead (world::Body::pressed_ahead). Electrically, the bumper is a button, which a
-// script can also press.
+// type = "bumper": a collision sensor at the robot's front. The sensor is a switch that closes while
+// something presses against the body from ahead (world::Body::pressed_ahead). It works like a button, and a
+// script can press it, too.
 #pragma once
 
 #include "sim/robot/parts/button.h"

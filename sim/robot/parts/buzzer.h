@@ -1,7 +1,7 @@
 // type = "buzzer": a buzzer, whose sound affects nothing else. An active buzzer sounds while its pin is high.
-// A passive buzzer follows its pin. Its pitch is that of tone(), or is computed from the pin's last two
-// rising edges. The buzzer falls silent 50 ms after the last rising edge. PWM by a timer counts as 490 Hz,
-// whatever the timer's frequency.
+// A passive buzzer follows its pin. Its pitch is the frequency of `tone()`, or is computed from the pin's
+// last two rising edges. The buzzer falls silent 50 ms after the last rising edge. PWM by a timer counts as
+// 490 Hz, whatever the timer's frequency.
 #pragma once
 
 #include "sim/robot/part.h"

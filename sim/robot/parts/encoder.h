@@ -1,8 +1,9 @@
 // type = "encoder": counts a wheel's rotation, on one channel or on two in quadrature.
 //
-// The position q counts quarter periods. a is the wheel's angle in rad; `periods` is per turn of the wheel:
+// The position q counts quarter periods. It depends on the wheel's angle `a` in rad, and on `periods`, the
+// number of periods per turn:
 //   q = 4 periods a / (2 pi) + 1.5
-//   channel A is high where floor(q) mod 4 is 0 or 1, channel B where it is 1 or 2
+//   channel A is high if floor(q) mod 4 is 0 or 1, channel B if it is 1 or 2
 // In forward motion, A therefore leads B. Before the wheel has turned, both channels are high. The wheel's
 // rate is constant within a tick, so the time of each edge is exact to the nanosecond.
 #pragma once

@@ -7,8 +7,8 @@
 // u is integrated tick by tick, implicitly: u += (s - u) dt / (spin_up + dt). sim/world/body.h describes the
 // effect on grip and rolling resistance. The thrust and suction of a fan grow with the square of its speed.
 //
-// Not modelled: the fan's current from the battery, and the resulting slowdown; a controller (ESC) that needs
-// servo pulses; leaks on an uneven floor.
+// Not modelled: the fan's current from the battery; a controller (ESC) that needs servo pulses; leaks on an
+// uneven floor.
 #pragma once
 
 #include "sim/robot/part.h"

@@ -3,8 +3,8 @@
 // expander.
 //
 //   instruction or data   4 or 8 bits, by "function set"; with 4 bits, the high half first
-//   busy                  1.52 ms after clear and home, 37 us after any other (270 kHz); writes meanwhile are
-//                         lost
+//   busy                  1.52 ms after clear and home, 37 us after any other instruction (270 kHz);
+//                         meanwhile, writes are lost
 //   memory                80 characters: lines of 40, at 0x00 and 0x40
 //
 // Modelled: clear, home, entry mode with shift, display on and off, cursor and display shift, function set,

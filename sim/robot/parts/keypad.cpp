@@ -37,7 +37,7 @@ std::shared_ptr<const PartSpec> read_keypad(PartReader& reader) {
         (keys ? *keys : reader.table().table()).place,
         fmt::format(
             "keys: expected a string for each row, with a character for each column, such as [\"123\", "
-            "\"456\"]: here {} strings of {} characters",
+            "\"456\"]; for these pins, {} strings of {} characters",
             spec->rows.size(), spec->columns.size()));
   return reader.finish(spec);
 }

@@ -1,10 +1,10 @@
 // type = "keypad": a matrix of keys. Each key connects the wires of its row and its column. Scripts press
 // keys: `press keypad.5 100ms`.
 //
-// The matrix contains only keys, no diodes. Pressed keys connect wires to groups. If firmware drives a wire
-// of a group, all pins of the group have the level of that wire. Otherwise, a pull-up on one of the group's
-// pins makes all of them high. Without a pull-up, the pins float and read low. Three pressed keys on corners
-// of a rectangle also connect the wires of the fourth key. Not modelled: bounce.
+// The matrix contains only keys, no diodes. Pressed keys join wires into groups. If firmware drives a wire of
+// a group, all pins of the group have the level of that wire. Otherwise, a pull-up on one of the group's pins
+// makes all of them high. Without a pull-up, the pins float and read low. Three pressed keys on corners of a
+// rectangle also connect the wires of the fourth key. Not modelled: bounce.
 #pragma once
 
 #include <array>

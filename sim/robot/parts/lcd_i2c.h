@@ -1,5 +1,6 @@
 // type = "lcd-i2c": a character display with an HD44780 (hd44780.h) on a PCF8574 port expander (Texas
-// Instruments, SCPS068). Each byte written is the state of its eight pins, wired as on common backpacks:
+// Instruments, SCPS068). Each byte written is the state of the expander's eight pins, which are wired as on
+// common backpacks:
 //
 //   P0 RS    P1 R/W    P2 E    P3 backlight    P4 to P7 D4 to D7
 //

@@ -27,7 +27,7 @@ class Mount {
   /// Looks up the servo.
   void resolve_mounts(const PartRegistry&);
 
-  /// Returns the maximum distance from the axle's centre, m.
+  /// Returns the sensor's maximum distance from the axle's centre, m.
   double arm() const;
   /// Returns the sensor's pose in the world at `t`, a time inside the current tick.
   Pose pose_at(SimTime t) const;

@@ -4,9 +4,9 @@
 //   channel n    on at LEDn_ON, off at LEDn_OFF (counts); bit 12 of either: always on, always off
 //
 // Other parts refer to the channels as pins: "pwm.12". Channels change at the STOP of a transfer, without
-// waiting for the next period. Outputs that have changed and then stayed for 50 ms are reported. The report
-// contains the on-times of all channels that are not off: "0:1500us 3:on". After power-on the driver sleeps
-// (MODE1 = 0x11), without output. The register number advances only if the bit AI of MODE1 is set.
+// waiting for the next period. Outputs that have changed and then stayed the same for 50 ms are reported. The
+// report contains the on-times of all channels that are not off: "0:1500us 3:on". After power-on the driver
+// sleeps (MODE1 = 0x11), without output. The register number advances only if the bit AI of MODE1 is set.
 //
 // Not modelled: addresses for several chips, outputs that change at the acknowledge (OCH), inverted or
 // open-drain outputs (MODE2), an external clock.

@@ -35,8 +35,8 @@ class RadioPart final : public Part, public Receiver, public Breakable {
  public:
   RadioPart(const RadioSpec&, PartContext&);
 
-  /// Accepts "3" as a byte, most significant bit first; "0b101" as these bits, at most 64. Throws InputError
-  /// for other messages.
+  /// Accepts a byte such as "3", which is sent most significant bit first, or up to 64 bits such as "0b101".
+  /// Throws InputError for other messages.
   void check(const Message&) const override;
   void send(const Message&, SimTime) override;
 

@@ -35,14 +35,15 @@ constexpr std::size_t kMostElements = 16;
 
 constexpr FaultKind kReflectanceFaults[] = {
     {Failure::ok, "works again"},
-    {Failure::stuck, "always reads this: a code (analog), 0 or 1 (digital), microseconds (rc)",
+    {Failure::stuck, "always reads this value: a code (analog), 0 or 1 (digital), microseconds (rc)",
      FaultKind::Argument::number, 0.0, 1e6},
     {Failure::dead, "its emitter is dark: it sees black everywhere"},
-    {Failure::swapped, "its wire and that sensor's are exchanged, until either gets another fault",
+    {Failure::swapped, "the wires of both sensors are exchanged, until either sensor gets another fault",
      FaultKind::Argument::sensor},
-    {Failure::noisy, "noise of this standard deviation, as a share of white to black, comes on top",
+    {Failure::noisy, "adds noise of this standard deviation, as a share of the range from white to black",
      FaultKind::Argument::number, 0.0, 1.0},
-    {Failure::offset, "this share of white to black is added", FaultKind::Argument::number, -1.0, 1.0},
+    {Failure::offset, "adds this share of the range from white to black", FaultKind::Argument::number, -1.0,
+     1.0},
 };
 
 void read_common(PartReader& reader, ReflectanceSpec& spec) {

@@ -44,7 +44,7 @@ namespace robosim::robot {
 std::shared_ptr<const PartSpec> read_reflectance(PartReader&);
 std::shared_ptr<const PartSpec> read_reflectance_array(PartReader&);
 
-/// Returns the light that a white floor returns to a sensor at `height` (m), as a fraction of the maximum.
+/// Returns the light that a sensor at `height` (m) receives from a white floor, as a fraction of the maximum.
 /// From typical@2 on, the curve is that of a TCRT5000.
 double light_from(double height, Profile profile);
 
@@ -237,7 +237,7 @@ class Sensor : public Breakable {
   const Vec2 home_;  // mounting place
   const double height_, footprint_, exposure_;
   const SimTime lag_;
-  const bool hilly_, widens_;  // the floor has hills (hilly_); the footprint depends on the height
+  const bool hilly_, widens_;  // whether the floor has hills, and whether the footprint depends on the height
   const Figures healthy_;
   const NoiseStream stream_;
   State state_;

@@ -7,7 +7,7 @@
 
 namespace robosim::robot {
 
-/// Reports a text once it has stayed for 50 ms. The class is a copyable value.
+/// Reports a text once it has stayed the same for 50 ms. The class is a copyable value.
 class SettledText {
  public:
   /// Returns whether poll_text() is due at `t` for a text that last changed at `changed`.

@@ -50,14 +50,15 @@ std::shared_ptr<const PartSpec> read_shift_register(PartReader& reader) {
     spec->after_place = after->place;
     if (const ConfigValue* pins = table.find("pins"))
       throw InputError(pins->place,
-                       fmt::format("pins excludes after: {} follows {} and shares its clock and latch",
+                       fmt::format("the key after excludes the key pins: {} follows {} and shares its clock "
+                                   "and latch",
                                    reader.name(), spec->after));
     return reader.finish(spec);
   }
   if (!table.find("pins"))
     throw InputError(table.place,
-                     fmt::format("{} requires pins (data, clock, latch), or after, the name of the "
-                                 "shift register before it",
+                     fmt::format("{} requires either the key pins (data, clock, latch) or the key "
+                                 "after (the shift register before it)",
                                  reader.name()));
   std::size_t wiring = 0;
   const std::vector<Pin> pins =
@@ -82,7 +83,7 @@ void check_chains(const Description& robot) {
       const ShiftRegisterSpec* first = behind(registers, at->after);
       if (first != at)
         throw InputError(at->after_place,
-                         fmt::format("{} and {} both follow {}: expected one register after another",
+                         fmt::format("{} and {} both follow {}: expected only one register after each",
                                      first->name, at->name, at->after));
       at = *before;
       if (at == spec || length > registers.size())

@@ -1,15 +1,15 @@
 // type = "ssd1306": a graphic OLED display (Solomon Systech data sheet, revision 1.1), 128 pixels wide and 64
 // or 32 high, on I2C.
 //
-//   control byte   0x00 commands follow, 0x40 data follows; 0x80 one command follows, 0xC0 one data byte
-//                  follows, then another control byte
+//   control byte   0x00: commands follow; 0x40: data follows; 0x80: one command follows; 0xC0: one data
+//                  byte follows; both are followed by another control byte
 //   memory         8 pages of 128 bytes, the lowest bit of each byte on top
 //   addressing     by page (after power-on), horizontal, vertical; each wraps within its window
 //
-// A picture is reported when it has changed and then stayed for 50 ms: "212 lit in 0,0 to 63,15: Lap 2|12.4
-// s". The report contains the number of lit pixels, their bounding box (x and y of two corners), and any text
-// (pixel_text.h). Mirroring (segment remap, COM direction) is ignored: the picture is reported as if both
-// were set, since libraries set both.
+// A picture is reported when it has changed and then stayed the same for 50 ms: "212 lit in 0,0 to 63,15: Lap
+// 2|12.4 s". The report contains the number of lit pixels, their bounding box (x and y of two corners), and
+// any text (pixel_text.h). Mirroring (segment remap, COM direction) is ignored: the picture is reported as if
+// both were set, since libraries set both.
 //
 // The command for inverse display inverts the reported pixels. Not modelled: scrolling, contrast, the start
 // line.

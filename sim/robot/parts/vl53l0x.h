@@ -2,15 +2,15 @@
 // usual libraries need. Its registers are not documented; their meaning is derived from ST's own driver.
 //
 //   0xC0 to 0xC2   model and revision: 0xEE, 0xAA, 0x10
-//   0x00           bit 0 starts a measurement and reads 0 once it has begun; 0x02, 0x04 repeat it
+//   0x00           bit 0 starts a measurement, and always reads 0; 0x02 and 0x04 repeat measurements
 //   0x13           bits 0 to 2: a measurement is ready; 0x0B clears them
 //   0x1E, 0x1F     the last result, mm; 8190 if nothing is near
 //   0x83           never 0, since the driver's start-up waits until this register is not 0
 //
-// A measurement takes 33 ms (the default timing budget, 2.7.4), whatever budget is set. The distance is
-// measured along one ray, up to `reach` (1.2 m; table 12: 80 cm on grey to 2 m on white), with a standard
-// deviation of 4 % in the profile `typical` (table 13). Other registers store any value written; all register
-// pages share them.
+// A measurement takes 33 ms (the default timing budget, 2.7.4), whatever budget the firmware sets. The
+// distance is measured along one ray, up to `reach` (1.2 m; table 12: 80 cm on grey to 2 m on white), with a
+// standard deviation of 4 % in the profile `typical` (table 13). Other registers store any value written; all
+// register pages share them.
 #pragma once
 
 #include "sim/base/noise.h"

@@ -6,7 +6,7 @@
 // A bit is a 1 if it is high for 0.55 us or longer. Each LED uses 24 bits: green, red and blue, each with the
 // highest bit first. The LED passes all further bits to the next LED (WorldSemi data sheet WS2812). Newer
 // strips need 280 us for a reset; their libraries wait for that time. Colours are reported as an event,
-// RRGGBB per LED, when they have changed and then stayed for 50 ms.
+// RRGGBB per LED, when they have changed and then stayed the same for 50 ms.
 //
 // Only firmware on an emulated chip can make such short pulses in loops. On the target host, the replacement
 // of the Adafruit_NeoPixel library (hal/libraries) makes the pulses.

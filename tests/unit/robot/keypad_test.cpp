@@ -64,7 +64,7 @@ TEST(Keypad, NamesItsKeys) {
     BenchRobot wrong(std::string(kPad) + "keys = [\"12\", \"34\"]\n");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("here 4 strings of 3 characters"));
+    EXPECT_THAT(error.what(), HasSubstr("for these pins, 4 strings of 3 characters"));
   }
 }
 

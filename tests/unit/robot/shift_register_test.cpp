@@ -182,9 +182,10 @@ TEST(ShiftRegister, MistakesAreExplainedWithTheirLine) {
   EXPECT_THAT(error_of(chained + "\"C\"\n[[part]]\nname = \"C\"\ntype = \"shift-register\"\nafter = \"B\"\n"),
               HasSubstr("r.toml:19:9: B follows itself in a circle"));
   EXPECT_THAT(error_of(chained + "\"REG1\"\npins = { data = 2, clock = 3, latch = 4 }\n" + kRegister),
-              HasSubstr("pins excludes after: B follows REG1 and shares its clock and latch"));
+              HasSubstr("the key after excludes the key pins: B follows REG1 and shares its clock and "
+                        "latch"));
   EXPECT_THAT(error_of("[[part]]\nname = \"B\"\ntype = \"shift-register\"\n"),
-              HasSubstr("B requires pins (data, clock, latch), or after"));
+              HasSubstr("B requires either the key pins (data, clock, latch) or the key after"));
 }
 
 }  // namespace shift_register_test

@@ -13,7 +13,7 @@ using robosim::avr::Op;
 using Entry = InstructionLog::Entry;
 
 constexpr int kOfBranch = 2;             // distance, in lines, of a branch from the instruction it decides
-constexpr std::size_t kTogether = 4000;  // log entries in which the meeting of a branch's paths is searched
+constexpr std::size_t kTogether = 4000;  // log entries searched for the place where a branch's paths meet
 constexpr std::int32_t kPointerBefore = 100;
 
 bool points_by(Op op, unsigned pair) {
