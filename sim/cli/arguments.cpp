@@ -65,7 +65,7 @@ void refuse_for_fleet(const RunArguments& run) {
          "halts only one robot's chip; debug that robot in a run of its own");
   refuse(!run.coverage.empty(), "--coverage", "counts the lines of only one sketch; run that robot alone");
   refuse(run.serial, "--serial",
-         "prints what only one sketch sends; run that robot alone, or read it in --json");
+         "prints the text of only one sketch; run that robot alone, or read the text in --json");
 }
 
 /// Returns the names of all detectors, for the help of `run`.
@@ -95,17 +95,17 @@ Command parse_run(const Words& words) {
   options.texts("--plot", run.plot, "FILE", "draw where the robot drove, as .svg or .png; may be repeated",
                 PossibleValues::file());
   options.text("--coverage", run.coverage, "DIR",
-               "count which lines of the sketch ran, over all runs with this DIR", PossibleValues::folder());
+               "count which lines of the sketch ran, in all runs with this DIR", PossibleValues::folder());
   options.flag("--sanitize", run.sanitize, "stop at the first bad index, overflow, wild pointer ...");
   options.text("--gdb", port, "PORT",
-               "wait at this port for gdb, which then halts sketch and world (chip targets only)");
+               "wait at this port for gdb, which then halts the sketch and the world (chip targets only)");
   options.flag("--untrusted", run.untrusted, kUntrustedHelp);
   options.flag("--view", run.view, "watch the run in the terminal");
   options.text("--speed", speed, "N",
                "play --view at N times real time (default: 1; 0: as fast as possible)");
   options.flag("--live", run.live,
                "obey JSON lines on standard input: play, pause, step, act (docs/howto/serving.md)");
-  options.flag("--serial", run.serial, "print what the sketch sends; print the result to standard error");
+  options.flag("--serial", run.serial, "print the sketch's serial text; print the result to standard error");
   options.flag("--json", run.json, "print the result as JSON");
   options.flag("--timing", run.timing, "also report the wall time of the run");
   if (const auto help = options.parse(words)) return *help;
@@ -132,7 +132,7 @@ Command parse_replay(const Words& words) {
                "measure the distance to another run: a recording, or a .csv log with time, x and y",
                PossibleValues::file());
   options.texts("--record", replay.record, "FILE",
-                "write the run again as a page (.html; with --over of both runs), .rec or .perfetto.json; "
+                "write the run again as .html (with --over, a page of both runs), .rec or .perfetto.json; "
                 "may be repeated",
                 PossibleValues::file());
   if (const auto help = options.parse(words)) return *help;
@@ -150,7 +150,7 @@ Command parse_build(const Words& words) {
                PossibleValues::robot());
   options.text("--target", build.target, "TARGET", "compile for host, avr or stm32 (default: host)",
                targets());
-  options.text("--out", build.out, "DIR", "put the compiled files into this folder, named after the sketch",
+  options.text("--out", build.out, "DIR", "put the compiled files, named after the sketch, into this folder",
                PossibleValues::folder());
   options.text("--env", build.environment, "NAME", kEnvironmentHelp);
   options.texts("--libraries", build.libraries, "DIR", kLibrariesHelp, PossibleValues::folder());
@@ -185,7 +185,7 @@ Command parse_flash(const Words& words) {
     throw InputError(
         "robosim flash requires the board's port, as in --port /dev/ttyACM0 (most Unos) or /dev/ttyUSB0 "
         "(most "
-        "Nanos); “ls /dev/ttyACM* /dev/ttyUSB*” with and without the board plugged in shows which it is");
+        "Nanos); compare “ls /dev/ttyACM* /dev/ttyUSB*” with and without the board plugged in");
   return flash;
 }
 
@@ -345,7 +345,8 @@ Command parse_classic(const Words& words) {
   options.text("--speed", speed, "S", "let a move take this many seconds (default: 1)");
   options.text("--steps", steps, "N", "allow this many moves");
   options.texts("--to", classic.to, "STATION",
-                "drive to this station after the scan; all drives every ordered pair; may be repeated");
+                "drive to this station after the scan, or with the word all from each station to each other; "
+                "may be repeated");
   options.text("--planner", classic.planner, "WHICH",
                "plan ways by bfs, dfs, iterative, pruned, climb, interval or dijkstra (default: climb on "
                "trees, else dijkstra)",
@@ -390,7 +391,7 @@ Command parse_robot(Words words) {
     options.positional("ROBOT", robot.robot, "use this robot: a file, or the name of a stock robot",
                        PossibleValues::robot());
   if (robot.action == "show")
-    options.flag("--full", robot.full, "include what it inherits from its base robots, as one file");
+    options.flag("--full", robot.full, "print one file that also contains everything from its base robots");
   if (const auto help = options.parse(words)) return *help;
   if (robot.action != "list" && robot.robot.empty()) {
     throw InputError(fmt::format("robosim robot {} requires a robot: a file, or one of {}", robot.action,
@@ -444,7 +445,8 @@ Command parse_help(const Words& words) {
 
 Command parse_completion(const Words& words) {
   std::string shell;
-  Options options("completion", "print the code that completes robosim's words in a shell",
+  Options options("completion",
+                  "print the code that completes robosim's commands, options and values in a shell",
                   "For bash: source <(robosim completion bash). For zsh: robosim completion zsh > "
                   "DIR/_robosim, with DIR in $fpath. For fish: robosim completion fish | source. The Debian "
                   "packages install all three.");
@@ -458,13 +460,13 @@ Command parse_completion(const Words& words) {
 Command parse_man(const Words& words) {
   ManArguments man;
   Options options("man", "print the manual page of Robosim or of one of its commands",
-                  "To read one: robosim man run | man -l -");
+                  "To read a page: robosim man run | man -l -");
   options.positional("[COMMAND]", man.command, "print the page of this command",
                      PossibleValues::of(command_names()));
   options.text("--out", man.out, "DIR", "write all pages into this folder instead", PossibleValues::folder());
   if (const auto help = options.parse(words)) return *help;
   if (!man.command.empty() && !man.out.empty())
-    throw InputError("--out writes the pages of all commands; it excludes naming one");
+    throw InputError("--out writes the pages of all commands; omit the name of a command");
   if (!man.command.empty()) parse_arguments({man.command, "--help"});  // rejects unknown commands
   return man;
 }

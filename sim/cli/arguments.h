@@ -26,7 +26,7 @@ struct RunArguments : launch::RunSettings {
   bool view = false;
   double speed = 1.0;   ///< speed of the view, simulated s per s of wall time; 0 = as fast as possible
   bool live = false;    ///< requests on the standard input control the run (run/live.h)
-  bool serial = false;  ///< the standard output is the text that the sketch sends
+  bool serial = false;  ///< the standard output contains only the text that the sketch sends
   bool json = false;
   bool timing = false;
 };
@@ -41,7 +41,7 @@ struct WhyArguments {
 struct ReplayArguments {
   std::string file;
   double speed = 1.0;               ///< see RunArguments
-  std::string over;                 ///< another run, to measure the distance to it: a file; empty = none
+  std::string over;                 ///< file of a run to which the distance is measured; empty = none
   std::vector<std::string> record;  ///< files to write the recording to, in other formats
 };
 
@@ -138,7 +138,7 @@ struct RobotArguments {
 struct WireArguments {
   std::string sketch;
   std::string environment;
-  std::string board;         ///< empty = the project's board, otherwise the first board
+  std::string board;         ///< empty = the project's board, otherwise a board that suits the sketch
   std::string map = "oval";  ///< map on which the draft is tried
   std::string target;        ///< empty = host
   std::vector<std::string> libraries;

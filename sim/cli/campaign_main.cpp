@@ -1,4 +1,4 @@
-// The program `robosim-campaign`, which `robosim` starts: commands for many runs, and for files of other
+// The program `robosim-campaign`, which `robosim` starts. Its commands do many runs, or handle files of other
 // programs.
 #include <stdexcept>
 #include <variant>

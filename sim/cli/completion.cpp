@@ -173,7 +173,7 @@ complete -F _robosim robosim ./robosim
 
 // ---- zsh
 
-/// Escapes the characters that would end an explanation of _arguments.
+/// Escapes the characters that would end an explanation in zsh's `_arguments`.
 std::string zsh_text(const std::string& text) {
   std::string safe;
   for (const char c : quoted(text, "'\\''")) {

@@ -6,7 +6,7 @@
 
 namespace robosim::cli {
 
-/// Selects what is printed to standard error.
+/// Selects the reports that are printed to standard error.
 struct Says {
   bool choices = true;        ///< automatic choices
   bool warnings = true;       ///< warnings of the compiler

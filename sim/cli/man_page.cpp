@@ -8,7 +8,8 @@
 namespace robosim::cli {
 namespace {
 
-/// Escapes what man(7) would interpret: backslashes, hyphens, and a period or apostrophe at the beginning.
+/// Escapes the characters that man(7) would interpret: backslashes, hyphens, and a period or an apostrophe at
+/// the beginning.
 std::string roff(const std::string& text) {
   std::string safe;
   for (std::size_t i = 0; i < text.size(); ++i) {

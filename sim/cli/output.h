@@ -1,4 +1,4 @@
-// Writes to standard output, checking for errors, and to standard error.
+// Writes to standard output and to standard error. Reports only errors of standard output.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,8 @@
 
 namespace robosim::cli {
 
-/// Writes and flushes; on a terminal through for_terminal(). Throws InputError if a write fails (full disk).
+/// Writes and flushes. On a terminal, passes the text through for_terminal() first. Throws InputError if a
+/// write fails (full disk).
 void print(std::string_view text);
 
 /// Writes to standard error, through for_terminal(). Ignores a failed write, so that the exit status stays
@@ -18,8 +19,8 @@ void complain(std::string_view text);
 void print_coloured(std::string_view text);
 void complain_coloured(std::string_view text);
 
-/// Writes the sketch's output to standard output: on a terminal through for_terminal(), otherwise byte by
-/// byte.
+/// Writes the sketch's output to standard output. On a terminal, passes it through for_terminal() first;
+/// otherwise writes its bytes unchanged.
 class SerialPrinter {
  public:
   void add(std::string_view text);

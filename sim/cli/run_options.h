@@ -25,7 +25,7 @@ class RunOptions {
   void seed();    ///< --seed
   void common();  ///< --profile, --send, --env, --libraries: for every command that runs sketches
 
-  /// Stores the given values in the run, once the options are parsed. Throws InputError.
+  /// Stores the given values in the run. Call it after the options are parsed. Throws InputError.
   void finish();
 
  private:

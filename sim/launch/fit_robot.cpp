@@ -66,8 +66,9 @@ Carrier fit_to_target(const Choice& own, const std::string& target, const Descri
           ? fmt::format(
                 "on {} the robot is {}: its {} has no such chip, so a {} replaces it on the same pins",
                 target, carrier.robot.name, fitted.own_board, board)
-          : fmt::format("on {} a {} replaces the {} in {} on the same pins, because that has no such chip",
-                        target, board, fitted.own_board, alone);
+          : fmt::format(
+                "on {} a {} replaces the {} in {} on the same pins, because the old board has no such chip",
+                target, board, fitted.own_board, alone);
   return carrier;
 }
 

@@ -22,7 +22,7 @@ struct FittedRobot {
 };
 
 /// Returns the robot with one of `boards`; empty = any board. The first of `boards` replaces an unsuitable
-/// board. Throws the exceptions of `describe`, also if the replacement lacks a pin that the robot uses.
+/// board. Throws the exceptions of `describe`, which also throws if the replacement lacks a pin of the robot.
 FittedRobot fit_robot(const std::string& robot, const std::vector<std::string>& boards,
                       const Describe& describe);
 

@@ -1,5 +1,5 @@
-// Prepares several robots on one map: converts the user's names for all robots to one request. A fleet file
-// has a table for each robot:
+// Prepares several robots on one map. Converts the names that the user typed for all robots to one request. A
+// fleet file has a table for each robot:
 //
 //   [[agent]]
 //   name = "A"

@@ -1,4 +1,4 @@
-// Resolves names that users type to files.
+// Finds the files for the names that users type.
 #pragma once
 
 #include <filesystem>

@@ -54,8 +54,8 @@ class CompressedBytes {
   std::string_view rest() const { return rest_; }
 
  private:
-  // Larger pieces compress slightly better, but leave more work for the end of the run. On average, half a
-  // piece per column must be packed there.
+  // Larger pieces compress slightly better, but leave more work for the end of the run: on average, half a
+  // piece of each column is not packed before the end.
   static constexpr std::size_t kPiece_bytes = 4096;
 
   void pack_rest() {

@@ -10,7 +10,7 @@ void CompressedStream::add(const wire::Rows& rows) {
     all_ = CompressedRows(specs_.size(), packer_);
   }
   if (rows.bytes.size() != specs_.size() || specs_.empty())
-    throw wire::BadValue("bytes", "expected as many as the columns of " + rows.stream);
+    throw wire::BadValue("bytes", "expected one text for each column of " + rows.stream);
   if (is_thin_) return thinner_->add(rows.bytes, rows.count);
   all_.add(rows);
   // The thinner reads two earlier rows for each new row. It has therefore caught up when the number of rows

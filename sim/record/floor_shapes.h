@@ -63,55 +63,55 @@ template <class V>
 void fields(V& v, result::Same<V, FloorShapes::Stripe>& s) {
   v("line", s.line, "from x, y to x, y");
   v("arc", s.arc, "centre and radius", {.presence = result::when(s.arc[2] > 0.0)});
-  v("painted", s.painted, "false: followed, but not visible", {.presence = result::when(!s.painted)});
-  v("width", s.width_mm, "where it is not as the others", {.presence = result::when(s.width_mm > 0.0)});
-  v("colour", s.colour, "of HTML, where it is not as the others",
+  v("painted", s.painted, "false: part of the route, but invisible", {.presence = result::when(!s.painted)});
+  v("width", s.width_mm, "width, if it differs from `line`", {.presence = result::when(s.width_mm > 0.0)});
+  v("colour", s.colour, "HTML colour, if it differs from the usual one",
     {.presence = result::when(!s.colour.empty())});
-  v("worn", s.worn, "the share of its paint that is gone", {.presence = result::when(s.worn > 0.0)});
+  v("worn", s.worn, "share of the paint that is gone", {.presence = result::when(s.worn > 0.0)});
 }
 
 template <class V>
 void fields(V& v, result::Same<V, FloorShapes::Area>& a) {
-  v("colour", a.colour, "of HTML");
+  v("colour", a.colour, "HTML colour");
   v("disc", a.disc, "centre and radius", {.presence = result::when(a.disc[2] > 0.0)});
-  v("corners", a.corners, "of a rectangle", {.presence = result::when(a.disc[2] == 0.0)});
+  v("corners", a.corners, "corners of a rectangle", {.presence = result::when(a.disc[2] == 0.0)});
   v("over_lines", a.over_lines, "painted over the lines", {.presence = result::when(a.over_lines)});
 }
 
 template <class V>
 void fields(V& v, result::Same<V, FloorShapes::Picture>& p) {
   v("png", p.png, "a PNG in base64");
-  v("width", p.width_mm, "on the floor");
-  v("height", p.height_mm, "on the floor");
+  v("width", p.width_mm, "width on the floor");
+  v("height", p.height_mm, "height on the floor");
 }
 
 template <class V>
 void fields(V& v, result::Same<V, FloorShapes::Light>& l) {
-  v("at", l.at, "absent: it is everywhere alike", {.presence = result::when(l.at.has_value())});
-  v("radius", l.radius_mm, "of a patch of sun", {.presence = result::when(l.radius_mm > 0.0)});
-  v("moves", l.moves_mm_s, "mm/s",
+  v("at", l.at, "centre; absent: the light is uniform", {.presence = result::when(l.at.has_value())});
+  v("radius", l.radius_mm, "radius of a patch of sun", {.presence = result::when(l.radius_mm > 0.0)});
+  v("moves", l.moves_mm_s, "velocity of the patch, mm/s",
     {.presence = result::when(l.moves_mm_s[0] != 0.0 || l.moves_mm_s[1] != 0.0)});
 }
 
 template <class V>
 void fields(V& v, result::Same<V, FloorShapes>& f) {
-  v("width", f.width_mm, "of the map");
-  v("height", f.height_mm, "of the map");
+  v("width", f.width_mm, "width of the map");
+  v("height", f.height_mm, "height of the map");
   v("cell", f.cell_mm, "side of a cell");
   v("line", f.line_mm, "width of the stripes");
   v("light_line", f.light_line, "white on black", {.presence = result::when(f.light_line)});
-  v("picture", f.picture, "what is painted, in place of the stripes",
+  v("picture", f.picture, "the painted floor, instead of the stripes",
     {.presence = result::when(f.picture.has_value())});
   v("stripes", f.stripes, "centre lines");
-  v("marks", f.marks, "bars beside the line: from x, y to x, y, and width",
+  v("marks", f.marks, "bars next to the line: from x, y to x, y, and width",
     {.presence = result::when(!f.marks.empty())});
-  v("areas", f.areas, "painted rectangles and discs, and in tints hills and surfaces",
+  v("areas", f.areas, "painted rectangles and discs; hills and surfaces as tints",
     {.presence = result::when(!f.areas.empty())});
   v("dark", f.dark, "painted rectangles");
   v("walls", f.walls, "rectangles");
-  v("obstacles", f.obstacles, "centres");
-  v("lights", f.lights, "of the room", {.presence = result::when(!f.lights.empty())});
-  v("junctions", f.junctions, "centres");
+  v("obstacles", f.obstacles, "centres of the obstacles");
+  v("lights", f.lights, "lights of the room", {.presence = result::when(!f.lights.empty())});
+  v("junctions", f.junctions, "centres of the junctions");
 }
 
 /// Larger pictures are neither drawn nor stored.

@@ -19,9 +19,9 @@ struct LineEvent {
 
 template <class V>
 void fields(V& v, result::Same<V, LineEvent>& e) {
-  v("t_us", e.t_us, "of the sample", {.unit = "µs"});
-  v("sensor", e.sensor, "that saw it last, or first");
-  v("left", e.left, "false: it is found again");
+  v("t_us", e.t_us, "time of the sample", {.unit = "µs"});
+  v("sensor", e.sensor, "the sensor that saw the line last, or first");
+  v("left", e.left, "false: the line is found again");
 }
 
 /// Collects the samples of a run as they arrive, and finds the events in them.

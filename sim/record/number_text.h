@@ -1,5 +1,5 @@
-// Formats numbers as fmt does: as the shortest text from which the same number is read. Most of the time for
-// writing tables and waveforms is spent here.
+// Formats numbers as fmt does: as the shortest text from which the same number is read. These functions take
+// most of the time for writing tables and waveforms.
 #pragma once
 
 #include <fmt/compile.h>

@@ -222,7 +222,7 @@ void TraceRecorder::add(const wire::Event& event) {
       for (const wire::ColumnSpec& spec : stream.specs) stream.readers.emplace_back(spec.order);
     }
     if (rows.bytes.size() != stream.readers.size() || rows.bytes.empty())
-      throw wire::BadValue("bytes", "expected as many as the columns of " + rows.stream);
+      throw wire::BadValue("bytes", "expected one text for each column of " + rows.stream);
     std::vector<std::vector<std::int64_t>> values;
     for (std::size_t i = 0; i < stream.readers.size(); ++i) {
       auto read = stream.readers[i].read(rows.bytes[i], static_cast<std::size_t>(rows.count));

@@ -76,7 +76,7 @@ Recording Recording::decode(std::string_view bytes, const std::string& file) {
     if (is_recording(bytes))
       refuse(file, "it was made by a newer version of Robosim, " +
                        wire::excerpt(bytes.substr(0, std::min(bytes.find('\n'), std::size_t{40}))));
-    refuse(file, "it does not begin like one");
+    refuse(file, "it does not begin like a recording");
   }
   Recording recording;
   recording.file_ = file;

@@ -42,7 +42,7 @@ class Gatherer {
   std::string encoded(const result::RunResult& result);
 
  private:
-  /// The columns of samples for detecting when the line is left: first the time, then the sensors.
+  /// The columns of the samples that `watch` needs: first the time, then the sensors.
   struct LineColumns {
     LineWatch watch;
     std::vector<std::size_t> numbers;

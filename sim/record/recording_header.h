@@ -66,43 +66,45 @@ struct RecordingHeader : RobotRecord {
 
 template <class V>
 void fields(V& v, result::Same<V, ColumnInfo>& c) {
-  v("name", c.name, "with its unit");
-  v("scale", c.scale, "divide by this");
-  v("order", c.order, "of the differences that are kept", {.least = 0, .most = 2});
-  v("bytes", c.bytes, "in the file", {.least = 0});
+  v("name", c.name, "column name, with its unit");
+  v("scale", c.scale, "divisor of the stored integers");
+  v("order", c.order, "order of the stored differences", {.least = 0, .most = 2});
+  v("bytes", c.bytes, "size in the file", {.least = 0});
 }
 
 template <class V>
 void fields(V& v, result::Same<V, StreamInfo>& s) {
-  v("name", s.name, "of the stream");
-  v("count", s.count, "of rows", {.least = 0});
+  v("name", s.name, "name of the stream");
+  v("count", s.count, "number of rows", {.least = 0});
   v("columns", s.columns, "in the order of their bytes");
 }
 
 template <class V>
 void fields(V& v, result::Same<V, RobotRecord>& r) {
-  v("name", r.name, "of one of several robots", {.presence = result::when(!r.name.empty())});
+  v("name", r.name, "the robot's name, if there are several", {.presence = result::when(!r.name.empty())});
   v("sketch", r.sketch, "as the user named it");
-  v("robot", r.robot, "the same");
-  v("target", r.target, "the same");
+  v("robot", r.robot, "as the user named it");
+  v("target", r.target, "host, avr or stm32");
   v("script", r.script, "text of the scenario");
-  v("robot_info", r.robot_info, "as `describe_robot` has it");
+  v("robot_info", r.robot_info, "the answer to `describe_robot`");
   v("pins", r.pins, "names of the board's pins, by number");
-  v("started", r.started, "the event");
-  v("result", r.result, "of the run");
-  v("line", r.line, "when it was left, and found again", {.presence = result::when(!r.line.empty())});
-  v("sources", r.sources, "lines that drove pins", {.presence = result::when(!r.sources.empty())});
-  v("thinned_ns", r.thinned_ns, "0 = not", {.presence = result::kOptional});
-  v("streams", r.streams, "what follows");
+  v("started", r.started, "the event `started`");
+  v("result", r.result, "result of the run");
+  v("line", r.line, "when the line was left, and found again", {.presence = result::when(!r.line.empty())});
+  v("sources", r.sources, "lines of the sketch that drove pins",
+    {.presence = result::when(!r.sources.empty())});
+  v("thinned_ns", r.thinned_ns, "span of which only the last change is stored; 0 = every change",
+    {.presence = result::kOptional});
+  v("streams", r.streams, "streams that follow the header");
 }
 
 template <class V>
 void fields(V& v, result::Same<V, RecordingHeader>& h) {
-  v("robosim", h.robosim, "version");
+  v("robosim", h.robosim, "version of Robosim");
   v("map", h.map, "as the user named it");
   v("map_text", h.map_text, "the map's file");
-  v("floor", h.floor, "its geometry");
-  v("notes", h.notes, "the events");
+  v("floor", h.floor, "geometry of the map");
+  v("notes", h.notes, "notes about all robots");
   fields(v, static_cast<result::Same<V, RobotRecord>&>(h));
   v("others", h.others, "further robots", {.presence = result::when(!h.others.empty())});
 }

@@ -1,4 +1,4 @@
-// Thins rows of changes to the last row in each span of time, for runs with too many changes.
+// Thins the rows of a run with too many changes: stores only the last row in each span of time.
 #pragma once
 
 #include <cstddef>

@@ -205,7 +205,7 @@ Requirement SerialSays(std::string text) {
   const std::string clause = in_quotes(text);
   return Requirement("says " + clause, "does not say " + clause, [=](const Drive& drive) -> Finding {
     const std::string said = drive.serial();
-    if (said.find(text) != std::string::npos) return {true, "it said so", drive.end()};
+    if (said.find(text) != std::string::npos) return {true, "it said this text", drive.end()};
     return {false, said.empty() ? std::string("it said nothing") : "it said " + shortened(said), drive.end()};
   });
 }

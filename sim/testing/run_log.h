@@ -37,7 +37,7 @@ struct RunLog {
   std::vector<Leg> legs;
   std::string serial;
   std::vector<Said> said;
-  std::vector<Entry> events;  ///< actions, notes and what the sketch printed
+  std::vector<Entry> events;  ///< actions, notes and the sketch's output
   std::vector<bool> is_line_sensor;
   std::optional<result::Resources> resources;
   std::optional<result::RunResult> result;
@@ -55,7 +55,7 @@ Moment moment_of(const RunLog& log, const wire::Sample& sample);
 /// Returns "12.34 s".
 std::string seconds(std::int64_t ns);
 std::string seconds(Duration time);
-/// Returns "at column 5, row 2 (x 512 mm, y 340 mm)".
+/// Returns "column 5, row 2 (x 512 mm, y 340 mm)".
 std::string place_of(const Pose& pose);
 /// Returns the text on one line: replaces each line feed by \n and each carriage return by \r.
 std::string on_one_line(const std::string& text);

@@ -161,7 +161,7 @@ TEST_F(CliHunt, BlamesNoFollowerOfLoopsForFloorsThatItToursByLuckIfAtAll) {
                 "  delay(5);\n"
                 "}\n");
   const char* const kSays =
-      "the sketch reaches its goal on a, but not on most floors like it, so that its driving there is not "
+      "the sketch reaches its goal on a, but not on most similar floors, so that its driving on these is not "
       "reported: --map a reports it\n";
   const std::vector<std::string> hunt = {"hunt", "./Tries", "--runs", "96", "--target", "host"};
   const Ended guessed = command(hunt);
@@ -184,7 +184,7 @@ TEST_F(CliHunt, GoesOnWhereItWasAndFindsWhatOneGoWouldHave) {
   EXPECT_EQ(other.status, 2);
   EXPECT_THAT(other.err, HasSubstr("found/runs.jsonl:1: belongs to another hunt"));
   EXPECT_THAT(hunt({"--out", "none", "--resume"}).err,
-              HasSubstr("none: expected the folder of a hunt to --resume"));
+              HasSubstr("none: expected the folder of a hunt for --resume"));
 }
 
 TEST_F(CliHunt, KeepsWhatMustNeverSometimesAndAlwaysBe) {

@@ -78,7 +78,7 @@ TEST(CliPlay, AMapWithoutAJunctionAndAClosedLoopEndTheirScanToo) {
 }
 
 TEST(CliPlay, WhatCannotBeReachedIsTold) {
-  EXPECT_THAT(play({"island"}, kScan).out, HasSubstr("not to be reached: "));
+  EXPECT_THAT(play({"island"}, kScan).out, HasSubstr("unreachable: "));
 }
 
 TEST(CliPlay, LeftAndRightWalkAndComeBack) {

@@ -232,7 +232,7 @@ TEST(CliSweep, StoppingEarlyLeavesOutRunsAndNotTheAnswer) {
     const Ended ended = robosim_command(
         sweep_words({"--min-rate", "0.99", "--stop-early", "--jobs", jobs, "--csv", file}), folder.path());
     EXPECT_EQ(ended.status, 1);
-    EXPECT_THAT(ended.out, HasSubstr("of 8 runs; the others could not change that it is not met"));
+    EXPECT_THAT(ended.out, HasSubstr("of 8 runs; the other runs could not change that it is not met"));
     tables.push_back(read_file(folder / file));
   }
   EXPECT_EQ(tables[0], tables[1]);

@@ -30,11 +30,11 @@ Command parse_calibrate(const std::vector<std::string>& words) {
                "set the width of the tape that the sensors crossed, as in \"19 mm\"");
   options.text("--supply", supply, "VOLTS", "set the battery's voltage during the log, as in \"7.4 V\"");
   options.text("--stopwatch", calibrate.stopwatch, "FILE",
-               "read drives by stopwatch and tape measure from this TOML file", PossibleValues::file());
+               "read drives, measured by stopwatch and tape, from this TOML file", PossibleValues::file());
   options.text("--out", calibrate.out, "FILE", "write the fitted robot to this new file",
                PossibleValues::file());
   options.flag("--in-place", calibrate.in_place, "write the fitted values into the robot file itself");
-  options.text("--plot", calibrate.plot, "FILE", "draw measured against fitted values, as .svg",
+  options.text("--plot", calibrate.plot, "FILE", "draw the measured values against the fitted ones, as .svg",
                PossibleValues::file());
   if (const auto help = options.parse(words)) return *help;
   if (calibrate.robot.empty())

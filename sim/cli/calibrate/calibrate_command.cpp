@@ -34,7 +34,7 @@ int calibrate_command(const CalibrateArguments& arguments) {
                     arguments.robot));
   if (arguments.robot.find('@') != std::string::npos)
     throw InputError(
-        fmt::format("“{}” is a robot on another board: expected the robot file of the board that was logged",
+        fmt::format("“{}” replaces the robot's board: expected a robot file with the board of the log",
                     arguments.robot));
   refuse_existing(arguments.out, "--out");
   refuse_existing(arguments.plot, "--plot");

@@ -28,12 +28,12 @@ void warn_of_own_files(const std::string& checks) try {
     if (check.sweep.robots.empty()) missing += missing.empty() ? "no robot" : " and no robot";
     if (!missing.empty())
       complain(fmt::format(
-          "robosim: {}: check \"{}\" has {}: files in a sketch's folder are used, which its author "
-          "wrote; name yours in the check\n",
+          "robosim: {}: check \"{}\" has {}: files in a sketch's folder are used, which the sketch's author "
+          "wrote; name your own files in the check\n",
           checks, check.name, missing));
   }
 } catch (const InputError&) {
-  // the result of each sketch contains the message
+  // Ignores the error, because the result of each sketch contains its message.
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ int test_command(const TestArguments& arguments) {
     complain(
         "robosim: each sketch is tested by the checks.toml in its own folder, which its author wrote; "
         "--checks "
-        "FILE tests all of them by one of yours\n");
+        "FILE tests all sketches by a file of yours\n");
   if (arguments.untrusted && !arguments.checks.empty()) warn_of_own_files(arguments.checks);
   for (const std::string& sketch : sketches) session.add(sketch, arguments.checks);
   const bool complete = session.make_runs(arguments.jobs, progress);

@@ -40,12 +40,12 @@ Command parse_compare(const std::vector<std::string>& words) {
   options.text("--map", compare.each.map, "MAP", kMapHelp, PossibleValues::map());
   FleetOptions robots(options, compare.each, true);
   options.lists("--target", targets_given, "TARGET",
-                "compare two or more of host, avr and stm32 (default: host,avr,stm32); NAME=host,avr moves "
-                "only one of several robots",
+                "compare two or more of host, avr and stm32 (default: host,avr,stm32); NAME=host,avr changes "
+                "the target of only one of several robots",
                 targets());
   options.text("--seed", seed, "N", "seed all noise and spread (default: 1)");
   options.text("--seeds", seeds, "A..B",
-               "compare with one seed after the other, until a difference is found");
+               "compare with each of these seeds, until a difference is found");
   RunOptions shared(options, compare.each);
   shared.time();
   shared.common();

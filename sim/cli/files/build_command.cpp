@@ -45,7 +45,7 @@ bool is_product(const fs::path& file) { return file.extension() == ".hex" || fil
 std::string host_sizes(const build::Image& image, const BoardSpec& board) {
   return fmt::format(
       "{}: {} bytes of code and {} bytes of variables on this machine ({}{})\n"
-      "How much of the {}'s {} bytes of flash and {} bytes of RAM it uses is printed with --target {}.\n",
+      "To see its share of the {}'s {} bytes of flash and {} bytes of RAM, build with --target {}.\n",
       image.name, image.text_bytes, image.data_bytes, image.compiler,
       image.from_cache ? ", unchanged since it was last compiled" : "", board.name, board.flash_bytes,
       board.ram_bytes, board.chip->target);
@@ -153,7 +153,7 @@ int build_command(const BuildArguments& arguments) {
   if (arguments.sanitize && arguments.target != "host") {
     print(fmt::format(
         "{} for the {}, with checks ({})\n"
-        "It only runs in robosim run, and need not fit the chip: {} bytes of code, {} of variables.\n"
+        "This image runs only in robosim run, and need not fit the chip: {} bytes of code, {} of variables.\n"
         "image: {}\n",
         built.image.name, built.board.name, built.image.compiler, built.image.text_bytes,
         built.image.data_bytes, put_files(built.image, arguments.out)[0].string()));

@@ -28,7 +28,7 @@ struct Built {
   wire::RobotInfo robot;
 };
 
-/// Selects what to do if the chip of the robot's board does not suit the target. `own` keeps the board,
+/// Selects the board if the chip of the robot's board does not suit the target. `own` keeps the board,
 /// `fitting` replaces it.
 enum class Boards { own, fitting };
 

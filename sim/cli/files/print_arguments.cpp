@@ -22,7 +22,7 @@ Command parse_print(const std::vector<std::string>& words) {
   options.text("--paper", print.paper, "SIZE", "print on A4 or A3 (default: A4)",
                PossibleValues::of(kPapers));
   options.text("--margin", margin, "LENGTH",
-               "leave this margin, which the printer cannot print (default: 5mm)");
+               "leave this margin on each sheet, where the printer cannot print (default: 5mm)");
   options.flag("--black-on-white", print.black_on_white,
                "save ink: print dark lines on white paper even if the map is white on black");
   if (const auto help = options.parse(words)) return *help;

@@ -38,22 +38,22 @@ Command parse_hunt(const std::vector<std::string>& words) {
                 "execute on host, avr or stm32 (default: the board's chip and the host)", targets());
   options.text("--runs", runs, "N",
                "do this many runs (default: 400; with --minutes, as many as fit into that time)");
-  options.text("--minutes", minutes, "N", "begin no run after this wall time");
+  options.text("--minutes", minutes, "N", "begin no run after N minutes of wall time");
   options.text("--seed", seed, "N", "seed all random choices (default: 1)");
   options.text("--jobs", jobs, "N", kJobsHelp);
   options.text("--out", hunt.out, "DIR", "write findings into this new folder (default: hunt-SKETCH)",
                PossibleValues::folder());
   options.flag("--resume", hunt.resume, "continue the hunt in the folder of --out; skip its finished runs");
   options.text("--shard", shard, "I/N", kShardHelp);
-  options.lists("--merge", hunt.merge, "DIR", "report what all these folders of --shard have found",
+  options.lists("--merge", hunt.merge, "DIR", "report the findings of all these folders of --shard",
                 PossibleValues::folder());
   options.flag("--stop-early", hunt.stop_early, "end with the first finding");
   options.text("--for", duration, "TIME",
-               "limit the simulated time of a run, more on long ways (default: 60s)");
+               "limit the simulated time of each run (default: 60s); runs on long ways get more");
   options.text("--start", hunt.each.request.start, "X,Y,DIR",
                "start in this cell and heading, on the maps of --map only");
   options.text("--goal", hunt.each.request.goal, "GOAL",
-               "pursue this goal, as of run --goal (default: the map's)", goals());
+               "pursue this goal, as in run --goal (default: the map's)", goals());
   options.text("--script", hunt.each.script, "FILE", "apply this script during every run",
                PossibleValues::file());
   RunOptions shared(options, hunt.each);

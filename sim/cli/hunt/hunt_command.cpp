@@ -29,7 +29,7 @@ fs::path folder_for(const HuntArguments& arguments) {
   std::error_code error;
   if (arguments.resume) {
     if (!fs::exists(folder / "runs.jsonl", error))
-      throw InputError({folder.string()}, "expected the folder of a hunt to --resume, got another folder");
+      throw InputError({folder.string()}, "expected the folder of a hunt for --resume, got another folder");
     return folder;
   }
   if (fs::exists(folder, error))
@@ -85,14 +85,15 @@ std::string hunt_summary(const campaign::Hunt& hunt, const campaign::CampaignRun
   for (const campaign::HuntSpace::Map& map : runner.space().maps)
     if (!map.tours)
       text += fmt::format(
-          "the sketch reaches its goal on {0}, but not on most floors like it, so that its driving there is "
-          "not reported: --map {0} reports it\n",
+          "the sketch reaches its goal on {0}, but not on most similar floors, so that its driving on these "
+          "is not reported: --map {0} reports it\n",
           map.name);
   if (runner.refused() > 0)
     text += fmt::format("{} world{} could not be run; the first: {}\n", runner.refused(),
                         runner.refused() == 1 ? "" : "s", runner.refusal());
   if (found > 0)
-    text += fmt::format("checks that fail until it is fixed: {}\n", (out / "checks.toml").string());
+    text +=
+        fmt::format("checks that fail until the findings are fixed: {}\n", (out / "checks.toml").string());
   return text;
 }
 

@@ -16,11 +16,12 @@ Command parse_mutate(const std::vector<std::string>& words) {
                "run the checks of this file instead of the checks.toml next to the sketch",
                PossibleValues::file());
   options.texts("--tests", mutate.tests, "PROGRAM",
-                "run this built program of GoogleTest tests instead of checks; may be repeated",
+                "run this built GoogleTest program instead of checks; may be repeated",
                 PossibleValues::file());
   options.text("--count", count, "N", "plant this many bugs that compile (default: 20)");
   options.text("--seed", seed, "N", "seed the choice of bugs (default: 1)");
-  options.text("--min-score", least, "X", "exit with status 1 if less than this share is found, 0 to 1");
+  options.text("--min-score", least, "X",
+               "exit with status 1 if less than this share of the bugs is found, 0 to 1");
   options.text("--jobs", jobs, "N", kJobsHelp);
   options.flag("--json", mutate.json, "print the result as JSON");
   if (const auto help = options.parse(words)) return *help;

@@ -16,7 +16,7 @@ Command parse_report(const std::vector<std::string>& words) {
   Options options(
       "report", "make a page from a sweep's table or from test results",
       "Shows who passed. Repeats failed runs to show where the line was left. A table of an older "
-      "Robosim lacks their commands: then give the options that the sweep had.");
+      "Robosim lacks the commands of its runs: give the options that its sweep had.");
   options.positional("FILE", report.file,
                      "read this file, which sweep --csv, test --junit or ctest --output-junit wrote",
                      PossibleValues::file());

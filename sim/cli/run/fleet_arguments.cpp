@@ -130,7 +130,7 @@ void FleetOptions::finish() {
   if (!run_.map.empty()) run_.fleet.map = run_.map;
   launch::fill_up(run_.fleet, run_);
   if (run_.request.clock_ns > 0)
-    throw InputError("--clock applies to runs of one robot; a fleet's file has the key clock for each robot");
+    throw InputError("--clock applies to runs of one robot; a fleet file has the key “clock” for each robot");
 }
 
 }  // namespace robosim::cli

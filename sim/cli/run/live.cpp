@@ -176,7 +176,7 @@ class Live {
   const wire::OnEvent& on_event_;
   record::Gatherer gatherer_;  // for the initial part of a recording
   std::size_t started_ = 0;    // number of started robots
-  // reports held back until all robots have started: the recording precedes these reports
+  // events that arrive before all robots have started; they are reported after the recording
   std::string begun_;
   std::string told_;
   Requests requests_;

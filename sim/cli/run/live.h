@@ -2,9 +2,9 @@
 // program. That program sends requests as lines of JSON on the standard input (sim/wire/live.h), at any time.
 // Reports are lines on the standard output, about 60 times a second.
 //
-// The first report is `recording`, the header of the run's recording. The runner's events follow, with
-// `paused` and the run's state after each frame. The last report is the `result`. The run begins paused, and
-// ends at the end of the standard input.
+// The first report is `recording`, the header of the run's recording. The runner's events follow. After each
+// frame, the report `paused` contains the run's state. The last report is the `result`. The run begins
+// paused, and ends at the end of the standard input.
 #pragma once
 
 #include "sim/launch/client/runner.h"

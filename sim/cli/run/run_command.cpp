@@ -190,7 +190,7 @@ int run_command(const RunArguments& arguments) {
   if (arguments.timing) wall_s = wall_now_s() - began_s;
   progress.clear();
   if (!run.remark.empty()) complain(fmt::format("robosim: {}\n", run.remark));
-  std::exception_ptr unwritten;  // write error, reported after the verdict: a full disk does not affect it
+  std::exception_ptr unwritten;  // write error; reported after the verdict, which a full disk does not affect
   try {
     recorders.finish(result);
   } catch (const InputError&) {
@@ -244,7 +244,7 @@ int run_command(const RunArguments& arguments) {
   if (client::Interrupts::signal() == SIGTERM || client::Interrupts::signal() == SIGHUP)
     ::raise(client::Interrupts::signal());
   if (unwritten) std::rethrow_exception(unwritten);
-  // With --serial, a sketch whose program ends has succeeded.
+  // With --serial, the end of the sketch's program is a success.
   if (arguments.serial && result.verdict == "ended") return static_cast<int>(ExitStatus::ok);
   return result.status;
 }

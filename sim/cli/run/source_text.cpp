@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostNamed = 12, kMostWriters = 6, kMostWithoutValue = 4;
 constexpr std::size_t kMostSource_bytes = std::size_t{1} << 20, kMostInAll_bytes = std::size_t{8} << 20;
-/// Limits a line, because std::regex uses stack for each character, and time for each possible match.
+/// Limits a line's length, because std::regex uses stack for each character and time for each possible match.
 constexpr std::size_t kLongestLine = 300;
 
 std::string content_or_nothing(const fs::path& path) {

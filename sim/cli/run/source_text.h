@@ -38,8 +38,8 @@ class SourceText {
   const std::vector<std::string>& beside(const std::string& file);
   /// Returns constants and objects outside functions, with their lines.
   const std::multimap<std::string, int>& declarations_in(const std::string& file);
-  /// Returns whether a line contains only a brace, or a function's head, whose instructions only save
-  /// registers.
+  /// Returns whether a line has no information: it contains only a brace, or a function's head. The
+  /// instructions of a head only save registers.
   bool says_nothing(const result::SourceLine& where);
   result::Cause writers_in(const std::deque<result::SourceLine>& chain);
   void add_handler(result::Cause& writers, const std::string& file, std::size_t at,

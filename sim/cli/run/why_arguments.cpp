@@ -8,7 +8,7 @@ Command parse_why(const std::vector<std::string>& words) {
   WhyArguments why;
   RunArguments& run = why.run;
   Options options("why", "run a sketch and trace its verdict to the lines that caused it",
-                  "Runs it as robosim run does, on the board's AVR.");
+                  "Runs the sketch as robosim run does, on the board's AVR.");
   options.positional("[SKETCH]", run.sketch, kSketchHelp, PossibleValues::sketch());
   options.text("--map", run.map, "MAP", kMapHelp, PossibleValues::map());
   options.text("--robot", run.robot, "ROBOT", "use this robot: a file, or the name of a stock robot",
@@ -26,7 +26,7 @@ Command parse_why(const std::vector<std::string>& words) {
   if (const auto help = options.parse(words)) return *help;
   shared.finish();
   if (!run.target.empty() && run.target != "avr")
-    refuse_value("--target", run.target, "avr, where each instruction is recorded");
+    refuse_value("--target", run.target, "avr, the only target that records each instruction");
   run.target = "avr";
   return why;
 }

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t kMostLines = 10, kMostFindings = 3;
 
-/// Returns whether a link has lines that ran at its time, not long before or never.
+/// Returns whether the lines of a link ran at the link's time. Returns false if they ran long before, or
+/// never.
 bool is_live(const result::Cause& cause) { return cause.t_s > 0.0 && cause.text != result::kSetBefore; }
 
 /// Keeps the most direct lines of a chain: the first line of each link, then the other lines of live links,
@@ -71,11 +72,11 @@ int why_command(const WhyArguments& arguments) {
   const launch::Prepared run = launcher.prepare(
       launch, std::move(chosen), [&](const std::string& name) { return runner.describe_robot(name); },
       runner.hello());
-  progress.say("running " + launch::title_of(run.sketch) + ", and back from its verdict …");
+  progress.say("running " + launch::title_of(run.sketch) + ", then tracing its verdict back …");
   const client::Interrupts interrupts(runner);
   result::RunResult result = runner.run(run.request);
   progress.clear();
-  // Also searches two folders above the sketch: the sketch may be an example of a library that it uses.
+  // Also searches the folder two levels above the sketch, which may be an example of a library that it uses.
   std::vector<std::filesystem::path> folders = {run.sketch.folder, run.sketch.folder / "../.."};
   folders.insert(folders.end(), run.wanted.libraries.begin(), run.wanted.libraries.end());
   SourceText source(std::move(folders));

@@ -26,8 +26,8 @@ Command parse_serve(const std::vector<std::string>& words) {
                      PossibleValues::folder());
   options.text("--port", port, "N", "listen at this port (default: 8080, or another that is free)");
   options.text("--listen", serve.address, "ADDRESS",
-               "listen at this IP address of the machine; others need the token to connect (default: "
-               "127.0.0.1)");
+               "listen at this IP address of the machine (default: 127.0.0.1); if other machines can "
+               "connect, browsers need the token");
   if (const auto help = options.parse(words)) return *help;
   if (!port.empty()) {
     const auto [end, error] = std::from_chars(port.data(), port.data() + port.size(), serve.port);

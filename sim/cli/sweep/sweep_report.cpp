@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t kFailuresShown = 3;
 
-// Round a share to four digits, down or up. A share below 1 is therefore not shown as 1, and a share above 0
-// not as 0.
+// Round a share to four digits, down or up. share_down() never shows a share below 1 as 1, and share_up()
+// never shows a share above 0 as 0.
 std::string share_down(double share) { return fmt::format("{:.4f}", std::floor(share * 1e4) / 1e4); }
 std::string share_up(double share) { return fmt::format("{:.4f}", std::ceil(share * 1e4) / 1e4); }
 
@@ -100,8 +100,8 @@ std::string failures_text(const campaign::SweepPlan& plan, std::size_t combinati
   return text;
 }
 
-/// Reports whether the success rate meets --min-rate, as far as the runs decide that, and whether they prove
-/// it.
+/// Reports whether the success rate meets --min-rate, if the runs decide this. Also reports whether the runs
+/// prove the rate in general.
 std::string demand_text(const campaign::SweepOptions& options, const campaign::SweepPlan& plan,
                         const std::vector<analysis::Tally>& tallies) {
   const analysis::Demand demand = *campaign::demand_of(options);
@@ -118,7 +118,7 @@ std::string demand_text(const campaign::SweepOptions& options, const campaign::S
                       *analysis::needed_successes(demand, tally.planned()), tally.planned());
     }
     if (options.stop_early && tally.runs() < tally.planned()) {
-      text += fmt::format("{}: stopped after {} of {} runs; the others could not change that it is {}\n",
+      text += fmt::format("{}: stopped after {} of {} runs; the other runs could not change that it is {}\n",
                           name, tally.runs(), tally.planned(), tally.met() ? "met" : "not met");
     }
     doubtful = doubtful || (tally.met() && tally.interval().low < demand.rate);
@@ -131,7 +131,8 @@ std::string demand_text(const campaign::SweepOptions& options, const campaign::S
     text += fmt::format(
         "These runs have that rate, but they do not prove it in general, because the interval begins below "
         "it.{}\n",
-        needed ? fmt::format(" {} seeds without a failure would (--sure asks for that).", *needed) : "");
+        needed ? fmt::format(" {} seeds without a failure would prove it (--sure demands this).", *needed)
+               : "");
   }
   return "\n" + text;
 }

@@ -43,7 +43,7 @@ const wiring::Trial& chosen(const std::vector<wiring::Trial>& trials, const wiri
                        [&](const wiring::Trial& trial) { return trial.ways == ways; });
 }
 
-// Returns the trials as comments, the most successful first.
+// Returns the trials as comments: first the chosen one, then the others, the most successful first.
 std::string table_of(std::vector<wiring::Trial> trials, const wiring::RobotDraft& draft,
                      const std::string& map) {
   constexpr std::size_t kMost = 12;
@@ -95,7 +95,8 @@ Drafted drafted_on(const std::string& target, const WireArguments& arguments, co
   return {std::move(draft), std::move(trials)};
 }
 
-// Drafts on the host. Without --target, drafts on the chip if the sketch compiles only there.
+// Drafts on the given target. Without --target, drafts on the host, or on the AVR if the sketch compiles only
+// there.
 Drafted drafted(const WireArguments& arguments, const BoardSpec& board) {
   if (!arguments.target.empty()) return drafted_on(arguments.target, arguments, board);
   try {

@@ -14,7 +14,7 @@ namespace {
 
 /// Maximum number of runs that may begin after an unfinished run. Their results wait in memory for that run.
 constexpr std::size_t kMostAhead = 10'000;
-/// Limit of wall time for poll(): a signal that arrives just before poll() does not wake it.
+/// Limits the wall time of one poll(), because a signal that arrives just before poll() does not wake it.
 constexpr int kSlice_ms = 100;
 
 Answer failure_of(std::exception_ptr thrown) {

@@ -46,8 +46,8 @@ void blame_for_batch(result::RunResult& result) {
   if (result.verdict == "crashed") return;
   if (!result.others.empty())
     throw InputError(
-        "one of the sketches on the host has overwritten the events of the run: run each alone or on its "
-        "chip");
+        "one of the sketches on the host has overwritten the events of the run: run each sketch alone or on "
+        "its chip");
   const std::string cause = "it overwrote the events of its run";
   result.crash.emplace().reason = cause;
   result.crash->check = "sandbox";

@@ -62,9 +62,9 @@ class Runner {
   /// run down.
   void keep_close() noexcept;
 
-  /// Ends the current run with the verdict `interrupted`; run() still returns the result. Exception: a runner
-  /// that is silent for two seconds of wall time is killed, and run() throws wire::Unstoppable. May be called
-  /// from a signal handler or from `on_event`.
+  /// Ends the current run with the verdict `interrupted`; run() still returns the result. If the runner is
+  /// silent for two seconds of wall time, however, it is killed, and run() throws wire::Unstoppable. May be
+  /// called from a signal handler or from `on_event`.
   void interrupt() noexcept;
   /// Kills the runner; run() throws RunnerError. May be called from a signal handler.
   void kill() noexcept;

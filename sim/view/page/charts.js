@@ -145,7 +145,7 @@ export class Chart {
       return value;
     });
     if (onClose) {
-      const close = Object.assign(document.createElement('button'), { className: 'close', textContent: '×', title: `take ${title} away` });
+      const close = Object.assign(document.createElement('button'), { className: 'close', textContent: '×', title: `remove ${title}` });
       close.setAttribute('aria-label', close.title);
       close.addEventListener('click', () => { box.remove(); onClose(this); });
       legend.append(close);

@@ -1,5 +1,5 @@
-// Defines colours that colour-blind people can distinguish. Series have the colours of Okabe and Ito.
-// Magnitudes have a part of the colour map plasma (van der Walt and Smith). The ends of plasma are omitted,
+// Defines colours that colour-blind people can distinguish. Series use the colours of Okabe and Ito.
+// Magnitudes use a part of the colour map "plasma" (van der Walt and Smith). The map's ends are omitted,
 // because they would be invisible on the line or the floor.
 
 const SERIES = {

@@ -12,7 +12,7 @@ export function runsOf({ header, streams, others }) {
   return runs;
 }
 
-/** Returns a run for each robot of a live run, from its header and its first `paused`. */
+/** Returns a run for each robot of a live run, from the live run's header and its first `paused` message. */
 export function liveRunsOf(header, state) {
   const all = [header, ...(header.others ?? [])];
   return all.map((own, number) => new LiveRun({ ...shared(header), ...own }, number === 0 ? state : state.others[number - 1], number));

@@ -43,7 +43,7 @@ export class LiveRun extends Run {
     super(header.sketch, new Float64Array(), {});
     const { started, robot_info: robot, result } = header;
     Object.assign(this, { number, name: header.name ?? '', live: true, header, started, robot, floor: header.floor, thinned: 0, streams: new Map(), told: { nodes: [], edges: [] }, changes: [] });
-    this.result = { ...result, verdict: 'live', status: 0, why: 'space stops the run and goes on, . is a millisecond of it' };
+    this.result = { ...result, verdict: 'live', status: 0, why: 'the space key pauses and continues the run; the period key steps by a millisecond' };
     this.units = new Map(robot.gauges?.map((g) => [g.name, g.unit]));
     this.readings = started.readings;
     const names = ['x_mm', 'y_mm', 'yaw_rad', 'speed_mm_s', 'cross_track_mm', 'left', 'right', 'wheel_left_mm_s', 'wheel_right_mm_s', ...this.readings];

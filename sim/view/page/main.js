@@ -112,7 +112,7 @@ class Page {
       if (signals.length) this.charts.push(new Chart(panel, span, title, signals, others, onClose));
     };
     if (run.sensors.length) this.charts.push(new SensorStripes(panel, span, run));
-    if (this.other) this.charts.push(new Chart(panel, span, 'apart from the other', [apart(run, this.other)]));
+    if (this.other) this.charts.push(new Chart(panel, span, 'distance to the other run', [apart(run, this.other)]));
     add('off the line', ['cross_track_mm']);
     add('speed', ['speed_mm_s', 'wheel_left_mm_s', 'wheel_right_mm_s']);
     add('motor commands', ['left', 'right']);
@@ -123,7 +123,7 @@ class Page {
     more.append(make('option', { textContent: '+ another signal …', value: '' }));
     for (const { name, label } of run.signals) more.append(make('option', { textContent: label, value: name }));
     for (const { name, label } of this.other?.signals ?? [])
-      if (!run.signal(name)) more.append(make('option', { textContent: `${label}, of the other`, value: name }));
+      if (!run.signal(name)) more.append(make('option', { textContent: `${label}, of the other run`, value: name }));
     more.addEventListener('change', () => { this.extra.add(more.value); this.makeCharts(); });
     panel.append(more);
     this.drawTracks();
@@ -143,7 +143,7 @@ class Page {
     const panel = $('pins');
     panel.replaceChildren();
     this.pins = [];
-    if (run.thinned) panel.append(make('p', { className: 'note', textContent: `This run was long: of each pin only the last change in every ${1000 * run.thinned} ms is kept.` }));
+    if (run.thinned) panel.append(make('p', { className: 'note', textContent: `This run was long: only the last change of each pin in every ${1000 * run.thinned} ms is stored.` }));
     if (!run.pins.length) panel.append(make('p', { className: 'empty', textContent: 'no pin was used' }));
     for (const pin of run.pins) this.pins.push(new PinRow(panel, span, pin, use(pin.name)));
     if (run.pins.length) this.pins.push(new PinAxis(panel, span));
@@ -233,7 +233,7 @@ class Page {
   stepEvent(direction, kind) {
     const happened = this.player.stepEvent(direction, kind);
     if (happened.length) this.tellHappened(happened.map((e) => e.text).join(' · '));
-    else if (kind) this.tellHappened(`${direction > 0 ? 'from here on' : 'before this'} the line is neither left nor found`);
+    else if (kind) this.tellHappened(`${direction > 0 ? 'after this time' : 'before this time'} the line is neither left nor found`);
   }
 
   tellHappened(text) {
@@ -294,7 +294,7 @@ class Page {
     if (other) {
       const whose = others.length > 1 ? `${others.length} robots, ${other.name}: ` : '';
       const what = other.result ? `${whose}${other.title}, seed ${other.result.seed}, ${other.header.target}: ${other.result.verdict}` : other.what;
-      box.replaceChildren(`over it: ${name} (${what})`, make('button', { textContent: 'away', onclick: () => this.compare(null) }));
+      box.replaceChildren(`over it: ${name} (${what})`, make('button', { textContent: 'remove', onclick: () => this.compare(null) }));
     }
     this.view.area = areaOf(other ? [...this.runs, ...others] : this.runs);
     this.makeCharts();
@@ -380,8 +380,8 @@ function complain(error) {
   if (!known) throw error;
 }
 
-/** In a page without a recording, lets the opening page show a live run. It calls robosimLive(header,
- *  paused), which returns { page, feed }. */
+/** In a page without a recording, lets the page that contains this one show a live run. That page calls
+ *  robosimLive(header, paused), which returns { page, feed }. */
 function awaitRun() {
   $('subtitle').textContent = 'waiting for the run …';
   window.robosimLive = (header, state) => {

@@ -35,7 +35,7 @@ export class PinRow {
     name.innerHTML = '<button></button> <span></span> <em></em>';
     [this.title, this.use, this.now] = name.children;
     this.title.textContent = pin.name;
-    this.title.title = `to the next change of ${pin.name} (with shift: the one before)`;
+    this.title.title = `go to the next change of ${pin.name} (with shift: the previous one)`;
     this.title.setAttribute('aria-label', this.title.title);
     this.title.addEventListener('click', (e) => this.stepChange(e.shiftKey ? -1 : 1));
     this.use.textContent = use;
@@ -161,7 +161,7 @@ export class Wiring {
       for (const text of texts) line.append(Object.assign(document.createElement(tag), { textContent: text }));
       return line;
     };
-    row(['pin', 'leads to', 'of', 'now'], 'th');
+    row(['pin', 'leads to', 'type of part', 'now'], 'th');
     for (const [pin, parts] of on) {
       const loose = unwired.get(pin);
       const line = row([pin, parts.map(({ name, use }) => `${name} ${use}`).join(', ') || (loose ? `nothing, but the sketch has ${loose} it` : 'free'),

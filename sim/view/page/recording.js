@@ -58,7 +58,7 @@ export function column(bytes, at, { bytes: size, order, scale, name }, count, be
   return values;
 }
 
-/** Returns whether a column has as many numbers as rows. */
+/** Returns whether a column has as many numbers as there are rows. */
 function isWhole(bytes, at, { bytes: size }, count) {
   const end = at + size;
   let numbers = 0;
@@ -110,7 +110,8 @@ function isRobot({ result, started, robot_info: robot, streams }) {
   return Number.isFinite(result?.time_s) && [started?.readings, robot?.sensors, streams].every(Array.isArray) && streams.every(isStream);
 }
 
-/** Returns { header, streams: Map of name to { columnName: Float64Array, text? }, others: the same for more robots }. */
+/** Returns { header, streams: Map of name to { columnName: Float64Array, text? }, others: { header, streams } of
+ *  each further robot }. */
 export async function readRecording(bytes) {
   const begins = new TextDecoder('latin1').decode(bytes.subarray(0, MAGIC.length));
   if (begins !== MAGIC) {

@@ -15,7 +15,7 @@ export function timeText(t, digits = 3) {
 
 const envelopes = new WeakMap();  // the last envelope for each array of values
 
-/** Returns the minimum and maximum of a signal in each pixel of a width; NaN in pixels without a value. */
+/** Returns the minimum and maximum of a signal in each of `width` pixels; NaN in pixels without a value. */
 export function envelope(times, values, from, to, width, first, last) {
   const key = `${from} ${to} ${width} ${first} ${last}`, known = envelopes.get(values);
   if (known?.key === key) return known;

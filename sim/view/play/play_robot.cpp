@@ -160,7 +160,7 @@ class Drive {
                    c == '_' || c == ' ';
           });
       if (is_plain) return answer;
-      told.push_back("That cannot be sent: letters, digits, blanks, - and _ can, at most 15 of them.");
+      told.push_back("That cannot be sent: expected at most 15 letters, digits, blanks, - and _.");
     }
   }
 

@@ -219,7 +219,7 @@ void Session::choose_engine() {
     const std::string answer = ask(body, "Cells or driven robot [1]:");
     driven_ = is_any_of(answer, {"2", "d", "driven", "robot", "driven robot"});
     if (driven_ || is_any_of(answer, {"", "1", "c", "cells"})) return;
-    refuse(fmt::format("“{}” is none of the two: answer 1 for cells or 2 for the driven robot.", answer));
+    refuse(fmt::format("“{}” is not a choice: answer 1 for cells or 2 for the driven robot.", answer));
   }
 }
 
@@ -228,7 +228,7 @@ void Session::choose_speed() {
     page.line(map_title(), terminal::Ink::strong);
     page.line(fmt::format("The robot starts at {}, on cells.", pose_text(start_)));
     page.blank();
-    page.text("Its speed is the time that each move takes. How fast you watch it is another matter.");
+    page.text("Its speed is the time that each move takes. The display has a speed of its own.");
     page.blank();
   };
   for (;;) {

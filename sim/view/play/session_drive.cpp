@@ -13,7 +13,7 @@ namespace {
 constexpr int kScroll = 5;               // cells
 constexpr std::size_t kMostListed = 40;  // junctions of a route
 
-constexpr const char* kTurnLetters = " (R the first way out to the right, L the last, S between them)";
+constexpr const char* kTurnLetters = " (R: the first way out to the right, L: the last, S: between them)";
 
 // Formats the turns by directions on the map: "east at J1, north at J2".
 std::string directions_text(const map::TrueGraph& graph, int from, const RouteReport& route) {

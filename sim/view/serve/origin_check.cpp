@@ -52,7 +52,7 @@ bool OriginCheck::is_ours(std::string_view host) const {
   if (host == address_ || host == "[" + address_ + "]") return true;
   if (is_loopback(address_)) return host == "localhost" || host == "127.0.0.1" || host == "[::1]";
   // A server on all addresses accepts any IP address as its name, because the token protects it. It accepts
-  // no host name, which may belong to an attacker.
+  // no host name, because an attacker may own the name.
   return address_ == "0.0.0.0" && host.find_first_not_of("0123456789.") == host.npos;
 }
 

@@ -83,7 +83,7 @@ RunForm read_run_form(const std::string& text_of_it, const Choices& choices) {
   form.script = text(json, "script", "", kLongestScript);
   if (json.contains("scripts")) form.scripts = scripts_in(json["scripts"]);
   if (!form.scripts.empty() && !launch::is_fleet_file(form.sketch))
-    throw InputError("scripts requires the file of several robots, got a sketch");
+    throw InputError("scripts: expected a file of several robots as the sketch, got one sketch");
   return form;
 }
 

@@ -1,5 +1,5 @@
-// Runs Robosim in a browser tab (docs/howto/tab.md). Defines the functions that page/worker.js calls. They
-// run one request at a time, with files that the worker has written into the module's file system.
+// Runs Robosim in a browser tab (docs/howto/tab.md). Defines the functions that page/worker.js calls. Only
+// one request runs at a time, with files that the worker has written into the module's file system.
 #include <emscripten.h>
 
 #include <exception>

@@ -17,8 +17,8 @@ constexpr char32_t kAscii[] = U"o-|+--++|+|+++++";
 constexpr char32_t kArrows[] = U"►▼◄▲";
 constexpr char32_t kAsciiArrows[] = U">v<^";
 
-// Chooses `count` visible cells from the cells `least` to `most`, and returns the first of them. Returns the
-// present first cell `now` if this keeps `middle` away from the edges. Otherwise, centres `middle`.
+// Chooses `count` visible cells from the cells `least` to `most`, and returns the first of them. Keeps `now`,
+// the present first cell, if `middle` then stays away from the edges. Otherwise, centres `middle`.
 int keep_in_sight(int now, int least, int most, int count, int middle) {
   const int margin = count / 5;
   if (middle < now + margin || middle >= now + count - margin) now = middle - count / 2;

@@ -69,8 +69,8 @@ class FloorPicture {
   /// Returns whether p is within `reach_m` of a centre line. With `whole`, uses half of the line's width if
   /// this is larger than `reach_m`.
   bool is_painted(Vec2 p, double reach_m, bool whole) const;
-  /// Returns the sign of the hill at p, the middle of a character: ^ > v < point uphill, : is level ground, =
-  /// is a seesaw. Returns 0 if there is no hill.
+  /// Returns the sign of the floor at p, the middle of a character. On a hill, `^`, `>`, `v` and `<` point
+  /// uphill, `:` is level ground, and `=` is a seesaw. Elsewhere, `~` is a surface. Returns 0 otherwise.
   char relief_at(Vec2 p) const;
   bool has_surface(Vec2 p) const;
   void set(Layer& layer, Dot dot) const;

@@ -137,7 +137,7 @@ std::string graph_summary(const TrueGraph& graph) {
   const std::size_t cycles = cycle_count(graph);
   text += cycles == 0 ? "; a tree" : "; " + pluralize(cycles, "cycle");
   if (!graph.unreachable.empty()) {
-    text += fmt::format("; not to be reached: {} (", pluralize(graph.unreachable.size(), "dead end"));
+    text += fmt::format("; unreachable: {} (", pluralize(graph.unreachable.size(), "dead end"));
     constexpr std::size_t kNamed = 5;
     for (std::size_t i = 0; i < std::min(graph.unreachable.size(), kNamed); ++i)
       text += fmt::format("{}{},{}", i ? " " : "", graph.unreachable[i].x, graph.unreachable[i].y);

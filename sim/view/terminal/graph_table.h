@@ -12,7 +12,7 @@ namespace robosim::terminal {
 /// Returns a word such as "east".
 const char* direction_word(map::Direction d);
 
-/// Returns "7 stations, 5 junctions, 11 links; 1 cycle; 2 dead ends cannot be reached".
+/// Returns "7 stations, 5 junctions, 11 links; 1 cycle; unreachable: 2 dead ends (3,4 5,6)".
 std::string graph_summary(const map::TrueGraph& graph);
 
 /// Returns the tree of a depth-first walk of the graph, from station 1, or from junction 1 if there are no
@@ -29,7 +29,7 @@ std::vector<std::string> graph_lines(const map::TrueGraph& graph, int columns, L
 
 /// Returns "S3", or "S3 dock" if the map names the station.
 std::string station_name(const map::TrueGraph& graph, int number);
-/// Returns the number of the station that the user's answer gives by number ("3", "S3") or name; 0 = none.
+/// Returns the number of the station that `answer` names, by its number ("3", "S3") or its name; 0 = none.
 int find_station(const map::TrueGraph& graph, const std::string& answer);
 
 }  // namespace robosim::terminal

@@ -148,7 +148,7 @@ std::string divisions_text(const std::vector<result::DivisionByZero>& divisions)
                         division.times == 1 ? "at " : fmt::format("{} times, first at ", division.times),
                         time_text(division.first_s));
   }
-  return text + ". A chip goes on there with a number that means nothing, and so did this run.";
+  return text + ". A chip continues there with a meaningless number, as this run did.";
 }
 
 // Returns "CLKPR (Slow.ino:3 in setup()). …"
@@ -159,7 +159,7 @@ std::string lacks_text(const std::vector<result::Lack>& lacks) {
     const std::string place = where.file.empty() ? "" : fmt::format(" in {}:{}", where.file, where.line);
     text += fmt::format("{}{}{}", text.empty() ? "" : "; ", lack.what, place);
   }
-  return text + ". The host does not have that; what it does, --target avr shows.";
+  return text + ". The host does not have that; run with --target avr to see its effect.";
 }
 
 std::string two_digits(double value) { return fmt::format("{:.10g}", std::round(value * 100.0) / 100.0); }

@@ -16,7 +16,7 @@ namespace robosim::terminal {
 
 class FloorPicture;
 
-/// The robot's path, sampled evenly. The spacing grows with the number of events, so that memory stays
+/// The robot's path, sampled evenly. The spacing grows with the number of samples, so that memory stays
 /// bounded.
 class Trail {
  public:

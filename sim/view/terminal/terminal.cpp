@@ -59,7 +59,7 @@ Key take_key(std::string& bytes) {
   constexpr Key kKeys[] = {Key::up, Key::down, Key::right, Key::left};
   if (bytes.empty()) return Key::none;
   if (bytes[0] == '\033' && bytes.size() > 1 && (bytes[1] == '[' || bytes[1] == 'O')) {
-    // Matches ESC [ parameters final, or ESC O final.
+    // Matches the sequences `ESC [ PARAMETERS LETTER` and `ESC O LETTER`.
     const std::size_t end = bytes.find_first_not_of("0123456789;", 2);
     if (end == std::string::npos) return Key::none;
     const std::size_t which = kArrows.find(bytes[end]);

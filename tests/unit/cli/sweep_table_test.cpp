@@ -261,8 +261,8 @@ TEST(SweepReport, SaysWhereTheRunsHaveTheRateAndDoNotShowIt) {
   EXPECT_THAT(sweep_report(options, plan(), std::vector<SweepOutcome>(8, reached())),
               HasSubstr("\n\n--min-rate 0.75: met\nThese runs have that rate, but they do not "
                         "prove it in general, because the interval begins below it. 12 seeds without a "
-                        "failure would (--sure asks for "
-                        "that).\n"));
+                        "failure would prove it (--sure demands "
+                        "this).\n"));
   options.min_rate = 0.5;
   EXPECT_THAT(sweep_report(options, plan(), std::vector<SweepOutcome>(8, reached())),
               Not(HasSubstr("These runs have that rate")));

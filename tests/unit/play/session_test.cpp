@@ -198,7 +198,7 @@ TEST_F(SessionTest, StartsWhereItWasPutAndWithTheStartGiven) {
 
 TEST_F(SessionTest, BadAnswersGetASentenceAndTheQuestionAgain) {
   const std::string text = shown("1\n\n7\n1\nfast\n-1\n0.5\n9\n3\n");
-  EXPECT_THAT(text, HasSubstr("\"7\" is none of the two"));
+  EXPECT_THAT(text, HasSubstr("\"7\" is not a choice"));
   EXPECT_THAT(text, HasSubstr("\"fast\" is not a speed"));
   EXPECT_THAT(text, HasSubstr("\"-1\" is not a speed"));
   EXPECT_THAT(text, HasSubstr("\"9\" is not an algorithm"));

@@ -312,7 +312,7 @@ TEST_F(ARecording, ThatIsDamagedIsRefusedWithASentence) {
   EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("x.rec: not a readable recording"));
   EXPECT_THAT(refusal(good.substr(0, 20)), HasSubstr("damaged or cut off"));
   EXPECT_THAT(refusal("robosim.rec/2\n"), HasSubstr("made by a newer version of Robosim"));
-  EXPECT_THAT(refusal("t_us,x_mm"), HasSubstr("does not begin like one"));
+  EXPECT_THAT(refusal("t_us,x_mm"), HasSubstr("does not begin like a recording"));
   EXPECT_THAT(refusal(kRecordingMagic + deflated("[]\n")), HasSubstr("expected an object"));
   EXPECT_THAT(refusal(kRecordingMagic + deflated("no JSON")), HasSubstr("its header is damaged"));
 }

@@ -160,7 +160,7 @@ TEST_F(Serving, RefusesWantsThatMakeNoSense) {
       {R"({"sketch": "./Mine", "goal": "--record=/tmp/x"})", "goal: expected the name of a goal"},
       {R"({"sketch": "./Mine", "record": "/tmp/x"})", "unknown key in the request: expected sketch, robot"},
       {R"({"sketch": "./Mine", "scripts": {"A": "at 1s press start"}})",
-       "scripts requires the file of several robots"},
+       "scripts: expected a file of several robots"},
       {R"({"sketch": "./Mine", "scripts": "at 1s press start"})", "scripts: expected an object"},
       {R"({"sketch": "./Mine", "scripts": {"../A": ""}})", "invalid name of a robot"},
       {R"({"sketch": "./Mine", "scripts": {"A": 1}})", "A: expected a text"},

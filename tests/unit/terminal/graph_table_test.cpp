@@ -39,7 +39,7 @@ TEST(GraphTable, WhatIsTooWideForATreeBecomesATable) {
 TEST(GraphTable, TheSummaryCountsAndNamesWhatCannotBeReached) {
   EXPECT_EQ(graph_summary(graph_of(kThreeWays)), "3 stations, 1 junction, 3 links; a tree");
   EXPECT_EQ(graph_summary(graph_of("S..__..\n")),
-            "2 stations, 0 junctions, 1 link; a tree; not to be reached: 2 dead ends (5,0 6,0)");
+            "2 stations, 0 junctions, 1 link; a tree; unreachable: 2 dead ends (5,0 6,0)");
 }
 
 TEST(GraphTable, StationsAreMeantByNumberOrName) {

@@ -84,7 +84,7 @@ TEST(EndScreen, NamesTheLinesThatDividedByZero) {
   EXPECT_THAT(end_screen(r, nullptr, 200, kPlain),
               HasSubstr("division     by zero in mean, My.ino:3 (214 times, first at 0.39 s); at My.ino:9 "
                         "(at 2.00 s). A chip "
-                        "goes on there"));
+                        "continues there"));
 }
 
 TEST(EndScreen, NamesWhatTheHostLacks) {
@@ -92,8 +92,8 @@ TEST(EndScreen, NamesWhatTheHostLacks) {
   EXPECT_THAT(end_screen(r, nullptr, 200, kPlain), Not(HasSubstr("lacks")));
   r.result.lacks = {{"CLKPR", {"setup", "Slow.ino", 3}}};
   EXPECT_THAT(end_screen(r, nullptr, 200, kPlain),
-              HasSubstr("lacks        CLKPR in Slow.ino:3. The host does not have that; what it does, "
-                        "--target avr shows."));
+              HasSubstr("lacks        CLKPR in Slow.ino:3. The host does not have that; run with "
+                        "--target avr to see its effect."));
 }
 
 TEST(EndScreen, NamesPinsWithoutPartsAndPartsWithoutUse) {

@@ -7,7 +7,7 @@ const int RIGHT_SPEED = 6, RIGHT_FORWARD = 9, RIGHT_BACKWARD = 10;
 
 const int FLOOR = 110;     // analogRead() over the floor
 const int LINE = 880;      // analogRead() over the line
-const int SPEED = 110;     // of 255; both wheels while the line is in the middle
+const int SPEED = 110;     // of 255; for both wheels while the line is in the middle
 const float STEERING = 70; // change of speed if the line is off by one sensor
 
 float off = 0;             // position of the line: -2 under the left sensor .. 2 under the right one

@@ -98,7 +98,7 @@ class Drive {
   /// Returns lines for messages: the last events before `until`, the robot's position at the end, and the
   /// command that replays the run.
   std::string epilogue(Duration until) const;
-  /// Returns "PidFollower on oval, seed 3, host, from 0 s to 20 s".
+  /// Returns "PidFollower on oval (uno5, target host, seed 3), 0.00 s to 20.00 s".
   std::string title() const;
   const RunLog& log() const { return *log_; }
 

@@ -1,4 +1,5 @@
-// Represents a floor's network of lines as a graph, to compare what firmware has explored with the truth.
+// Represents a network of lines as a graph, to compare the network that firmware has explored with the true
+// one.
 #pragma once
 
 #include <gmock/gmock.h>

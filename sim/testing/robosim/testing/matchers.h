@@ -83,7 +83,7 @@ Doing backwards();     ///< faster than 5 mm/s
 Doing off_the_line();  ///< no line sensor sees the line
 Doing faster_than(Speed speed);
 Doing onto(int column, int row);  ///< the axle's centre is over this cell
-/// Requires that `what` is never true, in samples every 10 ms: NeverDrives(backwards()).
+/// Requires that the robot never does `what`, as in NeverDrives(backwards()). Checks a sample every 10 ms.
 Requirement NeverDrives(Doing what);
 /// Requires no contact with walls, obstacles or the map's edge.
 Requirement NeverCollides();

@@ -54,8 +54,8 @@ class Simulation {
   Drive run_to_the_end(const char* file = __builtin_FILE(), int line = __builtin_LINE());
   Duration now() const;
 
-  // The next functions act immediately. Parts have their names in the robot file. If a name is unknown, these
-  // functions throw InputError with the place of the call, `file` and `at`.
+  // The next functions act immediately. They take the parts' names from the robot file. If a name is unknown,
+  // they throw InputError with the place of the call, `file` and `at`.
   void press(const std::string& button, Duration time = 100_ms, const char* file = __builtin_FILE(),
              int at = __builtin_LINE());
   void hold(const std::string& button, const char* file = __builtin_FILE(), int at = __builtin_LINE());

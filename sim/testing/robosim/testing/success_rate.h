@@ -21,7 +21,7 @@ struct MinimumRate {
   double rate;
   bool sure;
 };
-/// Requires this share among exactly these seeds.
+/// Requires that this share of the tested seeds succeeds.
 constexpr MinimumRate at_least(double rate) { return {rate, false}; }
 /// Requires that the tested seeds prove this rate for all possible seeds, at 95 % confidence. The lower end
 /// of Wilson's interval must reach the rate. This needs more runs: 381 without a failure for 0.99.

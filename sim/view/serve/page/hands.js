@@ -1,7 +1,7 @@
 // Converts the user's actions on the robot to lines of the script (docs/reference/scripts.md) at the replay's
 // shown time. Used by the page of `robosim serve` and by the tab (sim/view/tab).
 
-/** Returns buttons for the robot's buttons, which call `act`. */
+/** Returns a page button for each of the robot's buttons and bumpers. A click calls `act`. */
 export function buttonsOf(page, act) {
   const pressed = page.run.robot.parts.filter(({ type }) => type === 'button' || type === 'bumper');
   return pressed.map(({ name }) => Object.assign(document.createElement('button'), {

@@ -290,7 +290,7 @@ async function keepOffline() {
   if (!('serviceWorker' in navigator)) return;
   await navigator.serviceWorker.register('sw.js');
   await navigator.serviceWorker.ready;
-  $('offline').textContent = 'This page is kept on your machine and works without a network.';
+  $('offline').textContent = 'This page is stored on your machine and works without a network.';
 }
 
 async function begin() {
