@@ -19,8 +19,8 @@ if(NOT ARDUINO_CTAGS)
 endif()
 set(ROBOSIM_TOOLCHAIN ${CMAKE_CURRENT_LIST_DIR})
 
-# robosim_arduino_library(<name> FOLDER <folder>): registers an Arduino library in the folder's src/, which
-# may contain only headers. The linker uses only the objects that a sketch needs.
+# robosim_arduino_library(<name> FOLDER <folder>): registers the Arduino library in the folder's src/. A
+# library may consist of headers alone. The linker uses only the objects that a sketch needs.
 function(robosim_arduino_library name)
   cmake_parse_arguments(arg "" FOLDER "" ${ARGN})
   cmake_path(ABSOLUTE_PATH arg_FOLDER)

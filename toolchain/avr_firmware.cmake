@@ -1,5 +1,5 @@
-# Builds Arduino sketches with avr-atmega328p.cmake for the boards uno and nano: a .elf and a .hex file. The
-# core is Arduino's own core from the package arduino-core-avr. As in sim/build/target.cpp, the flags are
+# Builds a .elf and a .hex file of each Arduino sketch for the boards uno and nano, with avr-atmega328p.cmake.
+# The core is Arduino's own core from the package arduino-core-avr. As in sim/build/target.cpp, the flags are
 # those of its platform.txt.
 include(${CMAKE_CURRENT_LIST_DIR}/arduino_firmware.cmake)
 find_program(AVR_OBJCOPY avr-objcopy)

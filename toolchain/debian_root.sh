@@ -27,7 +27,7 @@ for step in "${steps[@]}"; do
   fi
 done
 if ((EUID != 0)) || ! command -v mmdebstrap >/dev/null; then
-  echo 'debian_root.sh: it needs root, and the package mmdebstrap' >&2
+  echo 'debian_root.sh: requires root and the package mmdebstrap' >&2
   exit 5
 fi
 root=$here/build/roots/$release

@@ -48,7 +48,7 @@ as_root=()
 ((EUID == 0)) || as_root=(sudo)
 install=(apt-get install --no-install-recommends "${missing[@]}")
 command="${as_root[*]:+${as_root[*]} }${install[*]}"
-printf 'robosim: these packages are missing; this installs them:\n\n  %s\n\n' "$command" >&2
+printf 'robosim: these packages are missing; this command installs them:\n\n  %s\n\n' "$command" >&2
 
 if [[ -t 0 && -t 2 ]]; then
   ((EUID == 0)) || command -v sudo >/dev/null || fail 'there is no sudo here: run that command as root, then try again'
@@ -58,7 +58,7 @@ if [[ -t 0 && -t 2 ]]; then
     *) fail 'nothing was installed: run that command yourself, then try again' ;;
   esac
 elif ((EUID != 0)); then
-  fail 'there is no terminal to ask on: run that command yourself, then try again'
+  fail 'cannot ask without a terminal: run that command yourself, then try again'
 fi
 
 log=$(mktemp)

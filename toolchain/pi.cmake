@@ -5,7 +5,7 @@ set(CMAKE_C_COMPILER ${CMAKE_LIBRARY_ARCHITECTURE}-gcc)
 set(CMAKE_CXX_COMPILER ${CMAKE_LIBRARY_ARCHITECTURE}-g++)
 get_filename_component(CMAKE_SYSROOT ${CMAKE_CURRENT_LIST_DIR}/../build/${ROBOSIM_PI_ARCHITECTURE}-sysroot REALPATH)
 if(NOT EXISTS ${CMAKE_SYSROOT}/complete)
-  message(FATAL_ERROR "The ${ROBOSIM_PI_ARCHITECTURE} libraries are not there yet: "
+  message(FATAL_ERROR "The ${ROBOSIM_PI_ARCHITECTURE} libraries are missing: "
     "run toolchain/pi_sysroot.sh ${ROBOSIM_PI_ARCHITECTURE}")
 endif()
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

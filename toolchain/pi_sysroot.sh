@@ -23,7 +23,7 @@ apt=(apt-get -qq -o "APT::Architecture=$architecture" -o "APT::Architectures=$ar
   -o "Dir::Cache=$folder/apt" -o "Dir::Cache::archives=$folder/apt/archives"
   -o Acquire::Retries=1 -o Acquire::http::Timeout=8 -o Acquire::https::Timeout=8)
 mapfile -t libraries < <(sed '/^\[ci\]/,/^\[avr\]/d' "$here/packages.txt" | sed -n 's/^\([a-z0-9+-]*-dev\)\b.*/\1/p')
-"${apt[@]}" update || echo "pi_sysroot.sh: going on with the package lists that came" >&2
+"${apt[@]}" update || echo "pi_sysroot.sh: continuing with the package lists that were downloaded" >&2
 "${apt[@]}" -y --no-install-recommends --download-only install "${libraries[@]}" >/dev/null
 for package in "$folder"/apt/archives/*.deb; do
   dpkg-deb --extract "$package" "$folder"

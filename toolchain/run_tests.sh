@@ -81,8 +81,8 @@ summary='
     if (interrupted) print "interrupted"
     print passed + 0 " passed, " failed + 0 " failed, " skipped + 0 " skipped, in " seconds " s"
     for (i = 1; i <= reasons; i++) print "  " skips[whys[i]] " skipped: " whys[i]
-    if (failed > 1 && !interrupted) print "repeat all that failed:  " again " --rerun-failed"
-    print "all that they wrote:  " log_file
+    if (failed > 1 && !interrupted) print "repeat all failed tests:  " again " --rerun-failed"
+    print "complete output:  " log_file
     exit failed || interrupted ? 0 : status
   }'
 

@@ -1,5 +1,5 @@
-# Builds Arduino sketches with stm32f103.cmake for the boards bluepill (72 MHz) and bluepill8 (8 MHz): a .elf
-# and a .bin file. The core consists of hal/stm32, hal/arduino and the portable sources of the package
+# Builds a .elf and a .bin file of each Arduino sketch for the boards bluepill (72 MHz) and bluepill8 (8 MHz),
+# with stm32f103.cmake. The core consists of hal/stm32, hal/arduino and the portable sources of the package
 # arduino-core-avr. The flags are those of sim/build/target.cpp.
 include(${CMAKE_CURRENT_LIST_DIR}/arduino_firmware.cmake)
 find_program(STM32_OBJCOPY arm-none-eabi-objcopy)

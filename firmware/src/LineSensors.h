@@ -51,7 +51,7 @@ class LineSensors {
  public:
   static const uint8_t kMaxSensors = 8;
   static const uint16_t kFullScale = 1000;
-  /// Values below this do not contribute to the position, since the bare floor never reads exactly 0.
+  /// Values below this limit do not contribute to the position, since the bare floor never reads exactly 0.
   static const uint16_t kFaint = 50;
   /// A sensor detects the line if its value is at least this.
   static const uint16_t kSeen = 200;

@@ -57,9 +57,9 @@
 struct LineWalkerSettings {
   // The robot.
   static constexpr float wheel = 32;             ///< diameter
-  static constexpr float periods = 154.35f;      ///< of an encoder's channel, for each turn of a wheel
-  static constexpr float track = 98;             ///< between the wheels
-  static constexpr float sensors_ahead = 70;     ///< of the axle
+  static constexpr float periods = 154.35f;      ///< encoder periods per channel, for a turn of a wheel
+  static constexpr float track = 98;             ///< distance between the wheels
+  static constexpr float sensors_ahead = 70;     ///< distance from the axle to the sensors
   static constexpr float pitch = 9.525f;         ///< distance between two sensors
   static constexpr float line = 20;              ///< width of a line
   static constexpr float duty_per_speed = 0.2f;  ///< duty (above smallest_duty) per mm/s: 255 / top speed

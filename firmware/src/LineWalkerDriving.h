@@ -187,7 +187,7 @@ bool LineWalkerOf<S>::face(nav::Heading heading, float angle) {
   const bool found = angle == 0 || turnToLine(angle);
   heading_ = heading;
   off_ = 0;
-  // It stands on the line that leaves here.
+  // The robot stands on the line that leaves the last landmark in the new heading.
   if (heading & 1) {
     x_ = mark_x_;
   } else {

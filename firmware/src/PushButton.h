@@ -4,9 +4,9 @@
 // after it has been stable for the debounce time. update() reads the pin once; call it in every loop(), as
 // often as you like.
 //
-// Wiring: by default between the pin and ground. The chip's pull-up keeps the pin HIGH, and a press makes it
-// LOW. With `PushButton::PressedIs::high`: between the pin and 5 V, with a resistor of 10 kilohm from the pin
-// to ground.
+// Wiring: by default, the button connects the pin to ground. The chip's pull-up keeps the pin HIGH, and a
+// press makes it LOW. With `PushButton::PressedIs::high`, the button connects the pin to 5 V, and a resistor
+// of 10 kilohm connects the pin to ground.
 //
 // Example:
 //

@@ -39,7 +39,7 @@
 
 class HardwareSerial : public Stream {
  public:
-  /// Creates a port. `connected`: the port is connected to the computer, which is true only for Serial.
+  /// Creates a port. `connected` means that it is connected to the computer, which is true only for Serial.
   explicit HardwareSerial(bool connected = true) : connected_(connected) {}
   void begin(unsigned long baud) { begin(baud, SERIAL_8N1); }
   void begin(unsigned long baud, uint8_t config);

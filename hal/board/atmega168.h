@@ -1,5 +1,5 @@
-// Describes the ATmega168 of older Nanos: an ATmega328P with less memory. Source: data sheet 2545W; comments
-// give its sections.
+// Describes the ATmega168 of older Nanos: an ATmega328P with less memory. Source: data sheet 2545W; numbers
+// in comments are its sections.
 #pragma once
 
 #include "hal/board/atmega328p.h"

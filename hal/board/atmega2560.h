@@ -1,4 +1,4 @@
-// Describes the ATmega2560 of an Arduino Mega 2560. Source: data sheet 2549Q; comments give its sections.
+// Describes the ATmega2560 of an Arduino Mega 2560. Source: data sheet 2549Q; comments give section numbers.
 //
 // On the chip, PB7 is the output OC0A of timer 0 and the output OC1C of timer 1. In this table PB7 is only
 // OC0A, as in Arduino's core.

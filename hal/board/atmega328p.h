@@ -1,5 +1,5 @@
-// Describes the ATmega328P of an Uno, Nano and Pro Mini. Source: data sheet DS40002061B; comments give its
-// sections.
+// Describes the ATmega328P of an Uno, Nano and Pro Mini. Source: data sheet DS40002061B; numbers in comments
+// are its sections.
 #pragma once
 
 #include "hal/board/chip_spec.h"

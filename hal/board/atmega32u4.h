@@ -1,5 +1,5 @@
-// Describes the ATmega32U4 of an Arduino Leonardo and Micro. Source: data sheet 7766J; comments give its
-// sections.
+// Describes the ATmega32U4 of an Arduino Leonardo and Micro. Source: data sheet 7766J; numbers in comments
+// are its sections.
 //
 // On the chip, some pins are outputs of two timers. In this table each pin has only one timer, as in
 // Arduino's core: PB7 is OC0A (not OC1C), PB6 is OC1B (not OC4B), and PC6 is OC3A.

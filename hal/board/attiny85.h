@@ -1,4 +1,4 @@
-// Describes the ATtiny85 of a Digispark and a Gemma. Source: data sheet 2586Q; comments give its sections.
+// Describes the ATtiny85 of a Digispark and a Gemma. Source: data sheet 2586Q; comments give section numbers.
 //
 // Not modelled: the USI (15), and some features of timer 1 (listed in sim/mcu/avr/timer_pll.cpp). On the
 // chip, PB1 is the output OC0B of timer 0 and the output OC1A of timer 1. In this table PB1 is only OC0B, as

@@ -37,7 +37,7 @@ constexpr PinTable<kCount> pins_of(const ChipSpec& chip, const PinEntry (&entrie
   for (int i = 0; i < kCount; ++i) {
     const ChipPin* pin = chip.pins;
     while (!equal(pin->name, entries[i].chip_name)) ++pin;
-    int first = 0;  // of several numbers of a pin, only the lowest has PWM, as in Arduino
+    int first = 0;  // if a pin has several numbers, only the lowest has PWM, as in Arduino
     while (!equal(entries[first].chip_name, entries[i].chip_name)) ++first;
     table.pins[i] = {entries[i].name,
                      entries[i].chip_name,
@@ -115,7 +115,7 @@ constexpr PinEntry kBluePillEntries[] = {
 constexpr auto kBluePillPins = pins_of(kStm32f103c8, kBluePillEntries, stm32f103c8::kTim2);
 
 // Sources of all boards: the genuine core's boards.txt and the boards' circuit diagrams. The Uno has a diode
-// (0.7 V) before its NCP1117 regulator (1.1 V). By its fuses, the chip is in reset below 2.7 V (BODLEVEL
+// (0.7 V) before its NCP1117 regulator (1.1 V). The chip's fuses make it stay in reset below 2.7 V (BODLEVEL
 // 101).
 constexpr BoardSpec kUno = {
     .name = "uno",
@@ -263,9 +263,9 @@ constexpr BoardSpec attiny85(const char* name, const char* fqbn, const char* pla
   return board;
 }
 
-// The Blue Pill, at 72 MHz by its crystal, or at 8 MHz as after a reset. The last 4 KB of flash store the
-// emulated EEPROM. The regulator's voltage drop is assumed to equal the Uno's. The chip does not have a
-// brown-out detector, but a power-down reset at 1.88 V (1.80 to 1.96 V; DS5319, embedded reset and power
+// The Blue Pill, at 72 MHz with its crystal, or at 8 MHz as after a reset. The last 4 KB of flash store the
+// emulated EEPROM. The regulator's voltage drop is assumed to equal the Uno's. Instead of a brown-out
+// detector, the chip has a power-down reset at 1.88 V (1.80 to 1.96 V; DS5319, embedded reset and power
 // control block, V POR/PDR).
 constexpr BoardSpec blue_pill(const char* name, uint32_t clock_hz) {
   return {

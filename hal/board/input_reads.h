@@ -1,6 +1,6 @@
 // Stores which inputs firmware has read last, for a verdict on firmware that waits for an input.
 //
-// C++14, no standard library: firmware images include this header, too.
+// Uses C++14 without the standard library, because firmware images include this header, too.
 #pragma once
 
 #include "hal/board/board.h"

@@ -77,8 +77,8 @@ class InputWatcher {
 /// A device on the two-wire bus. Addresses have seven bits.
 class TwoWireDevice {
  public:
-  /// Returns whether the device answers to `address`. A device that answers is selected from now on. `reads`:
-  /// the device shall send.
+  /// Returns whether the device answers to `address`. A device that answers is selected from now on. `reads`
+  /// means that the device shall send.
   virtual bool address(uint8_t address, bool reads, SimTime t) = 0;
   /// Receives a byte, and returns whether the device acknowledges it.
   virtual bool write(uint8_t byte, SimTime t) = 0;
@@ -113,7 +113,7 @@ class RobotPort {
   virtual void watch_adc(AdcWatcher& /*watcher*/) {}
   /// Sets the only watcher of inputs. The watcher must not influence the run.
   virtual void watch_inputs(InputWatcher& watcher) = 0;
-  /// Schedules an edge: `pin` has `level` from `at` on, a time within the next tick. The executor receives
+  /// Schedules an edge within the next tick: `pin` has `level` from the time `at` on. The executor receives
   /// the edge if wants_edges() is true for the pin. From `at` on, the pin's source must return `level`. The
   /// times of a pin's edges must not decrease. If the pin already has `level`, the call has no effect.
   virtual void schedule_edge(Pin pin, bool level, SimTime at) = 0;

@@ -32,7 +32,7 @@ void yield_to_executor(SimTime wake) {
 /// Returns the time of the next event that occurs even with interrupts disabled.
 SimTime next_event() { return watchdog.due() < tone_end ? watchdog.due() : tone_end; }
 
-/// Returns the time of the next event. `pending`: an interrupt is ready to be served.
+/// Returns the time of the next event. `pending` means that an interrupt is ready to be served.
 SimTime next_due(bool pending) {
   const SimTime event = next_event();
   if (!interrupts_enabled()) return event;

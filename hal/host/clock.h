@@ -77,8 +77,8 @@ inline void wait_until(SimTime time) {
 /// Variant of wait_long() for firmware that waits outside of an API call, for example in an endless loop.
 void idle_until(SimTime time);
 
-/// Waits until the next interrupt is served. Interrupts must be enabled. `timer0_counts`: Timer 0's overflow
-/// also ends the wait.
+/// Waits until the next interrupt is served. Interrupts must be enabled. If `timer0_counts`, Timer 0's
+/// overflow also ends the wait.
 void wait_for_interrupt(bool timer0_counts);
 
 /// Ends the firmware at its own request. `how` is the reason, such as "exit(0)". Does not return.

@@ -23,8 +23,8 @@ namespace cost {
 // The cost of each basic block of the firmware (gcc -O1 on the host). M: a loop's cycles in simavr, divided
 // by its blocks on the host, for five loops of line followers. Results: 7.9 (three sensors, if-else), 19.2
 // (shortening a maze's path), 19.3 (calibration of five sensors), 276 (weighted position with five long
-// divisions), 1421 (PID in floats, one block). kBlock is the median, rounded. It is about right for decisions
-// and loops, but too low for calculations: at 16 MHz, a long division takes 45 us, a float operation 10 us.
+// divisions), 1421 (PID in floats, one block). kBlock, the rounded median, is about right for decisions and
+// loops. It is too low for calculations: at 16 MHz, a long division takes 45 us, a float operation 10 us.
 constexpr int kBlock = 20;
 constexpr int kLoop = 10;  ///< from one loop() to the next; M: 16, including the body of an empty loop()
 constexpr int kInit = 60;  ///< init() in wiring.c, counted in its disassembly

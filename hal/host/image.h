@@ -8,7 +8,7 @@
 //   limit = t; next_input = …; resume  ──►    runs; its clock `now` advances with every action
 //                                      ◄──    now >= limit: wake = time of its next action; Host::yield()
 //
-// The executor need not resume the firmware before `wake`. Exception: an input arrives.
+// The executor need not resume the firmware before `wake`, unless an input arrives.
 #pragma once
 
 #include <stddef.h>
@@ -183,7 +183,7 @@ struct Image {
   const char* settings_begin;
   const char* settings_end;
   /// Returns whether an enabled interrupt may occur even if firmware calls nothing. Interrupts of the core's
-  /// clock and of Serial do not count. `held_back`: interrupts that a clear I flag blocks count, too. The
+  /// clock and of Serial do not count. If `held_back`, interrupts that a clear I flag blocks count, too. The
   /// flag is clear in handlers, and while a sketch reads a shared variable. Call this function outside the
   /// fiber.
   bool (*may_interrupt)(bool held_back);

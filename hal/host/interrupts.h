@@ -50,16 +50,16 @@ void sync_peripherals();
 void take_inputs();
 /// Returns the flags that are raised and enabled, one bit per vector.
 uint32_t pending_interrupts();
-/// Returns the time at which the next enabled flag will be raised. `with_timer0_overflow`: includes the
-/// overflow of Timer 0, which millis() counts.
+/// Returns the time at which the next enabled flag will be raised. If `with_timer0_overflow`, the overflow of
+/// Timer 0, which millis() counts, is included.
 SimTime next_interrupt(bool with_timer0_overflow);
 /// Returns the time of the next event that the chip causes by itself, with or without an interrupt. Timer 0's
 /// overflow does not count. Returns 0 if the time is unknown: a flag is raised and enabled, a conversion is
 /// in progress, the UART sends by interrupts, or `rare_used` is true.
 SimTime next_alone();
 /// Returns whether an enabled interrupt may occur even if firmware accesses no register. Interrupts of the
-/// core's clock and of Serial do not count, because sketches see their effects only through calls.
-/// `held_back`: interrupts that occur only after the I flag is set again count, too.
+/// core's clock and of Serial do not count, because sketches see their effects only through calls. If
+/// `held_back`, interrupts that occur only after the I flag is set again count, too.
 bool may_interrupt(bool held_back);
 /// Runs the handler of the most urgent pending interrupt. Returns false if none is pending or I is clear.
 bool serve_interrupt();

@@ -58,7 +58,7 @@ void join_free(uint8_t* block) {
 uint8_t* block_of(void* memory) {
   auto* const address = static_cast<uint8_t*>(memory);
   if (address < arena() + kAlign || address >= arena_end())
-    fail("free() or realloc() of something that malloc() did not give");
+    fail("free() or realloc() of memory that malloc() did not return");
   return address - kAlign;
 }
 
@@ -139,7 +139,7 @@ void free(void* memory) {
   if (!memory) return;
   uint8_t* const block = block_of(memory);
   check(block);
-  if (header(block)->use == kResting) fail("free() or delete of something that was given back already");
+  if (header(block)->use == kResting) fail("free() or delete of memory that was already freed");
   header(block)->use = host::kShadow ? kResting : kFree;
   host::forbid(payload(block), header(block)->bytes, host::kHeapFreed);
   if (header(block)->use == kFree) join_free(block);

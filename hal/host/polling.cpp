@@ -63,9 +63,9 @@ void begin_round() {
 }
 
 /// Runs Timer 0's overflow handler in the round that begins now, at the first point after the overflow. The
-/// handler delays the rest of the round. Returns false, without any change, in two cases. The round reads the
-/// handler's counts after the overflow, or another event, at `next`, is due in the round. `shift` receives
-/// the handler's time if the round's last call is before the handler, else 0.
+/// handler delays the rest of the round. Returns false, without any change, if the round reads the handler's
+/// counts after the overflow. Also returns false if another event, at `next`, is due in the round. `shift`
+/// receives the handler's time if the round's last call is before the handler, else 0.
 bool pass_overflow(SimTime next, SimTime& shift) {
   int point = polling.reads;
   while (point < polling.points && state.now + polling.at[point] < timer0.due()) ++point;

@@ -1,7 +1,7 @@
 // Skips the time in which firmware only polls. Polling firmware returns to a place in its code with unchanged
 // variables, heap, stack and registers. The way from this place back to the place is called a round. All
 // rounds are equal until a query (millis(), digitalRead(), Serial.available()) may return another result. The
-// rounds that certainly fit into this time are skipped, except the last round. The result is the same as
+// rounds that certainly end before then are skipped, except the last of them. The result is the same as
 // without skipping.
 //
 // A look is a search for such a place. It begins at a deadline; from then on, each basic block calls
@@ -31,7 +31,7 @@ struct Polling {
   bool pins = false;   ///< the round reads pins
   bool once = false;   ///< the round passes `place` only once
   bool calls = false;  ///< the round calls the API
-  bool again = false;  ///< look was interrupted: the next block starts another one, even if work is due
+  bool again = false;  ///< a look was interrupted; the next block starts another look, even if work is due
   bool sure = false;   ///< the state repeats after `length`, and queries still return the same results
   int patience = 0;    ///< number of calls that may still interrupt a look before looks become rarer
   int wait = 0,
@@ -40,7 +40,7 @@ struct Polling {
   const void* place = nullptr;
   SimTime until = 0;
   SimTime since = 0, length = 0;
-  SimTime call_ago = 0, read_ago = 0;  ///< at `place`: time since the last call and read
+  SimTime call_ago = 0, read_ago = 0;  ///< the times since the last call and the last read, at `place`
   // The points at which the round may be interrupted: offsets from the round's beginning, and their number. A
   // negative number means too many points. The round reads the counts of Timer 0's interrupt only before the
   // point at[reads].

@@ -51,8 +51,8 @@ void place_on_chip(Pin pin, const ChipPin& at) {
   if (at.external >= 0) external_pins[at.external] = pin;
 }
 
-/// Gives the pin its output of a timer. A board with a substitute has the substitute's timers of the same
-/// number and width, at its own pins: OC2A is pin 10 of a Mega, and pin 11 of an Uno.
+/// Assigns to the pin the simulated timer with the number and the width of the pin's own timer. OC2A is
+/// therefore pin 10 of a Mega, and pin 11 of an Uno.
 void place_timer(Pin pin, const BoardSpec& board) {
   const bool is_avr = is_same(board.chip->target, kChip.target);
   const BoardSpec& source = is_avr ? board : host_model(board);

@@ -1,7 +1,7 @@
 // Models the serial peripheral interface as master on the host (data sheet, chapter 19). A byte takes 8 bits
-// of 4, 16, 64 or 128 cycles, or half of that with SPI2X. Single bits are not simulated. The received byte is
-// 0xFF if MISO is high at the end, else 0. Unlike on the chip, the port's registers still drive MOSI and SCK.
-// SS is read only when SPCR or SPDR is written.
+// of 4, 16, 64 or 128 cycles each. SPI2X halves these durations. Single bits are not simulated. The received
+// byte is 0xFF if MISO is high at the end, else 0. Unlike on the chip, the port's registers still drive MOSI
+// and SCK. SS is read only when SPCR or SPDR is written.
 #pragma once
 
 #include <stdint.h>

@@ -27,8 +27,8 @@ Timer::Phase Timer::leave_registers() {
   return {count(), counts_down(now), now < hidden_, prescaler_, prescaler_ == 0 ? state.now : time_of(now)};
 }
 
-/// Restarts the counter at the time `base_`. Buffered PWM values remain. `hidden`: TCNTn was just written
-/// (15.5.3).
+/// Restarts the counter at the time `base_`. Buffered PWM values remain. `hidden` means that TCNTn was just
+/// written (15.5.3).
 void Timer::begin(uint16_t count, bool down, bool hidden) {
   const bool pwm = counting_.kind == avr::Counting::Kind::pwm;
   dual_slope_ = counting_.dual_slope;

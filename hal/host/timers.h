@@ -49,8 +49,8 @@ class Timer {
 
   ROBOSIM_RARE void set_control_a(uint8_t value);
   ROBOSIM_RARE void set_control_b(uint8_t value);
-  /// Sets a compare value. The board receives the pin's new duty cycle at once, even if the value takes
-  /// effect later. The caller must then refresh the pin. Exception: the value is the counter's TOP.
+  /// Sets a compare value. Unless the value is the counter's TOP, the board receives the pin's new duty cycle
+  /// at once, even if the value takes effect later. The caller must then refresh the pin.
   void set_compare(int channel, uint16_t value);
   /// Sets a compare value. The board receives the new duty cycle when the value takes effect.
   ROBOSIM_RARE void write_compare(int channel, uint16_t value);
@@ -208,7 +208,7 @@ class Timer {
   int32_t prescaler_ = 0;  ///< 0 = stopped
   // How the counter runs until the next turn:
   static constexpr int64_t kNoTick = INT64_MAX, kLongAgo = INT64_MIN;
-  bool dual_slope_ = false, strays_ = false;  ///< strays_: deviates (timer_turns.cpp)
+  bool dual_slope_ = false, strays_ = false;  ///< strays_: the counter deviates (timer_turns.cpp)
   int64_t top_, period_;
   int64_t pin_top_ = 0xFF;                         ///< TOP according to the registers, for duty cycles
   SimTime lasts_ = 0;                              ///< upper limit of the duration of a period

@@ -5,7 +5,7 @@ const byte LEFT_MARK = 4, RIGHT_MARK = 12, LAMP = 13;
 const byte LEFT_PWM = 5, LEFT_IN1 = 7, LEFT_IN2 = 8;
 const byte RIGHT_PWM = 6, RIGHT_IN1 = 9, RIGHT_IN2 = 10;
 
-const int SPEED = 90;               // of 255
+const int SPEED = 90;               // out of 255
 const int KP = 13, KD = 60;         // per 100 units of position
 const int STOP_AFTER = 350;         // ms after the goal mark; still within the goal area
 const unsigned long CROSSING = 60;  // maximum ms between the two mark sensors at a crossing

@@ -7,7 +7,7 @@
 #define RIGHT_MARK 12
 
 const uint8_t kLine[5] = {A0, A1, A2, A3, A4};
-const int kArcSpeed = 75, kStraightSpeed = 95;  // of 255
+const int kArcSpeed = 75, kStraightSpeed = 95;  // out of 255
 
 class Motor {
  public:

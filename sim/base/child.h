@@ -40,7 +40,7 @@ struct ChildStart {
   std::vector<int>
       default_signals;     ///< signals with default actions in the child; if any, the child blocks no signal
   bool own_group = false;  ///< starts a process group, so that Ctrl-C in a terminal does not reach the child
-  bool fixed_addresses = false;  ///< equal addresses at each start; no effect if the kernel refuses that
+  bool fixed_addresses = false;  ///< equal addresses at each start; no effect if the kernel refuses them
 };
 
 /// A child process: a program, or a copy of this process. A program inherits the descriptors in its

@@ -39,7 +39,7 @@ KindText text_of(FileKind kind) {
     case FileKind::log:
       return {"a calibration log", "robosim calibrate ROBOT LOG reads it"};
     case FileKind::table:
-      return {"a table", "robosim report reads a sweep's"};
+      return {"a table", "robosim report reads the table of a sweep"};
   }
   return {"", ""};
 }

@@ -49,8 +49,8 @@ FileLock::FileLock(const fs::path& file) {
   if (::bind(name_.get(), reinterpret_cast<const sockaddr*>(&address), size) != 0 && errno == EADDRINUSE)
     throw InputError(
         {file.string()},
-        "this file is already being written, by another robosim or by another option of this one; "
-        "name another file, or wait until that has ended");
+        "this file is already being written by another robosim, or by another option of this command; "
+        "name another file, or wait until the other robosim has ended");
 }
 
 }  // namespace robosim

@@ -142,7 +142,7 @@ std::string ProgramSandbox::missing() {
   const bool off = errno == EOPNOTSUPP;
   if (NamespaceSandbox::possible()) return "";
   return std::string(off ? "Landlock is switched off in this kernel" : "the kernel has no Landlock") +
-         ", and namespaces of users are not allowed";
+         ", and user namespaces are not allowed";
 }
 
 /// Makes only async-signal-safe calls after the fork.

@@ -69,7 +69,7 @@ bool has(std::string_view line, std::string_view text) { return line.find(text) 
 
 std::string fault_in(std::string_view line) {
   if (has(line, "No space left on device") || has(line, "Disk quota exceeded")) {
-    // ld says so, too, if it can write only a part of a file because of ulimit -f.
+    // ld prints this message, too, if it can write only a part of a file because of ulimit -f.
     rlimit limit{};
     const bool limited = ::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
     return limited ? std::string(kNoRoom) + ", or " + too_large_files() : kNoRoom;

@@ -67,7 +67,7 @@ struct Course {
   std::vector<Mark> marks;
   std::vector<Area> areas;  ///< in painting order
   std::vector<Hill> hills;
-  std::vector<Surface> surfaces;  ///< where surfaces overlap, the last one applies
+  std::vector<Surface> surfaces;  ///< if surfaces overlap, the last one applies
   std::vector<Joint> joints;
   /// Returns whether there are neither paths nor marks.
   bool empty() const { return paths.empty() && marks.empty(); }

@@ -52,8 +52,8 @@ class Reader {
         space == text.size() ? Cell::floor : cell_of(std::string_view(text).substr(space + 1));
     if (!kind || !cell)
       throw InputError(value.place,
-                       fmt::format("{}: expected floor, line, wall, gap or obstacle, or a surface, {}, alone "
-                                   "(floor) or before one of them, as in \"wet line\", got \"{}\"",
+                       fmt::format("{}: expected a cell (floor, line, wall, gap or obstacle), a surface of "
+                                   "the floor ({}), or a surface and a cell, as in \"wet line\", got \"{}\"",
                                    key, surface_names(), text));
     return {*cell, surface({kind->grip, kind->rolling}, *cell, key, value)};
   }

@@ -35,9 +35,9 @@ Light read_light(const ConfigValue& value, const SampledParameters& figures) {
   const bool is_one = light.at ? (height != nullptr) != (radius != nullptr) : !height && !radius;
   if (!is_one || (moves && !radius))
     throw InputError(value.place,
-                     "invalid light: expected a lamp, with at and height; a patch of sun, with at and "
-                     "radius, and moves if "
-                     "it moves; or none of these, for daylight that is the same everywhere");
+                     "invalid light: expected a lamp, which has `at` and `height`; a patch of sun, which has "
+                     "`at`, `radius` and, if it moves, `moves`; or none of these keys, for daylight that is "
+                     "the same everywhere");
   return light;
 }
 

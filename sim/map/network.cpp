@@ -73,8 +73,7 @@ class Walk {
       if (map_.at(ahead(cell, static_cast<Direction>(d))) == Cell::obstacle) only_loops_ = false;
   }
 
-  // Returns the first direction of travel on a loop: the first possible of straight ahead, right, left and
-  // back.
+  // Returns the first direction of travel on a loop: straight ahead if possible, else right, left or back.
   Direction first_step(const Start& start) const {
     const unsigned lines = line_neighbours(map_, start.cell);
     for (const Direction d :

@@ -11,7 +11,7 @@ struct PathSurvey {
   double gap_m = 0.0;              ///< straight distance from the end to the beginning
   int crossings = 0;               ///< places where the path crosses itself
   int corners = 0;                 ///< number of sharp corners
-  double smallest_radius_m = 0.0;  ///< of all arcs; 0 = no arcs
+  double smallest_radius_m = 0.0;  ///< smallest radius of an arc; 0 = no arcs
 };
 
 /// Surveys a path. A path counts as closed if its ends are within `closed_within` m of each other. Crossings

@@ -114,8 +114,8 @@ Start default_start(const Map& map) {
   }
   if (!first)
     throw InputError({map.file},
-                     map.image ? "the floor is a picture without a [[path]] for its line: expected one, "
-                                 "which gives start, goal, laps and cross-track error"
+                     map.image ? "the floor is a picture without a [[path]] along its line: add one, which "
+                                 "gives start, goal, laps and cross-track error"
                                : "the map has no line for a robot to start on");
   return {*first, default_facing(map, *first)};
 }

@@ -8,7 +8,7 @@
 namespace robosim::map {
 namespace {
 
-// Added to the reach, so that rounding never hides a stripe at exactly that distance.
+// A margin added to the reach, so that rounding never hides a stripe at exactly this distance.
 constexpr double kSlack = 1e-9;  // m
 
 struct Box {

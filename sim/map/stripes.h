@@ -21,8 +21,8 @@ namespace robosim::map {
 struct Stripe {
   Vec2 a;               ///< one end
   Vec2 b;               ///< the other end
-  Vec2 centre;          ///< of the arc's circle
-  double radius = 0.0;  ///< of the arc; 0 = a straight segment
+  Vec2 centre;          ///< centre of the arc's circle
+  double radius = 0.0;  ///< radius of the arc; 0 = a straight segment
   /// False across gap cells, where the line is invisible but still counts as line. A gap is as long as its
   /// cells. Neighbouring stripes end half a line's width earlier, since paint reaches this far beyond a
   /// stripe's end.

@@ -98,8 +98,8 @@ struct BodyParams {
   double rolling_resistance = 0.0;  ///< force / weight: tyres and caster
   double grip = 0.0;                ///< friction coefficient between tyre and floor
   double wall_friction = 0.0;       ///< friction coefficient between outline and wall
-  /// Outline in the body's frame (x forward, y left, axle's centre at 0,0): a convex polygon,
-  /// counter-clockwise; or empty for a circle of `radius_m` about `centre`.
+  /// Outline in the body's frame (x forward, y left, axle's centre at 0,0). A convex polygon,
+  /// counter-clockwise; or empty, which means a circle of `radius_m` about `centre`.
   std::vector<Vec2> outline;
   double radius_m = 0.0;  ///< m; the circle's radius; unused with a polygon
   Vec2 centre;            ///< m; the circle's centre; unused with a polygon
@@ -110,7 +110,7 @@ struct BodyParams {
   double wheelbase_m = 0.0;        ///< m between front and rear wheel of a skid-steered body; 0 = caster
   double downforce_n = 0.0;        ///< N from fans, until press() changes it; half on each wheel
   double steer_base_m = 0.0;       ///< m from the axle to the steered wheels ahead; 0 = no steered wheels
-  bool differential = false;       ///< steered bodies: one motor drives both wheels, half each
+  bool differential = false;       ///< steered bodies: one motor gives each wheel half of its torque
 };
 
 /// Returns the parameters of a small robot with two wheels: TT gear motors (1:48) with 65 mm wheels on an

@@ -58,7 +58,7 @@ void check(const BodyParams& p) {
           "wheelbase_m requires a body without steered wheels");
   require(not_negative(p.downforce_n), "downforce_n must not be negative");
   if (p.outline.empty()) {
-    require(positive(p.radius_m), "radius_m must be more than 0 where there is no outline");
+    require(positive(p.radius_m), "radius_m must be more than 0 if there is no outline");
     return;
   }
   require(p.outline.size() >= 3, "outline needs at least 3 corners");

@@ -33,8 +33,8 @@ constexpr double typical_variation(Profile profile) { return profile < Profile::
 /// of map::Stripes. On a raster floor (the map has `floor = "raster"`), each painted line cell is dark as a
 /// whole.
 ///
-/// One byte per cell describes what a query inside the cell can find. Most queries therefore cost one load
-/// and one square root. The byte depends on the kind of floor:
+/// One byte per cell describes the lines that a query inside the cell can meet. Most queries therefore cost
+/// one load and one square root. The byte depends on the kind of floor:
 ///   square corners: which of its four arms (half stripes from its centre to its sides) the cell has,
 ///                   and whether they are painted; no stripe of another cell is nearer than cell / 2
 ///   round corners:  no byte; map::StripeIndex lists the few stripes near the cell, if any
@@ -73,9 +73,9 @@ class Floor {
   }
 
   /// Returns how dark a footprint appears to a reflectance sensor: 0 is white paper, 1 black. The value is
-  /// negative where more light returns than from paper. On a floor with an image, the value is the image's
-  /// mean darkness. On a floor with lines only, the value is the dark share of the footprint: the share on a
-  /// dark line, or off a light line.
+  /// negative if more light returns than from paper. On a floor with an image, the value is the image's mean
+  /// darkness. On a floor with lines only, the value is the dark share of the footprint: the share on a dark
+  /// line, or off a light line.
   ///
   /// Marks are painted like the line. Each area lies under or over lines and marks, and later areas cover
   /// earlier ones (map::Area). PaintedLines computes lines of other widths and colours, wear and gloss.

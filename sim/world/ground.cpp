@@ -14,7 +14,7 @@ constexpr double kPoint = 1e-9;  // m: a smaller reach counts as 0
 // The profile along a hill.
 struct CrossSection {
   const map::Hill& hill;
-  double sine;  // of a seesaw's slope
+  double sine;  // sine of a seesaw's slope
 
   std::size_t corners() const { return hill.heights.empty() ? 2 : hill.heights.size(); }
   double at(std::size_t corner) const {

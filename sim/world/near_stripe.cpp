@@ -11,8 +11,8 @@ constexpr double kRounding = 1e-9;  // m: more than the rounding error of distan
 // The smallest useful size of a box, m. Leaving a box requires a new search, which costs more than evaluating
 // a few stripes.
 constexpr double kWorthwhile = 0.015;
-constexpr double kBeside = 5e-4;  // m; least distance of p from a straight stripe's reach for a clear box
-constexpr double kAlone = 5e-3;   // m; least half side of a box that stores one stripe, not two
+constexpr double kBeside = 5e-4;  // m; nearer to a straight stripe's reach, a point gets no clear box
+constexpr double kAlone = 5e-3;   // m; a box that stores one stripe, not two, has at least this half side
 constexpr double kDiagonal = 0.70710678118654752;
 
 bool is_level(const map::Stripe& s) { return s.radius == 0.0 && s.a.y == s.b.y && s.a.x < s.b.x; }
@@ -87,7 +87,7 @@ double NearStripe::seek(const Around& around, Vec2 p) {
     box_ = {};
     return nearest;
   }
-  // A point that moves by half the difference of the two distances is not yet nearer to the other stripe.
+  // If a point moves by half the difference of the two distances, the other stripe is not yet nearer.
   const double alone = kDiagonal * 0.5 * (next - nearest) - kRounding;
   if (alone < kAlone) {
     box_.keep(p, kDiagonal * 0.5 * (third - nearest) - kRounding);

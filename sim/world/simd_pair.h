@@ -2,7 +2,7 @@
 // operation if the machine has such an instruction. The results are identical bit for bit.
 //
 // Code for both wheels is a template over `Both`: a Pair, for one body; or Two, with plain members, so that
-// compilers can vectorise a loop over many bodies (sim/robot/batch).
+// compilers can vectorise a loop over many bodies (sim/world/batch).
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ typedef std::int64_t PairBits __attribute__((vector_size(2 * sizeof(std::int64_t
 
 inline Pair pair_of(double l, double r) { return Pair{l, r}; }
 inline Pair swapped(Pair a) { return Pair{a[1], a[0]}; }
-/// Returns x where a is below b, else y.
+/// For each of the two numbers, returns x if a is below b, else y.
 inline Pair where_less(Pair a, Pair b, Pair x, Pair y) {
   const auto less = reinterpret_cast<PairBits>(a < b);
   return reinterpret_cast<Pair>((less & reinterpret_cast<PairBits>(x)) |

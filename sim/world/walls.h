@@ -95,7 +95,7 @@ class Walls {
   };
   const State& save() const { return state_; }
   void restore(const State& saved) { state_ = saved; }
-  /// Returns what solid thing a contact belongs to.
+  /// Returns the kind of solid to which a contact belongs.
   Solid solid_at(const Contact& contact) const;
   /// Returns whether a disc is less than kNear from the circle.
   bool near_disc(Vec2 centre, double radius) const;

@@ -91,7 +91,7 @@ class World {
     bodies_[number]->step(walls_, nullptr);
     bodies_[number]->settle_contact();
   }
-  /// Steps the given bodies, which must be all bodies that cannot be stepped alone.
+  /// Steps the given bodies. These must be all bodies that cannot be stepped alone.
   void step_together(const std::vector<std::size_t>& numbers);
 
  private:

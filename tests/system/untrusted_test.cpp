@@ -300,7 +300,7 @@ TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
     return ended.err;
   };
   const std::string compilers =
-      "robosim: compilers are not confined here: the kernel has no Landlock, and namespaces of users are not "
+      "robosim: compilers are not confined here: the kernel has no Landlock, and user namespaces are not "
       "allowed; a sketch can "
       "make them read any file that you can read\n";
   const std::string runs =
@@ -314,7 +314,7 @@ TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {
 
   EXPECT_EQ(refused("walls", with({"run", "./S"})),
             "robosim: --untrusted: compilers cannot be confined here: the kernel has no Landlock, and "
-            "namespaces of users are not allowed\n");
+            "user namespaces are not allowed\n");
   EXPECT_THAT(
       refused("seccomp", with({"run", "./S"})),
       StartsWith("robosim: --untrusted: runs on the host cannot be confined here: the kernel has no filter"));

@@ -1,6 +1,7 @@
-# Shortens the first build, without changing what the programs do.
+# Shortens the first build, without changing the behaviour of the programs.
 
-# Compiles code that takes little of a run's time with less optimisation, in two thirds of the time.
+# Uses less optimisation for code that takes little of a run's time. Compiling it takes two thirds of the
+# time.
 set(quick $<$<CONFIG:Release>:-O1>)
 foreach(library project build course print calibrate launch play wiring mutate terminal client record
     statistics analysis campaign_options rerun campaign cli cli_campaign serve wire runner map course base scenario)

@@ -38,8 +38,8 @@ install(FILES ${help}/fish DESTINATION share/fish/vendor_completions.d RENAME ro
 
 install(FILES toolchain/licences/robosim.copyright DESTINATION share/doc/robosim RENAME copyright COMPONENT host)
 
-# Installs what find_package(robosim) needs: the harness as source, the headers that the harness includes, and
-# one library that contains all libraries that it links.
+# Installs the parts that find_package(robosim) needs: the harness as source, the headers that the harness
+# includes, and one library that contains all libraries that the harness links.
 set(libraries world_generator launch analysis statistics record terminal client wire result build project elf cells map trace board base)
 set(script "create librobosim.a\n")
 foreach(library ${libraries})

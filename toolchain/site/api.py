@@ -10,7 +10,7 @@ GROUPS = [
     ("Tests", "sim/testing/", "tests of firmware in C++: [how to write them](docs/howto/testing.md)"),
     ("Cells", "sim/map/cells/include/", "algorithms for [the robot on cells](docs/reference/algorithms.md)"),
     ("LineKit", "firmware/src/", "sketches: the parts of a line follower, and navigation on a network of lines"),
-    ("Board", "", "the seam between firmware and robot: [design](docs/explanation/design.md)"),
+    ("Board", "", "the interface between firmware and robot: [design](docs/explanation/design.md)"),
 ]
 CLASSES = ("class", "struct", "union")
 

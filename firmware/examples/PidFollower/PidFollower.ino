@@ -17,7 +17,7 @@ const float STEERING = 200; // upper limit of the steering
 AnalogLineSensors sensors(SENSOR_PINS);
 DriveMotors motors(DriveMotor(5, 7, 8), DriveMotor(6, 9, 10));
 PushButton button(BUTTON_PIN);
-PidController pid(80, 0, 3);  // PWM for each sensor that the line is off; its derivative for each per second
+PidController pid(80, 0, 3);  // kp: PWM steps per sensor pitch; kd: PWM steps per (pitch / second)
 
 void measure_range() {
   sensors.startCalibration();
@@ -41,7 +41,7 @@ void setup() {
 
 void loop() {
   sensors.read();
-  float off = sensors.position() / 1000.0;  // in sensors; positive: the line is to the right
+  float off = sensors.position() / 1000.0;  // in sensor pitches; positive if the line is to the right
   float speed = max(SLOWEST, CRUISE - SLOWER * abs(off));
   float turn = pid.update(off, STEP_MS / 1000.0);
   motors.drive(speed + turn, speed - turn);

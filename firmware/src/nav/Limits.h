@@ -34,7 +34,7 @@
 namespace nav {
 
 LINEKIT_LIMIT(kTreeNodes, nodes_of_a_tree, LINEKIT_TREE_NODES);       // stations and junctions
-LINEKIT_LIMIT(kCyclicJunctions, junctions_of_a_net_with_cycles, 64);  // of kTreeNodes nodes in all
+LINEKIT_LIMIT(kCyclicJunctions, junctions_of_a_net_with_cycles, 64);  // junctions among the kTreeNodes nodes
 
 }  // namespace nav
 

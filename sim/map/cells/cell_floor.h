@@ -17,8 +17,8 @@ enum class Sense : std::uint8_t { no_path, straight, right_turn, left_turn, junc
 /// Returns "no_path", "straight", …
 const char* name_of(Sense sense);
 
-// Bits of a cell's byte: the directions whose next cell is open line (line without an obstacle), and the
-// cell's own kind.
+// Bits of a cell's byte. The low four bits are the directions whose next cell is open line (line without an
+// obstacle). The other bits describe the cell itself and its surroundings.
 inline constexpr std::uint8_t kNeighbours = 0x0F;
 inline constexpr std::uint8_t kOpen = 0x10;
 inline constexpr std::uint8_t kNearObstacle = 0x20;
@@ -29,7 +29,7 @@ inline constexpr std::uint8_t kWall = 0x80;
 class SenseTable {
  public:
   using Entry = std::uint8_t;
-  static constexpr Entry kAlone = 255;  ///< only one of the four cells is line: the cell ahead decides
+  static constexpr Entry kAlone = 255;  ///< only one of the four cells is line, so the cell ahead decides
 
   constexpr SenseTable();
   /// Returns a Sense or kAlone.
@@ -114,8 +114,8 @@ class CellFloor {
     const SenseTable::Entry entry = kSenseTable.of(cells_[index], d);
     return entry != SenseTable::kAlone ? static_cast<Sense>(entry) : sense_alone(index, d);
   }
-  /// Returns what the robot perceives if it does not detect the line on one of the four cells. `cell`: 0 =
-  /// front, 1 = right, 2 = the robot's own cell, 3 = left.
+  /// Returns the robot's perception if it does not detect the line on one of the four cells. `cell` is 0 for
+  /// the front, 1 for the right, 2 for the robot's own cell, and 3 for the left.
   Sense sense_without(std::size_t index, map::Direction d, unsigned cell) const;
 
  private:

@@ -46,8 +46,8 @@ struct OutOfMoves : std::runtime_error {
 
 /// Probabilities of errors, 0..1.
 struct CellNoise {
-  double miss = 0.0;  ///< for each sensing: one of the four cells, chosen at random, is not detected as line
-  double slip = 0.0;  ///< for each move: the robot does not move
+  double miss = 0.0;  ///< per sensing: one of the four cells, chosen at random, does not look like line
+  double slip = 0.0;  ///< per move: the robot stays on its cell
   std::uint64_t seed = 1;
 };
 
@@ -93,7 +93,7 @@ class CellRobot {
     at_ = floor_.index_of(pose.cell);
     facing_ = pose.facing;
   }
-  /// Sets the total number of allowed moves. The next move throws OutOfMoves.
+  /// Sets the total number of allowed moves. The first move beyond this number throws OutOfMoves.
   void limit_moves(std::uint64_t moves) {
     limit_ = moves;
     set_free();
@@ -106,8 +106,8 @@ class CellRobot {
   void set_noise(const CellNoise& noise);
 
   Spot spot() const { return {at_, facing_}; }
-  /// Returns the number of moves, up to the limit, that the caller may make at once with made(). Returns 0
-  /// with a watcher or noise.
+  /// Returns the number of moves that the caller may record at once with made(). The result is 0 if the robot
+  /// has a watcher or noise.
   std::uint64_t free_moves() const { return free_until_ > moves_ ? free_until_ - moves_ : 0; }
   /// Records `moves` moves at once, which took the robot to `there`.
   void made(std::uint64_t moves, const Spot& there) {

@@ -75,7 +75,7 @@ bool CellWalker::is_junction() const {
   return robot_.floor().is_near_obstacle(robot_.at()) && count(lines_at(robot_)) >= 3;
 }
 
-// Handles no_path: the end of a line, a wall at that end that the robot has entered, or an obstacle.
+// Handles `no_path`: the line ends, the robot has entered a wall at the line's end, or an obstacle blocks it.
 Landmark CellWalker::end_of_line() {
   const CellFloor& floor = robot_.floor();
   const CellPose pose = robot_.pose();
@@ -109,8 +109,8 @@ inline bool CellWalker::goes_on() {
   }
 }
 
-// Continues to the next landmark. Usually no obstacle is near, and line continues on three or four sides, or
-// only behind the robot. In these cases, the cell's byte alone shows the landmark.
+// Continues to the next landmark. The cell's byte alone usually shows the landmark. It does so if no obstacle
+// is near, and the line continues either on three or four sides, or only behind the robot.
 Landmark CellWalker::met() {
   const CellFloor& floor = robot_.floor();
   const Spot spot = robot_.spot();
@@ -219,7 +219,7 @@ void CellWalker::turn_around() {
 
 CellAt CellWalker::obstacle() const {
   if (pending_ == Pending::blocked) return ahead(cell_, arm_);
-  // The obstacle is where the line continues: ahead, or to a side in a bend.
+  // The obstacle is in the line's direction: ahead, or to a side in a bend.
   const unsigned onward = lines_at(robot_) & ~(1u << static_cast<int>(reversed(heading_)));
   const auto to = onward == 0 ? heading_ : static_cast<Direction>(std::countr_zero(onward));
   return ahead(cell_, to);

@@ -1,9 +1,9 @@
 // Implements the navigator's Walker (firmware/src/nav/Landmark.h) with a robot that moves from cell to cell.
 //
 // The walker makes the moves of Robosim v1. At a junction, the ways out are counted from the right of the
-// entry: choose_right takes the first way, choose_left the last way, and step_forward the way between them.
-// turn_around and then step_forward take the way back. Places are the map's cells. Heading 0 is always east,
-// whatever the robot's first direction.
+// entry. `choose_right` takes the first way, `choose_left` the last way, and `step_forward` the way between
+// them. To take the way back, the walker makes `turn_around` and then `step_forward`. Places are the map's
+// cells. Heading 0 is always east, whatever the robot's first direction.
 //
 // The walker records each line, because an explorer goes back over every line of a tree. If the robot goes
 // back over the latest recorded line, the walker puts the robot directly at the other end. The line's moves
@@ -28,8 +28,8 @@ class CellWalker {
 
   explicit CellWalker(CellRobot& robot) : robot_(robot) {}
 
-  /// Returns the landmark at the robot's place, which is read from the map without a move. If the robot is at
-  /// a line's end and faces away from the line, it first makes a turn_around.
+  /// Reads the landmark at the robot's place from the map, without a move. If the robot is at a line's end
+  /// and faces away from the line, it first makes a `turn_around`.
   nav::Landmark begin();
   nav::Landmark follow();
   void leave(nav::Turn turn);

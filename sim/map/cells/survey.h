@@ -35,7 +35,7 @@ enum class Ending {
 struct Scan {
   Ending ending = Ending::complete;
   std::uint64_t moves = 0;
-  double time = 0.0;  ///< by the clock, seconds
+  double time = 0.0;  ///< seconds, by the robot's clock
   CellPose end;
   map::TrueGraph graph;  ///< as found; `unreachable` lists the line ends that were not found
 };

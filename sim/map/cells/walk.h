@@ -36,7 +36,7 @@ struct Walk {
   };
   Ending ending = Ending::out_of_moves;
   std::uint64_t moves = 0;
-  double time = 0.0;  ///< by the clock, seconds
+  double time = 0.0;  ///< seconds, by the robot's clock
   CellPose end;
   std::vector<map::CellAt> dead_ends;  ///< in the order of the first visit
 };

@@ -18,7 +18,7 @@ struct Imported {
 ///   JSON of robotrace_course_cad, or of rcj-rescue-cms (RoboCupJunior Rescue Line)
 ///   length and curvature, one segment per line (CSV)
 ///   points, x and y in metres, one per line
-///   mazes of micromouse, as characters or as numbers: a line through their passages
+///   mazes of micromouse, as characters or as numbers; the lines follow the maze's passages
 /// `name` becomes the name of the map. `walls_m` is the distance in m between the middles of neighbouring
 /// cells. If `walls_m` is above 0, a maze becomes a map with walls, whose lines are not painted. Throws
 /// InputError with file and line.

@@ -22,7 +22,7 @@ constexpr int kWalls = 16;
 
 struct Maze {
   int width = 0, height = 0;
-  std::vector<bool> east, north;  // walls on that side, by cell from the south-west
+  std::vector<bool> east, north;  // whether each cell, from the south-west, has a wall on that side
   std::optional<map::CellAt> start, goal;
 
   std::size_t index(int x, int y) const {
@@ -38,7 +38,7 @@ struct Maze {
 
 // The positions of the maze's cells on the map.
 struct Layout {
-  int pitch, margin;  // cells of the map: between middles, and from the map's edge to the first middle
+  int pitch, margin;  // map cells between two middles, and from the map's edge to the first middle
   int height;         // height of the map
   map::CellAt middle(int x, int y) const { return {pitch * x + margin, height - 1 - margin - pitch * y}; }
 };

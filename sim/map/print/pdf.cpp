@@ -177,8 +177,7 @@ struct Pdf::Impl {};
 Pdf::Pdf(const std::string&, bool) {
   throw ToolMissing(
       "this build of Robosim cannot write PDF: libhpdf has another name on each Debian, so packages are "
-      "built "
-      "without it; a checkout's ./robosim map print can");
+      "built without it; build Robosim from a checkout and run ./robosim map print there");
 }
 Pdf::~Pdf() = default;
 void Pdf::begin_page(double, double) {}

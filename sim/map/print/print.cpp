@@ -251,12 +251,12 @@ class Printer {
           fmt::format("{} in {} of {}, numbered row-column{}.", pluralize(count, "sheet"),
                       pluralize(static_cast<std::size_t>(sheets_.rows), "row"),
                       pluralize(static_cast<std::size_t>(sheets_.columns), "column"),
-                      count < all ? "; where nothing is painted there is none" : ""),
+                      count < all ? "; parts without paint have no sheet" : ""),
           std::string("Print at 100 %, not fitted to the page: on each sheet the bar must measure 100 mm."),
-          std::string("Cut off the left and the lower edge along the marks. Lay the sheet on the flaps "
-                      "of those to the left and below."),
-          std::string(worn ? "What is worn here is printed whole." : ""),
-          fmt::format("Marks that meet are {:.10g} mm apart to the right, {:.10g} mm upward.",
+          std::string("Cut off the left and the lower edge along the marks. Lay each sheet on the flaps "
+                      "of the sheets to its left and below it."),
+          std::string(worn ? "Worn paint is printed whole." : ""),
+          fmt::format("Marks that meet are {:.10g} mm apart to the right and {:.10g} mm apart upward.",
                       sheets_.net_width(), sheets_.net_height())}) {
       if (line.empty()) continue;
       y -= 5.0;

@@ -32,7 +32,7 @@ std::pair<Line, Line> halves(const Line& line) {
 }
 
 bool is_short(const Line& line, double longest) {
-  constexpr double kBend = 0.3902;  // of the radius: the chord of 22.5 degrees
+  constexpr double kBend = 0.3902;  // chord of 22.5 degrees, as a share of the radius
   const double chord = length(line.to - line.from);
   return chord <= longest && (line.radius == 0.0 || chord <= kBend * line.radius);
 }

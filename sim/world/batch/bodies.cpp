@@ -19,8 +19,9 @@ namespace {
 
 Two of(const Lanes (&figure)[2], std::size_t lane) { return {figure[0][lane], figure[1][lane]}; }
 
-// Computes each body's motion as if the body kept rolling. Sets `moves` to a value above 0 for bodies that
-// really keep rolling. Sets `done` to 0 for bodies that neither keep rolling nor stand without being driven.
+// Computes each body's motion as if the body kept rolling. Sets `moves` to a value above 0 for each body that
+// really keeps rolling. Sets `done` to a value above 0 for each body that keeps rolling or stands without
+// being driven, and to 0 for all others.
 //
 // The output is separate from the input. Otherwise compilers would create masked stores, which write only the
 // lanes that move. Some processors take 20 times as long for such stores.
@@ -96,7 +97,7 @@ void BodyMotion::take(const BodyMotion& other, std::size_t i) {
 }
 
 Bodies::Bodies(const world::World& world) : walls_(world.walls()) {
-  if (world.ground()) throw std::invalid_argument("a batch of bodies needs a floor that is plane");
+  if (world.ground()) throw std::invalid_argument("a batch of bodies requires a plane floor");
 }
 
 std::size_t Bodies::add(const world::BodyParams& params, const Pose& pose) {

@@ -51,7 +51,7 @@ TEST_F(WallsTest, LetProgramsReachNeitherTheNetworkNorOtherProcesses) {
 }
 
 TEST_F(WallsTest, OfNamespacesLeaveNothingToRootToOpenThemWith) {
-  if (!NamespaceSandbox::possible()) GTEST_SKIP() << "namespaces of users are not allowed here";
+  if (!NamespaceSandbox::possible()) GTEST_SKIP() << "user namespaces are not allowed here";
   std::filesystem::create_directories(folder_ / "scratch");
   const NamespaceSandbox walls({"/usr", "/bin", "/lib", "/lib64"}, {folder_ / "scratch", "/dev/null"});
   const auto status_of = [&](const char* script) {

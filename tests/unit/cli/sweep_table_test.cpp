@@ -180,7 +180,7 @@ TEST(SweepTable, ASecondSweepDoesNotWriteIntoTheFileOfTheFirst) {
         SweepTable(folder.path() / "." / "a.csv", resume, p, outcomes);
         ADD_FAILURE() << "two writers";
       } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("a.csv: this file is already being written, by another robosim"));
+        EXPECT_THAT(error.what(), HasSubstr("a.csv: this file is already being written by another robosim"));
       }
     }
   }

@@ -80,7 +80,7 @@ TEST_F(MemoryTest, FreeOfWhatMallocDidNotGiveIsACrash) {
     run(100 * kMillisecond);
     return host_->crash() ? host_->crash()->reason : "";
   };
-  EXPECT_EQ(reason("p = own + 32; free(p);"), "free() or realloc() of something that malloc() did not give");
+  EXPECT_EQ(reason("p = own + 32; free(p);"), "free() or realloc() of memory that malloc() did not return");
   EXPECT_EQ(reason("free(p);"), "");
 }
 

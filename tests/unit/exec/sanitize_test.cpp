@@ -178,7 +178,7 @@ TEST_F(SanitizeTest, AnAccessToABlockThatWasGivenBack) {
                "p = (char*)malloc(9); free(p); char* q = (char*)malloc(9); q[0] = 1; n = p[0];",
                "read of 1 byte in a block of 9 bytes that was freed by free() or delete");
   expect_found("char* volatile p;", "p = (char*)malloc(9); free(p); free(p);",
-               "free() or delete of something that was given back already");
+               "free() or delete of memory that was already freed");
 }
 
 TEST_F(SanitizeTest, AFunctionOfTheCLibraryThatIsGivenTooLittleRoom) {

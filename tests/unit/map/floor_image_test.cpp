@@ -199,7 +199,7 @@ TEST(FloorImage, BadKeysAreToldInASentence) {
   }
   write_file(folder / "my.map", text_of());
   EXPECT_THAT(message_of([&] { default_start(read_map(folder / "my.map")); }),
-              HasSubstr("the floor is a picture without a [[path]] for its line"));
+              HasSubstr("the floor is a picture without a [[path]] along its line"));
 }
 
 }  // namespace floor_image_test

@@ -106,14 +106,14 @@ TEST(ALegend, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
     const char* message;
   } refused[] = {
       {"4 = \"wte\"",
-       "m.map:3:5: 4: expected floor, line, wall, gap or obstacle, or a surface, "
-       "wet, dusty or carpet, alone (floor) or before one of them, as in \"wet line\""},
-      {"4 = \"line wet\"", "m.map:3:5: 4: expected floor"},
-      {"4 = \"wet  line\"", "m.map:3:5: 4: expected floor"},
-      {"4 = \"wet carpet\"", "m.map:3:5: 4: expected floor"},
-      {"4 = \"Wet line\"", "m.map:3:5: 4: expected floor"},
-      {"4 = \"wet \"", "m.map:3:5: 4: expected floor"},
-      {"4 = \"\"", "m.map:3:5: 4: expected floor"},
+       "m.map:3:5: 4: expected a cell (floor, line, wall, gap or obstacle), a surface of the floor "
+       "(wet, dusty or carpet), or a surface and a cell, as in \"wet line\""},
+      {"4 = \"line wet\"", "m.map:3:5: 4: expected a cell"},
+      {"4 = \"wet  line\"", "m.map:3:5: 4: expected a cell"},
+      {"4 = \"wet carpet\"", "m.map:3:5: 4: expected a cell"},
+      {"4 = \"Wet line\"", "m.map:3:5: 4: expected a cell"},
+      {"4 = \"wet \"", "m.map:3:5: 4: expected a cell"},
+      {"4 = \"\"", "m.map:3:5: 4: expected a cell"},
       {"4 = \"wet wall\"", "m.map:3:5: 4: a wall has no surface, because nothing drives on it"},
       {"4 = { cell = \"wall\", kind = \"wet\" }", "4: a wall has no surface"},
       {"4 = { cell = \"hole\", kind = \"wet\" }",

@@ -57,7 +57,7 @@ TEST(Lights, ThatMakeNoSenseAreRefused) {
       {"[[light]]\nlevel = -1", "m.map:3:9: level: expected"},
       {"[[light]]\nlevel = \"3 V\"", "m.map:3:9: "},
       {"[[light]]\nlevel = 1\n" + at,
-       "m.map:2:1: invalid light: expected a lamp, with at and height; a patch of sun"},
+       "m.map:2:1: invalid light: expected a lamp, which has `at` and `height`; a patch of sun"},
       {"[[light]]\nlevel = 1\nheight = \"1 m\"", "invalid light: expected a lamp"},
       {"[[light]]\nlevel = 1\nheight = \"1 m\"\nradius = \"1 m\"\n" + at, "invalid light: expected a lamp"},
       {"[[light]]\nlevel = 1\nheight = \"1 m\"\nmoves = [\"1 mm/s\", \"1 mm/s\"]\n" + at,

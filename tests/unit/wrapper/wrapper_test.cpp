@@ -147,7 +147,7 @@ TEST_F(Wrapper, ConfiguresAMovedCheckoutAfreshAndSaysSo) {
   calls();
   fs::rename(checkout(), folder_ / "moved");
   EXPECT_EQ(run("../moved/robosim").err, "robosim: this checkout was built in " + checkout().string() +
-                                             "; here it is built anew, which takes a few minutes\n");
+                                             "; building it again here takes a few minutes\n");
   EXPECT_THAT(calls(), HasSubstr("cmake --preset release"));
   EXPECT_EQ(run("../moved/robosim").err, "") << "built";
 }
@@ -322,7 +322,7 @@ TEST_F(Wrapper, SumsUpTheTestsAndShowsEachFailureWithTheCommandThatRepeatsIt) {
   EXPECT_THAT(result.out, HasSubstr("FAILED  Line.IsStraight  (Exception: SegFault 0.01 sec)\ngoing\n"));
   EXPECT_THAT(result.out, testing::ContainsRegex("1 passed, 2 failed, 1 skipped, in [0-9]+ s\n"
                                                  "  1 skipped: the host has no chip's memory\n"));
-  EXPECT_THAT(result.out, EndsWith("all that they wrote:  build/ci/tests.log\n"));
+  EXPECT_THAT(result.out, EndsWith("complete output:  build/ci/tests.log\n"));
   EXPECT_THAT(read_file(checkout() / "build/ci/tests.log"), HasSubstr("1: followed\n"));
 }
 

@@ -10,8 +10,8 @@
 //
 // and run it:   robosim classic d --algorithm ./mine.cpp
 //
-// The run ends when navigate() returns, or when the moves are used up (--steps). docs/reference/algorithms.md
-// has more.
+// The run ends when navigate() returns, or when the moves are used up (--steps). For details, see
+// docs/reference/algorithms.md.
 #pragma once
 
 namespace robosim {
