@@ -43,8 +43,8 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Returns the place in `// 7 "Boot.ino" 1` or `@ 7 "Boot.ino" 1`, without the comment's mark; empty for any
-/// other line.
+/// Returns the place in `// 7 "Boot.ino" 1` or `@ 7 "Boot.ino" 1`, without the comment's mark. Returns an
+/// empty text for any other line.
 std::string_view place_of_asm(std::string_view line) {
   const std::size_t sign = line.substr(0, 3) == "// " ? 2 : line.substr(0, 2) == "@ " ? 1 : 0;
   if (sign == 0 || line.size() < sign + 6) return {};

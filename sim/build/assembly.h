@@ -1,4 +1,4 @@
-// Changes gcc's assembly of a sketch for the host (x86-64, arm64 and arm) before it is assembled.
+// Changes gcc's assembly output for the host (x86-64, arm64 and arm), before the assembler reads it.
 #pragma once
 
 #include <string>

@@ -82,7 +82,7 @@ class Build {
   const std::vector<ArchivedFile>& notes() const { return notes_; }
 
  private:
-  /// Returns all objects. The objects of a library become one archive if the library requests that.
+  /// Returns all objects. If a library requests an archive, its objects become one archive.
   std::vector<fs::path> linked_objects() {
     std::vector<fs::path> linked;
     for (const Object& object : objects_)
@@ -99,8 +99,8 @@ class Build {
     return linked;
   }
 
-  /// Runs the commands in sandboxes. The commands cannot read the outputs of other commands, except
-  /// `objects`.
+  /// Runs the commands in sandboxes. The commands can read `objects`, but no other outputs of earlier
+  /// commands.
   std::vector<CommandResult> run_walled(std::vector<Command> commands,
                                         const std::vector<fs::path>& objects = {}) const {
     std::vector<fs::path> read = read_by_all(toolchain_, shared_);
@@ -115,8 +115,8 @@ class Build {
     return readable(toolchain_, sketch_.folder, result.output);
   }
 
-  /// Calls `fail`, which throws an error. If libraries are used, may throw a RetryReason instead, to compile
-  /// as for an AVR: a library may then declare the missing names.
+  /// Calls `fail`, which throws an error. If libraries are used, may throw a RetryReason instead. The program
+  /// is then compiled as for an AVR, because a library may declare the missing names only for an AVR.
   template <typename Fail>
   void fail_or_try_as_avr(Fail fail, bool about_library = false) const {
     if (libraries_.empty() || toolchain_.target.as_avr.empty() || toolchain_.registers == Registers::as_avr)
@@ -129,7 +129,8 @@ class Build {
   }
 
   /// Throws an error, or a RetryReason if the program may compile with another kind of registers or with
-  /// 16-bit ints. Libraries, and programs that store a register's address, may need other registers.
+  /// 16-bit ints. Libraries, and programs that store a register's address, may need another kind of
+  /// registers.
   void fail_or_try_again(const std::string& messages) const {
     const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
     if (objects && messages.find(kRegisterClass) != std::string::npos) throw RetryReason{Registers::memory};
@@ -206,7 +207,7 @@ class Build {
     std::string key;
     std::size_t slot;            ///< index in objects_
     fs::path compiled, object;   ///< compiler's output and final object; equal unless through_assembly()
-    bool keeps_address = false;  ///< the unit stores a register's address, but register objects have none
+    bool keeps_address = false;  ///< the unit stores the address of a register, but objects have none
   };
 
   /// Compiles the units. Returns the units that must be compiled again, because a library that they need has
@@ -269,7 +270,7 @@ class Build {
     return again;
   }
 
-  /// Assembles the units that are compiled through assembly and have succeeded so far.
+  /// Assembles the units that were compiled to assembly without an error.
   void assemble(std::vector<Job>& jobs, std::vector<CommandResult>& results) {
     std::vector<std::size_t> compiled;
     std::vector<Command> commands;
@@ -352,12 +353,12 @@ class Build {
   std::vector<ArchivedFile> notes_;
   Inputs inputs_;
   std::string messages_;
-  std::string own_lines_;  ///< of the preprocessed .ino files
+  std::string own_lines_;  ///< own_lines() of the preprocessed .ino files
   bool keeps_addresses_ = false;
   int count_ = 0;
 };
 
-/// Builds with the first kind of registers with which the program compiles. Returns the build, and sets
+/// Builds the program with the first kind of registers that lets it compile. Returns the build, and sets
 /// `image` to the path of the image.
 std::unique_ptr<Build> build_image(const Sketch& sketch, Toolchain& toolchain, const Cache& cache,
                                    const LibraryFinder& finder, const GenuineCore& core, fs::path& image) {
@@ -384,7 +385,7 @@ Image build(const Request& request) try {
   const Sketch sketch = read_sketch(request.sketch, request.rules);
   if (!target.chip && !sketch.assembler.empty())
     throw InputError({sketch.assembler[0]}, "assembler sources require a chip: build for the target avr");
-  const bool counts_itself = request.coverage && !target.chip;  // on a chip the emulator counts
+  const bool counts_itself = request.coverage && !target.chip;  // on a chip, the emulator counts the lines
   const Cache cache(cache_folder());
   const GenuineCore genuine = find_core();
   const Compiler compiler = find_compiler(target);
@@ -440,7 +441,7 @@ Image build(const Request& request) try {
   throw InputError(
       {error.path1().string()},
       "cannot use the folder: " + error.code().message() +
-          (is_foreign ? ": expected a folder for compiled sketches that this user can write; remove "
+          (is_foreign ? ": expected a folder that this user can write, for compiled sketches; remove "
                         "it, or set XDG_CACHE_HOME to another folder"
                       : ""));
 }

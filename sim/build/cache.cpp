@@ -42,7 +42,7 @@ bool has_detour(std::string_view path) {
 }
 
 /// Returns whether only the system's administrator, or the user who installed Robosim, can write to the file.
-/// `stages` is the beginning of the paths of the cache's own folders of links.
+/// The paths of the cache's own folders of links begin with `stages`.
 bool is_installed(const fs::path& path, const std::string& stages) {
   static const std::array<std::string, 3> folders = {"/usr/", (data_folder() / "hal" / "").string(),
                                                      (data_folder() / "firmware" / "").string()};
@@ -117,7 +117,8 @@ bool changed_after(const Inputs& inputs, fs::file_time_type since) {
   });
 }
 
-/// Returns whether the cache may use a folder. Another user's folder may contain images of that user.
+/// Returns whether the cache may use a folder. The folder must belong to this user: another user's folder may
+/// contain that user's images.
 bool usable(const fs::path& folder) {
   if (!is_utf8(folder.string())) return false;  // runners receive the paths of images in JSON
   std::error_code error;
@@ -155,8 +156,8 @@ void remove_unheld(const fs::path& folder) {
   }
 }
 
-/// Removes a folder that has the path of the file to write, and returns this path. The cache owns everything
-/// below its folder.
+/// Removes a folder whose path is `file`, so that the file can be written. Returns `file`. The cache owns
+/// everything below its folder.
 const fs::path& make_way(const fs::path& file) {
   std::error_code error;
   if (fs::is_directory(fs::symlink_status(file, error))) fs::remove_all(file, error);
@@ -183,7 +184,7 @@ fs::path cache_folder() {
     throw InputError(
         {fallback.string()},
         "not a folder for compiled sketches: expected one that this user owns and can write; set "
-        "XDG_CACHE_HOME to another");
+        "XDG_CACHE_HOME to another folder");
   fs::permissions(fallback, fs::perms::owner_all);
   return fallback;
 }

@@ -2,8 +2,8 @@
 // The entry also records the list of names in every folder that was searched. The entry is valid while these
 // files and lists are unchanged. The files' times do not matter.
 //
-// Keys, names of results, and files that other users can write are hashed by SHA-256. Files of Robosim and of
-// the system are hashed by XXH3, which takes a tenth of the time. XXH3 also detects incomplete results.
+// SHA-256 hashes keys, the content that names a result, and files that other users can write. XXH3 takes a
+// tenth of the time. It hashes files of Robosim and of the system, and detects incomplete results.
 //
 // Concurrent processes are safe: files appear by rename, and a result's name contains its content's hash.
 #pragma once
@@ -22,7 +22,7 @@ namespace robosim::build {
 
 struct Inputs {
   std::vector<std::filesystem::path> files;
-  std::vector<std::filesystem::path> folders;  ///< may be missing, which the entry records
+  std::vector<std::filesystem::path> folders;  ///< the entry also records that a folder is missing
 };
 
 struct Entry {
@@ -64,7 +64,7 @@ class CacheLock {
   Descriptor lock_;
 };
 
-/// A new, empty folder for work, on the cache's file system. The destructor removes the folder with all its
+/// A new, empty work folder on the cache's file system. The destructor removes the folder with all its
 /// content. If the process is killed, the next WorkFolder removes the folder.
 class WorkFolder {
  public:
@@ -74,7 +74,8 @@ class WorkFolder {
   WorkFolder& operator=(const WorkFolder&) = delete;
   const std::filesystem::path& path() const { return path_; }
 
-  /// Returns the folder for the input files of compilers. Compilers can only read this folder.
+  /// Returns the folder for the input files of compilers. Compilers can read this folder, but not write to
+  /// it.
   std::filesystem::path given() const;
   /// Copies or links a result of the cache into the folder given(). Returns the path of the copy or link.
   std::filesystem::path give(const std::filesystem::path& result) const;

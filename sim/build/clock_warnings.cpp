@@ -15,7 +15,7 @@ namespace robosim::build {
 namespace {
 
 constexpr int kClockBits = 32;
-/// Limit of a search. A sketch could otherwise make the time quadratic.
+/// Limits a search. Otherwise the search could take quadratic time.
 constexpr std::size_t kMostOfExpression = 100;
 constexpr std::size_t kNone = Declarations::kNone;
 
@@ -74,7 +74,7 @@ class ClockCheck {
     return before != "." && !(at > 1 && (is_pair(at - 2, '-', '>') || is_pair(at - 2, ':', ':')));
   }
 
-  /// Returns the index after a call of a clock that begins at `at`; `at` itself if there is none.
+  /// Returns the index after the call of a clock at `at`, or `at` if no such call begins there.
   std::size_t read_clock(std::size_t at) const {
     const bool calls =
         (text(at) == "millis" || text(at) == "micros") && text(at + 1) == "(" && text(at + 2) == ")";
@@ -137,8 +137,8 @@ class ClockCheck {
     return more;
   }
 
-  /// Returns the unit of an expression at `at` that is a time: a clock, a variable that holds a time, or
-  /// their sum with something. A difference may be a duration.
+  /// Returns the unit of the expression at `at` if it is a time: a clock, a variable that holds a time, or a
+  /// sum that begins with one of them. A difference has no unit, because it may be a duration.
   TimeUnit unit_of(std::size_t at, int depth) const {
     constexpr int kDeepest = 4;
     if (depth > kDeepest) return TimeUnit::none;
@@ -174,7 +174,7 @@ class ClockCheck {
 
   // Finding the places where too few bits matter
 
-  /// Checks the operators after a clock or a variable with all bits of a clock.
+  /// Checks the operator after a clock, or after a variable that has all bits of a clock.
   void check(std::size_t begin, std::size_t end, TimeUnit unit, std::vector<Found>& found) {
     if (text(end) == "-" && !is_pair(end, '-', '-') && !is_pair(end, '-', '=')) {
       if (const auto operand = read_operand(end + 1)) check_difference(begin, unit, *operand, found);
@@ -212,7 +212,7 @@ class ClockCheck {
   }
 
   /// Extends the range of an expression by parentheses and by casts to types that keep all bits. Returns
-  /// whether there are any.
+  /// whether the range was extended.
   bool peel(std::size_t& begin, std::size_t& end) const {
     bool peeled = false;
     while (begin > 1 && text(begin - 1) == "(" && text(end) == ")") {
@@ -242,8 +242,8 @@ class ClockCheck {
     return peeled;
   }
 
-  /// Returns whether a wrong difference has a wrong effect for sure: it is compared, divided, or stored with
-  /// all of its bits. A variable with 16 bits stores the correct ones.
+  /// Returns whether a wrong difference certainly has an effect: it is compared, divided, multiplied by a
+  /// fraction, or stored with all bits. A variable with 16 bits stores only the correct bits.
   bool matters(std::size_t begin, std::size_t end, bool peeled) const {
     if (comparison_at(end) != end) return may_precede(begin);
     if (is_comparison_before(begin)) return may_follow(end);
@@ -277,7 +277,7 @@ class ClockCheck {
     return false;
   }
 
-  /// Returns the index after a comparison at `at`; `at` itself if there is none.
+  /// Returns the index after the comparison operator at `at`, or `at` if no such operator begins there.
   std::size_t comparison_at(std::size_t at) const {
     if (is_pair(at, '=', '=') || is_pair(at, '!', '=') || is_pair(at, '<', '=') || is_pair(at, '>', '='))
       return at + 2;
@@ -318,15 +318,15 @@ class ClockCheck {
     const std::string expression = source(range.first, range.second);
     const int least_wrong = 1 << (type.bits - (type.is_signed ? 1 : 0));
     std::string warning = fmt::format(
-        "{}:{}: warning: {} is wrong from {:.3f} {} after power-on, because {} cannot exceed {}: declare "
-        "{} as unsigned long",
+        "{}:{}: warning: '{}' is wrong from {:.3f} {} after power-on, because '{}' cannot exceed {}: declare "
+        "'{}' as unsigned long",
         first.file, first.line, expression, least_wrong / 1000.0, unit == TimeUnit::ms ? "s" : "ms", name,
         least_wrong - 1, name);
     if (is_difference) warning += fmt::format(", or write (uint{}_t)({})", type.bits, expression);
     found.push_back({name, std::move(warning)});
   }
 
-  /// Returns the words from `begin` to `end`, with spaces around operators of two operands.
+  /// Returns the words from `begin` to `end`, with spaces around binary operators.
   std::string source(std::size_t begin, std::size_t end) const {
     std::string result;
     for (std::size_t i = begin; i < end; ++i) {
@@ -361,7 +361,7 @@ std::string clock_warnings(const std::string& preprocessed, const std::vector<st
   const std::vector<Word> words = words_in(own);
   const std::vector<Found> found = ClockCheck(words, int_bits_of(board)).warnings();
   if (found.empty()) return "";
-  // A class of a library may have a member of the same name, and another type.
+  // A library's class may have a member with the same name and another type.
   const std::vector<Word> all = words_in(preprocessed);
   const Declarations names(all, int_bits_of(board));
   std::set<std::string_view> in_doubt;

@@ -1,11 +1,11 @@
-// Warns about times of millis() and micros() in variables with too few bits. Such a sketch works until the
+// Warns if a variable with too few bits holds a time of millis() or micros(). Such a sketch works until the
 // time since power-on no longer fits the variable:
 //
 //   uint16_t since = 0;
 //   if (millis() - since >= 5000) since = millis();   // from 65.536 s on, the difference is always larger
 //
-// The check knows no templates, macros or types of the sketch's own. It is silent about names that several
-// declarations give different types, and about times that it cannot follow.
+// The check does not know the sketch's own templates, macros and types. It ignores a name whose declarations
+// have different types, and a time that it cannot follow.
 #pragma once
 
 #include <string>

@@ -33,10 +33,11 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
     case Warnings::none:
       return {"-w"};
     case Warnings::standard: {
-      // Adds warnings that are off by default. without_style_warnings() selects likely mistakes.
+      // Adds warnings that are off by default. Of these, without_style_warnings() shows only likely mistakes.
       if (unit.kind == Unit::Kind::library) return {"-w"};  // users of a library cannot fix its warnings
       std::vector<std::string> words = {"-Wparentheses", "-Wempty-body"};
-      // avr-gcc 5 has no warning for a forgotten break. Any comment in the place of the break silences gcc.
+      // avr-gcc 5 has no warning for a forgotten break. Any comment in place of the `break` silences gcc's
+      // warning.
       if (toolchain.target.native) words.emplace_back("-Wimplicit-fallthrough=1");
       if (toolchain.sanitize) append(words, toolchain.target.sanitizer.warnings);
       return words;
@@ -249,7 +250,8 @@ void check_object(const Toolchain& toolchain, const Unit& unit, const fs::path& 
   const bool is_bytecode = language(unit) != Language::assembler && !toolchain.sanitize;
   if (!links_bytecode || is_bytecode || read_made(object).find(".gnu.lto_") == std::string::npos) return;
   throw InputError({unit.source},
-                   "cannot be compiled: expected no sections .gnu.lto_*, which only compilers can write");
+                   "cannot be compiled: expected no sections named .gnu.lto_*, which only compilers may "
+                   "write");
 }
 
 bool through_assembly(const Toolchain& toolchain, const Unit& unit) {

@@ -45,8 +45,8 @@ Unit core_unit(const Toolchain& toolchain, const fs::path& source) {
   return unit;
 }
 
-/// Runs the commands in sandboxes, because a project's -D can make the core's own lines read any file.
-/// Returns the output of the last command.
+/// Runs the commands in sandboxes, because a project's `-D` option can make the core's own code include any
+/// file. Returns the output of the last command.
 std::string run_checked(const Toolchain& toolchain, std::vector<Command> commands) {
   std::string output;
   for (CommandResult& result : run_within(read_by_all(toolchain, {}), std::move(commands))) {

@@ -267,7 +267,7 @@ std::string summary(const Coverage& coverage) {
       if (count == 0) never.push_back(line);
     text += fmt::format("{} of {} lines of {} ran{}\n", file.lines.size() - never.size(), file.lines.size(),
                         file.file.filename().string(),
-                        never.empty() ? "" : "; never: " + ranges(never, file.lines));
+                        never.empty() ? "" : "; never ran: " + ranges(never, file.lines));
   }
   return text;
 }

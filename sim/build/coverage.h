@@ -36,8 +36,8 @@ struct FileCoverage {
 /// Coverage of files, sorted by name.
 using Coverage = std::vector<FileCoverage>;
 
-/// Returns the coverage from a runner's `counters`, for an image built by `request`. Throws ToolMissing
-/// without gcov, and InputError if the counters belong to another image.
+/// Returns the coverage from a runner's `counters`, for an image built by `request`. Throws ToolMissing if
+/// gcov is missing, and InputError if the counters belong to another image.
 Coverage read_coverage(const Request& request, const Image& image, const std::string& counters);
 
 /// Adds the counts of `more` to `sum`.
@@ -57,7 +57,7 @@ Coverage parse_info(const std::string& text, const std::filesystem::path& file);
 Coverage add_to_folder(const std::filesystem::path& folder, const Request& request, const Image& image,
                        const Coverage& coverage, const std::string& description);
 
-/// Returns one line per file: "37 of 41 lines of MySketch.ino ran; never: 12-14, 30".
+/// Returns one line per file: "37 of 41 lines of MySketch.ino ran; never ran: 12-14, 30".
 std::string summary(const Coverage& coverage);
 
 /// Runs `genhtml` (of the package lcov) to make `folder`/html from `folder`/coverage.info. Returns false if

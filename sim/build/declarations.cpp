@@ -21,7 +21,7 @@ constexpr std::array kNamedTypes = {
     NamedType{"float", {32, true, true}},      NamedType{"double", {32, true, true}},
 };
 constexpr std::array<std::string_view, 6> kBaseWords = {"unsigned", "signed", "short", "int", "char", "long"};
-/// Limit of a search. A sketch could otherwise make the time quadratic.
+/// Limits a search. Otherwise the search could take quadratic time.
 constexpr std::size_t kMostWords = 400;
 
 constexpr std::array<std::string_view, 9> kQualifiers = {
@@ -176,7 +176,7 @@ void Declarations::read_declarations() {
       continue;
     }
     if (!names_type(i) || contains(kQualifiers, word)) continue;
-    // A type of another kind, with template arguments or without.
+    // Reads a type of another kind, with or without template arguments.
     std::size_t end = i + 1;
     if (text(end) == "<") {
       while (may_be_template_argument(text(end + 1)) && end - i < kMostWords) ++end;

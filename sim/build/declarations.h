@@ -29,7 +29,7 @@ struct Declaration {
 /// The declarations in a list of words. Function names are also declarations, of unknown type.
 class Declarations {
  public:
-  /// More declarations of one name are not searched: a sketch could otherwise make the time quadratic.
+  /// Further declarations of a name are not searched. Otherwise a search could take quadratic time.
   static constexpr std::size_t kMostOfName = 200;
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
@@ -38,11 +38,11 @@ class Declarations {
   const std::vector<Declaration>& all() const { return declarations_; }
   /// Returns the index of the bracket that belongs to the bracket at `at`, or kNone.
   std::size_t partner(std::size_t at) const { return partners_[at]; }
-  /// Returns the index of the declaration that a name at `at` refers to, or kNone. Members of all classes
-  /// with the same name count as one declaration. `is_member` excludes local variables. Returns kNone for a
-  /// name with very many declarations.
+  /// Returns the index of the declaration that a name at `at` refers to, or kNone. Members with the same name
+  /// count as one declaration, even if their classes differ. `is_member` excludes local variables. Returns
+  /// kNone for a name with very many declarations.
   std::size_t resolve(std::size_t at, bool is_member) const;
-  /// Reads a type at `at`. Returns the index after the type; `at` itself if there is no arithmetic type.
+  /// Reads a type at `at`. Returns the index after the type, or `at` if no arithmetic type begins there.
   std::size_t read_type(std::size_t at, ArithmeticType& type) const;
   /// Returns whether the name has declarations, and all of them have types that `accepts` accepts.
   template <typename Accepts>

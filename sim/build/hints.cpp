@@ -56,7 +56,7 @@ std::string boards_hint(const std::string& what, Has has) {
                      fmt::join(boards, ", "));
 }
 
-/// Returns a hint for an undeclared pin or serial port. `missing` are all undeclared names.
+/// Returns a hint for an undeclared pin or serial port. `missing` contains all undeclared names.
 std::string pin_hint(const std::string& name, const std::vector<std::string>& missing) {
   if (is_letter_and_digits(name, 'D'))
     return fmt::format("{} is the name of a pin on an ESP8266; on Arduino boards it is {}", name,
@@ -123,7 +123,7 @@ std::string version_hint(const std::string& first) {
   for (const Versioned& one : list)
     if (has(first, one.says))
       return fmt::format(
-          "the sketch is for another version of the library {0}: arduino-cli lib install {0}@{1}",
+          "the sketch is for another version of the library {0}; install it: arduino-cli lib install {0}@{1}",
           one.library, one.version);
   return "";
 }
@@ -143,7 +143,7 @@ std::string hint_for(const std::string& messages) {
   const std::string no_type = quoted(first, " does not name a type");
   if (is_of_esp32(undeclared))
     return fmt::format("{} belongs to the core of the ESP32; {}", undeclared, kBoards);
-  if (no_type == "include" || no_type == "define") return fmt::format("#{} requires its # in front", no_type);
+  if (no_type == "include" || no_type == "define") return fmt::format("write # before {0}: #{0}", no_type);
   if (no_type == "input" || no_type == "basic" || no_type == "pins")
     return fmt::format("this looks like a micro:bit's program; {}", kBoards);
   if (no_type == "from" || no_type == "import" || no_type == "def")
@@ -155,9 +155,9 @@ std::string hint_for(const std::string& messages) {
     if (const std::string hint = class_hint(name); !hint.empty()) return hint;
   }
   if (has(first, "expected '{' before '::' token"))
-    return "namespace a::b { … } is C++17, but sketches for the chip are C++11: namespace a { namespace b { "
-           "… } }";
-  if (has(first, "before 'constexpr'")) return "if constexpr is C++17, but sketches for the chip are C++11";
+    return "'namespace a::b { … }' is C++17, but sketches for the chip are C++11; write namespace a { "
+           "namespace b { … } }";
+  if (has(first, "before 'constexpr'")) return "'if constexpr' is C++17, but sketches for the chip are C++11";
   if (has(first, "expected ',' or ';' before") || has(first, "expected ';' before") ||
       has(first, "expected ';' after"))
     return "the previous line may lack a ; at its end";

@@ -16,8 +16,8 @@ std::string library_of_header(const std::string& header);
 /// an empty text for any other header. Debian's package arduino-core-avr contains these libraries.
 std::string purpose_of_core_library(const std::string& header);
 
-/// Returns "WiFi.h is for an ESP32; …" for a header that no library for Robosim's
-/// boards provides. Returns an empty text for any other header.
+/// Returns "WiFi.h is for an ESP32; …" for a header that no library for Robosim's boards provides. Returns an
+/// empty text for any other header.
 std::string foreign_header(const std::string& header);
 
 }  // namespace robosim::build

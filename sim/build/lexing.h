@@ -1,4 +1,4 @@
-// Finds names, literals and comments, for the readers of C++ text in this folder.
+// Finds names, literals and comments, for the C++ parsers in this folder.
 #pragma once
 
 #include <algorithm>

@@ -21,7 +21,7 @@ struct Library {
   std::vector<std::string> assembler;           ///< .S files, relative to `folder`, sorted; for a chip only
   std::vector<std::filesystem::path> listed;    ///< folders that were read to find the files
   bool archive =
-      false;  ///< library.properties has dot_a_linkage=true: for a chip only needed objects are linked
+      false;  ///< library.properties has dot_a_linkage=true: for a chip, only needed objects are linked
 };
 
 /// Returns the libraries in `folders` that have this name in library.properties.

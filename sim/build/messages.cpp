@@ -87,8 +87,8 @@ bool replace_all(std::string& text, const std::string& from, const std::string& 
   return found;
 }
 
-// Throws CompileError if the program exceeds the chip's memory. Only the linker detects this error, and names
-// neither a file nor a line.
+// Throws CompileError if the program exceeds the chip's memory. Only the linker detects this error, and it
+// names neither a file nor a line.
 void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::string& messages) {
   static const std::regex ram(R"(address (0x[0-9a-f]+) of [^\n]* is not within region `data')");
   static const std::regex more_ram(R"(region `data' overflowed by (\d+) bytes)");
@@ -109,7 +109,7 @@ void check_room(const Toolchain& toolchain, const Sketch& sketch, const std::str
                     "sketch{}",
                     sketch.name, match[1].str(), board.name, board.flash_bytes,
                     board.chip->eeprom_bytes == 0 && board.eeprom_bytes > 0
-                        ? ", the last 4096 only if it does not use the EEPROM"
+                        ? "; the last 4096 are free only if the sketch does not use the EEPROM"
                         : ""));
 }
 
@@ -132,8 +132,8 @@ std::string missing_header(const std::string& whole, Place* place) {
   return match[4];
 }
 
-/// Returns a header's name as its file has it, if only capital letters differ from `header`. Returns an empty
-/// text if there is no such file below `folders`.
+/// Returns the name of a file below `folders` that differs from `header` only in capital letters. Returns an
+/// empty text if there is no such file.
 static std::string other_spelling(const std::vector<fs::path>& folders, const std::string& header) {
   const fs::path parent = fs::path(header).parent_path();
   const std::string wanted = fs::path(header).filename().string();
@@ -175,8 +175,8 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
         place,
         toolchain.board.chip->target == std::string_view("stm32")
             ? fmt::format(
-                  "no such header {}: of the C++ standard library, Robosim has the headers of C for the "
-                  "STM32, such as cstdint, cstring and cmath",
+                  "no such header {}: for the STM32, Robosim has only those headers of the C++ standard "
+                  "library that come from C, such as cstdint, cstring and cmath",
                   header)
             : fmt::format("no such header {}: Arduino boards with an AVR chip have no C++ standard library",
                           header));
@@ -184,11 +184,11 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
     if (std::string_view(toolchain.target.name) == "stm32")
       throw CompileError(
           place, fmt::format("{} is for {}, which sketches can use on the targets host and avr, but not "
-                             "yet on the stm32",
+                             "yet on the target stm32",
                              header, purpose));
     throw CompileError(
-        place, fmt::format("no such header {}: it belongs to the AVR core, a part of which is missing "
-                           "here: sudo apt install --reinstall arduino-core-avr",
+        place, fmt::format("no such header {}: it belongs to the AVR core, which is incomplete on "
+                           "this machine: sudo apt install --reinstall arduino-core-avr",
                            header));
   }
   std::vector<std::string> folders;
@@ -253,7 +253,7 @@ void fail_at_walls(const std::string& messages) {
   const auto says = [&](const char* text) { return messages.find(text) != std::string::npos; };
   if (says(kWaits))
     throw CompileError(
-        fmt::format("the compiler was stopped after {} s in which it only waited: expected files, got a "
+        fmt::format("the compiler was stopped because it only waited for {} s: expected files, got a "
                     "pipe or another special file",
                     kWaitSeconds));
   if (says(kTooMuchTime))

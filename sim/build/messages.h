@@ -24,7 +24,7 @@ std::string missing_header(const std::string& output, Place* place);
 void check_seen(const std::filesystem::path& sketch, const Place& place, const std::string& header);
 
 /// Throws the error for a header that no library in the finder's folders provides: MissingLibrary, or another
-/// CompileError if no library can provide the header, or if its name has other capital letters.
+/// CompileError if no library can provide the header, or if it exists with other capital letters.
 [[noreturn]] void fail_without_library(const Toolchain& toolchain, const GenuineCore& core,
                                        const LibraryFinder& finder, const std::filesystem::path& sketch,
                                        const Place& place, const std::string& header);
@@ -43,8 +43,8 @@ Place first_error(const std::string& messages);
 /// Returns whether the error is in one of the libraries.
 bool is_about_library(const std::string& messages, const std::vector<Library>& libraries);
 
-/// Throws CompileError for a failed compilation, or ToolMissing if the machine is to blame. An empty `hint`
-/// stands for that of hint_for().
+/// Throws CompileError for a failed compilation, or ToolMissing if the machine is to blame. If `hint` is
+/// empty, uses the hint of hint_for().
 [[noreturn]] void fail(const Toolchain& toolchain, const std::string& messages, std::string hint = "");
 
 /// Throws CompileError for a failed link: an undefined or multiply defined function, or a chip that is too

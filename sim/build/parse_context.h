@@ -1,4 +1,5 @@
-// Provides the options with which another parser, such as clang's, reads a sketch like the sketch's compiler.
+// Provides the options with which another parser, such as clang's, reads a sketch as the sketch's own
+// compiler does.
 #pragma once
 
 #include <filesystem>

@@ -66,7 +66,8 @@ std::string complaint(const BoardSpec& board, int number, Use use) {
     return fmt::format("pin {} of the {} can only be read with analogRead()", spec.name, board.name);
   if (use == Use::pwm && !spec.pwm)
     return fmt::format(
-        "pin {} of the {} has no PWM: it is LOW below 128 and HIGH otherwise; these pins have PWM: {}",
+        "pin {} of the {} has no PWM: it is LOW for values below 128, and HIGH otherwise; these pins have "
+        "PWM: {}",
         spec.name, board.name, pins_that(board, [](const PinSpec& one) { return one.pwm; }));
   if (use == Use::interrupt && spec.interrupt < 0)
     return fmt::format(
@@ -176,7 +177,8 @@ std::string serial_warning(const std::string& own_lines, const std::string& all,
   }
   if (!first) return "";
   return fmt::format(
-      "{}:{}: warning: Serial is never begun, so that nothing is sent: put Serial.begin(9600); into setup()",
+      "{}:{}: warning: Serial.begin() is never called, so that nothing is sent: put Serial.begin(9600); into "
+      "setup()",
       first->file, first->line);
 }
 
@@ -188,9 +190,9 @@ std::string usb_warning(const std::string& own_lines, const BoardSpec& board) {
                                  [](const Word& word, std::string_view text) { return word.text == text; });
   if (waits == words.end()) return "";
   return fmt::format(
-      "{}:{}: warning: while (!Serial) waits until a computer opens the port: without a USB cable the sketch "
-      "never goes on; in a run, the port is always open; to wait 2 s at most: while (!Serial && millis() < "
-      "2000)",
+      "{}:{}: warning: 'while (!Serial)' waits until a computer opens the port: without a USB cable, the "
+      "sketch never continues; in the simulation, the port is always open; to wait at most 2 s, write while "
+      "(!Serial && millis() < 2000)",
       waits->file, waits->line);
 }
 

@@ -19,7 +19,7 @@ std::string pin_warnings(const std::string& own_lines, const BoardSpec& board);
 std::string serial_warning(const std::string& own_lines, const std::string& all, const BoardSpec& board);
 
 /// Returns a warning if the sketch waits without a limit for a computer at the board's own USB port. A robot
-/// that drives without a cable then never starts. Empty for other boards.
+/// that drives without a cable then never starts. Returns an empty text for other boards.
 std::string usb_warning(const std::string& own_lines, const BoardSpec& board);
 
 }  // namespace robosim::build

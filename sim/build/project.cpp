@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostShared = 1000, kMostSource_bytes = std::size_t{4} << 20;
-/// Limit of names in #include directives, in all files together. Files after the limit are not shared.
+/// Limits the names in #include directives, in all files together. Files after the limit are not shared.
 constexpr std::size_t kMostNames = 20'000;
 
 bool is_below(const fs::path& path, const fs::path& folder) {
@@ -138,8 +138,8 @@ void check_links(const fs::path& folder) {
   }
   if (error && fs::exists(folder, none))
     throw InputError({folder.string()},
-                     fmt::format("not all folders in it can be read ({}); --untrusted requires that, to find "
-                                 "links that lead outside",
+                     fmt::format("a folder in it cannot be read ({}); --untrusted must read all folders, "
+                                 "to find links that lead outside",
                                  error.message()));
 }
 

@@ -9,10 +9,10 @@
 
 namespace robosim::build {
 
-/// Returns the folder within which a sketch may share code. This is the sketch's checkout, the nearest folder
-/// above with a .git; otherwise the sketch's parent folder. If the sketch's own folder has a .git, this is
-/// also the parent folder. The user's home, and folders above it, do not count as checkouts. Without a
-/// checkout, if the parent folder is the user's home or above, returns the sketch's own folder.
+/// Returns the folder within which a sketch may share code: the sketch's checkout (the nearest folder above
+/// with a .git), or else its parent folder. If the sketch's own folder has a .git, returns its parent folder.
+/// The user's home, and folders above it, do not count as checkouts. Without a checkout, if the parent folder
+/// is the user's home or above, returns the sketch's own folder.
 std::filesystem::path reach_of(const std::filesystem::path& sketch_folder);
 
 /// Returns the canonical paths of shared files: sources and headers within `reach`, but outside the sketch's
@@ -24,7 +24,7 @@ std::vector<std::filesystem::path> shared_files(const Sketch& sketch, const std:
 bool lies_in(const std::filesystem::path& file, const std::filesystem::path& folder);
 
 /// Throws InputError if a sketch's folder is a link, or contains a link that leads out of the folder. Also
-/// throws if not all folders in the sketch's folder can be read.
+/// throws if a folder in the sketch's folder cannot be read.
 void check_links(const std::filesystem::path& folder);
 
 }  // namespace robosim::build

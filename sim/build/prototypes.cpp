@@ -308,7 +308,7 @@ std::string add_prototypes(const std::string& joined, const std::string& preproc
   if (ctags.status != 0) check_machine("arduino-ctags", ctags.output);
   if (ctags.status != 0)
     throw CompileError(
-        "arduino-ctags, which lists the sketch's functions, cannot read it: expected C++, got " +
+        "arduino-ctags, which lists the sketch's functions, cannot read the sketch: expected C++, got " +
         (ctags.status > 128 ? fmt::format("signal {}", ctags.status - 128) : ctags.output));
   return insert_prototypes(joined, own, parse_tags(ctags.output));
 }

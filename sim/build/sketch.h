@@ -1,5 +1,5 @@
-// Builds a sketch folder by Arduino's rules (docs/reference/sketches.md). The result is an image. A runner
-// loads it, or a person flashes it to a chip.
+// Builds a sketch folder by Arduino's rules (docs/reference/sketches.md). The result is an image, which a
+// runner loads, or the user flashes to a chip.
 //
 //   const Image image = build({find_sketch("PidFollower"), *find_board("uno")});
 //
@@ -18,8 +18,8 @@
 
 namespace robosim::build {
 
-/// The level of compiler warnings: the choices of Arduino's preferences. `standard` is Arduino's default,
-/// plus warnings about typical mistakes of beginners: `if (x = 1)`, `if (400 < x < 600)` and `if (x);`. See
+/// The levels of compiler warnings in Arduino's preferences. `standard` is Arduino's default, plus warnings
+/// about typical mistakes of beginners: `if (x = 1)`, `if (400 < x < 600)` and `if (x);`. See
 /// warning_filter.h.
 enum class Warnings { none, standard, more, all };
 
@@ -51,8 +51,9 @@ struct Image {
   std::string compiler;                ///< "gcc 12.2.0 x86_64-linux-gnu"
   std::vector<std::string> libraries;  ///< names of the compiled libraries
   std::string messages;                ///< lines with the compiler's warnings; empty if there were none
-  /// Size of code and constants of sketch, libraries and core. For a chip, this is the flash in use,
-  /// including the variables' initial values. For the host, this is the size on this machine, including hal.
+  /// Size of the code and constants of the sketch, its libraries and the core. For a chip, this is the flash
+  /// in use, including the variables' initial values. For the host, this is the size on this machine,
+  /// including hal.
   std::uint64_t text_bytes = 0;
   std::uint64_t data_bytes = 0;  ///< size of variables; for a chip, the RAM in use before any call
   bool from_cache = false;
@@ -100,7 +101,7 @@ std::string missing_tool(const std::string& target);
 /// Throws InputError for a target whose sketches cannot be built with Request::sanitize.
 void check_can_sanitize(const std::string& target);
 
-/// A limit that the firmware declares by an absolute symbol, `linekit_limit_nodes_of_a_tree` = 200
+/// A limit that the firmware declares by an absolute symbol, such as `linekit_limit_nodes_of_a_tree` = 200
 /// (firmware/src/nav/Limits.h).
 struct Limit {
   std::string what;  ///< "nodes of a tree"

@@ -114,7 +114,7 @@ std::string nested_sketch_hint(const fs::path& folder) try {
     if (!hidden(entry.path()) && !entry.is_symlink() && entry.is_directory() &&
         !inos_in(entry.path()).empty())
       nested.insert(entry.path().filename().string());
-  return nested.empty() ? "" : fmt::format("; {} in it is one: name that folder", *nested.begin());
+  return nested.empty() ? "" : fmt::format("; it contains the sketch {}: name that folder", *nested.begin());
 } catch (const fs::filesystem_error&) {
   return "";  // the folder cannot be read
 }
@@ -129,6 +129,7 @@ bool put_main_first(std::vector<std::string>& inos, const std::string& folder_na
   return true;
 }
 
+/// Limits the total size of a sketch's files, because Robosim reads them completely.
 constexpr std::size_t kMostSources_bytes = std::size_t{8} << 20;
 
 /// Returns the code of a C++ source, with a blank for each comment and literal.
@@ -195,7 +196,6 @@ std::string unix_text(std::string_view text) {
 
 namespace {
 
-/// Limit of the size of all files of a sketch together, because Robosim reads them completely.
 
 /// Throws InputError if a project file would give compilers access to other folders of this machine.
 void check_within_project(const fs::path& project, const fs::path& folder) {
@@ -312,8 +312,8 @@ Sketch find_files(const fs::path& path, const ProjectRules& rules) {
       !put_file_with_loop_first(sketch.inos, absolute))
     throw InputError(
         {path.string()},
-        fmt::format("expected {}.ino, named like its folder, among the {} .ino files, got {}; rename "
-                    "the main file to that, or name one of them, as in {}",
+        fmt::format("expected {0}.ino, named like its folder, among the {1} .ino files, got {2}; rename "
+                    "the main file to {0}.ino, or name one of the files, as in {3}",
                     sketch.name, sketch.inos.size(), all_of(sketch.inos), (path / sketch.inos[0]).string()));
   if (!sketch.inos.empty()) sketch.name = fs::path(sketch.inos[0]).stem().string();
   return sketch;

@@ -141,8 +141,8 @@ const Target kAvr = {
     .as_avr = {},
     // Link-time optimisation of avr-gcc 5.4 fails for code with checks. Such code is also far larger than the
     // chip's flash. An image with the checks' handlers (hal/avr/undefined.c) therefore runs on a larger
-    // emulated chip. It has 64 KB of flash, and RAM up to the start of the stack. This address is also
-    // RAMEND (hal/avr/with_checks).
+    // emulated chip. It has 64 KB of flash, and RAM up to the start of the stack, which is also RAMEND
+    // (hal/avr/with_checks).
     .sanitizer = {.undefined = {"-fno-lto",
                                 "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
                                 "shift,signed-integer-overflow"},

@@ -20,7 +20,7 @@ constexpr const char* kPortable[] = {
     "Print.h",     "Print.cpp",    "Printable.h", "Stream.h",      "Stream.cpp", "WString.h",
     "WString.cpp", "WCharacter.h", "IPAddress.h", "IPAddress.cpp", "binary.h",   "Client.h",
     "Server.h",    "Udp.h",        "new",         "new.h",         "new.cpp",    "abi.cpp"};
-constexpr const char* kPortPins = "portpins.h";  // from avr-libc: PB0, PORTB0, ... are 0
+constexpr const char* kPortPins = "portpins.h";  // from avr-libc: defines PB0, PORTB0, ...
 
 [[noreturn]] void missing(const char* what, const char* package) {
   throw ToolMissing(fmt::format("{} is missing: sudo apt install {}", what, package));

@@ -42,7 +42,7 @@ std::string interrupt_pins(const BoardSpec& board) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Returns what to do about two handlers of the vector called `name`.
+/// Returns advice for a program with two handlers of the vector called `name`.
 std::string advice_for(const std::string& name, const std::string& first, const std::string& second,
                        const BoardSpec& board) {
   const std::string serial = "the library SoftwareSerial";
@@ -109,7 +109,7 @@ std::string vector_hint(const std::string& messages, const std::string& own_line
 std::string core_handler_warnings(const std::string& own_lines, const BoardSpec& board,
                                   const fs::path& avr_libc) {
   const ChipSpec& chip = *board.chip;
-  // For another board, the host simulates the interrupts of another chip.
+  // If the board has a host model, the host simulates the interrupts of another chip.
   if (board.host_model || own_lines.find(kVector) == own_lines.npos) return "";
   constexpr int kToneTimer = 2;
   const std::vector<Word> words = words_in(own_lines);

@@ -1,5 +1,5 @@
-// Explains in plain words that two parts of a program define the handler of one interrupt. The linker reports
-// only a "multiple definition of `__vector_5'".
+// Explains in plain words that two parts of a program define a handler for the same interrupt. The linker
+// reports only a "multiple definition of `__vector_5'".
 #pragma once
 
 #include <filesystem>

@@ -22,7 +22,7 @@ bool ends_in_word(std::string_view text, std::string_view word) {
   return before == ' ' || before == '\t' || before == '}' || before == ';' || before == '{' || before == ')';
 }
 
-/// Returns whether the semicolon at `at` is itself the body of an if or else. In the other case, an empty
+/// Returns whether the semicolon at `at` is itself the body of an `if` or `else`. In the other case, an empty
 /// macro precedes the semicolon.
 bool is_whole_body(std::string_view line, std::size_t at) {
   std::string_view before = trimmed(line.substr(0, at));
@@ -39,8 +39,8 @@ bool is_context(std::string_view line) {
   return line.starts_with("In file included from") || has(line, ": In ") || has(line, ": At global scope");
 }
 
-/// Returns whether a warning shows a likely mistake. `message` is its line, and the source that gcc shows
-/// below.
+/// Returns whether a warning shows a likely mistake. `message` contains its line, and the source that gcc
+/// shows below.
 bool is_slip(const std::vector<std::string>& message) {
   const std::string& first = message.front();
   if (has(first, "[-Wdangling-else]")) return false;
@@ -61,8 +61,9 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Calls `use(context, message)` for each message. `context` are the lines since the previous one, such as
-/// "My.ino: In function 'void loop()':". `message` is its line, and the lines that gcc shows below.
+/// Calls `use(context, message)` for each message. `context` contains the lines since the previous message,
+/// such as "My.ino: In function 'void loop()':". `message` contains its line, and the lines that gcc shows
+/// below.
 template <typename Use>
 void for_each_message(const std::string& messages, Use use) {
   std::vector<std::string> context, message;

@@ -15,7 +15,7 @@ namespace robosim::build {
 class WidthCheck {
  public:
   /// Returns the check for a build with this toolchain; null if the build needs none, or the AVR's compiler
-  /// is not installed. The check is for warnings about a sketch for the host whose board has an AVR.
+  /// is not installed. A build for the host needs the check if it shows warnings and the board has an AVR.
   static std::unique_ptr<const WidthCheck> of(const Toolchain& host, const GenuineCore& core,
                                               const std::filesystem::path& cache);
 
@@ -33,8 +33,8 @@ class WidthCheck {
   Toolchain avr_;
 };
 
-/// Returns what the result of a build depends on if it has a WidthCheck: the AVR's compiler. Returns an empty
-/// text if the build has none.
+/// Returns the identity of the AVR's compiler, which affects a build with a WidthCheck. Returns an empty text
+/// for other builds.
 std::string width_check_identity(const Toolchain& host);
 
 }  // namespace robosim::build

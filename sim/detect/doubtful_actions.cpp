@@ -99,7 +99,8 @@ void DoubtfulActions::wrote(int64_t number, int64_t value, SimTime t, const Wher
   }
   if (pin.pwm || value == 0 || value == kHighest || add_occurrence("lost_pwm", number)) return;
   add(result::detector("lost_pwm"), number,
-      fmt::format("pin {} of the {} has no PWM, and is LOW below 128 and HIGH otherwise: analogWrite({}, {})",
+      fmt::format("pin {} of the {} has no PWM, and is LOW for values below 128, and HIGH otherwise: "
+                  "analogWrite({}, {})",
                   name_of(*board_, static_cast<Pin>(number)), board_->name, number, value),
       fmt::format("Use a pin with PWM: {}.", pwm_pins(*board_)), {t, where()});
 }

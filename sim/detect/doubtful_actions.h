@@ -15,14 +15,15 @@
 //
 // no_interrupt: attachInterrupt(digitalPinToInterrupt(pin), count, RISING);
 //   The number of a pin without an external interrupt is 255, and the call has no effect. The same is true of
-//   other numbers that the board does not have, such as a pin's number instead of its interrupt's.
+//   other numbers that the board does not have, such as a pin's number instead of its interrupt's number.
 //
 // long_delay: delay((long)(next - millis()));
 //   A negative number becomes a delay of 24 to 49 days.
 //
-// Conditions for timers: a timer was outside of PWM modes for at least 10 ms. Before, the sketch wrote a duty
-// cycle (OCRnx of a connected output), or an output with PWM lost it. Shorter times occur while a sketch sets
-// up a timer. Duty cycles that are written while the timer is stopped are not reported.
+// Conditions for timers: a timer leaves its PWM modes while an output has PWM. Or the sketch writes a duty
+// cycle (OCRnx of a connected output) to a timer outside of PWM modes. The timer then stays outside of them
+// for at least 10 ms. Shorter times occur while a sketch sets up a timer. Duty cycles that are written while
+// the timer is stopped are not reported.
 //
 // On the host, the firmware itself reports these actions. On an AVR, FirmwareActions finds them
 // (avr/firmware_actions.h).
@@ -71,7 +72,8 @@ class DoubtfulActions {
   void delayed(int64_t ms, SimTime t, const Where& where);
   void changed_mode(int64_t timer, bool makes_pwm, bool had_pwm, SimTime t, const Where& where);
   std::optional<exec::Detected> told(const TakenTimer& taken, SimTime now) const;
-  /// Counts another occurrence of a known finding. Returns false if the finding is new, and has room.
+  /// Counts another occurrence of a known finding. Returns false if the finding is new, and there is room for
+  /// it.
   bool add_occurrence(const char* detector, int64_t key);
 
   struct Key {
@@ -80,7 +82,7 @@ class DoubtfulActions {
   };
 
   const BoardSpec* board_;
-  std::vector<Key> keys_;              ///< of found_
+  std::vector<Key> keys_;              ///< keys of found_
   std::vector<exec::Detected> found_;  ///< sorted by time
   std::vector<TakenTimer> timers_;
 };

@@ -71,8 +71,8 @@ std::vector<exec::Detected> DrivenInput::found(SimTime now) const {
                "pin{} {} {}, but the part there gives a level to read, and the two drive against each other; "
                "it was set",
                several ? "s" : "", pins, several ? "are outputs" : "is an output"),
-           "Set the pin to INPUT. If the part is at another pin, correct the robot file (robosim wire drafts "
-           "one).",
+           "Set the pin to INPUT. If the part is at another pin, correct the robot file (“robosim wire” "
+           "drafts one).",
            first.where, 1e-9 * static_cast<double>(*first.output_since),
            static_cast<std::int64_t>(driven.size())}};
 }

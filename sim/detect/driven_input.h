@@ -6,9 +6,9 @@
 // pressed button that connects the pin to ground shorts the pin while it is HIGH. The absolute maximum is
 // 40 mA for each pin (ATmega328P, DS40002061B, 28.1).
 //
-// A finding is a pin that was an output for 0.1 s or more without a break. Sensors that a sketch charges
-// through the same pin are outputs for microseconds only. Only pins of these parts are examined: button,
-// bumper, encoder, infrared receiver, and the sensors of a reflectance array.
+// A finding is a pin that was an output for 0.1 s or more without a break. Pins through which a sketch
+// charges a sensor are outputs for microseconds only. Only pins of these parts are examined: button, bumper,
+// encoder, infrared receiver, and the sensors of a reflectance array.
 //
 // To fix a finding, call pinMode(pin, INPUT) or pinMode(pin, INPUT_PULLUP), or wire the part to another pin.
 #pragma once

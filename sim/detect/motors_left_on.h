@@ -33,7 +33,7 @@ class MotorsLeftOn final : public SteeringDetector {
     bool counts = false;  ///< a sensor saw the line, no manual move followed, and nothing was reported yet
     SimTime began = 0;
     double from_m = 0.0;
-    double unchanged_from_m = 0.0;  ///< travel at the last change of a command or reading of a sensor
+    double unchanged_from_m = 0.0;  ///< travel when a command last changed, or a sensor was last read
     double left = 0.0, right = 0.0;
   };
 

@@ -67,11 +67,11 @@ void SlowControl::commands_changed(const Steering& now) {
           result::detector("slow_control"),
           fmt::format(
               "the line went out from under the sensors between two changes of the motors' power: it changed "
-              "only each {:.0f} ms, {:.0f} mm of way, although line sensors were read {} times in between",
+              "only every {:.0f} ms, or {:.0f} mm, although line sensors were read {} times in between",
               1e3 * seconds, 1e3 * step_m, s.reads),
           fmt::format(
-              "Compute and set the motors more often: at this speed each {:.0f} ms. Some PID libraries "
-              "compute only each 100 ms unless SetSampleTime() is called.",
+              "Compute and set the motors more often: at this speed, every {:.0f} ms. Some PID libraries "
+              "compute only every 100 ms unless SetSampleTime() is called.",
               std::max(1.0, std::floor(1e3 * seconds * kGoodWay_m / step_m))),
           {},
           1e-9 * static_cast<double>(s.changed.t),

@@ -2,12 +2,12 @@
 //
 //   if (now - last < 100) return;  last = now;  output = kp * error;    // at 0.7 m/s: 70 mm with one command
 //
-// Some PID libraries compute only each 100 ms unless the sketch sets another time. The sketch does read its
+// Some PID libraries compute only every 100 ms unless the sketch sets another time. The sketch does read its
 // sensors in each pass of loop(), so that it does not drive blindly (blind_driving.h). But the readings
 // change nothing in between. A finding is a loss of the line with these properties:
 //
 //   - the motor commands changed at regular times, at least four times in a row. Each interval is a multiple
-//     of the shortest one, to 5 % or 2 ms. The shortest interval is 20 ms or longer;
+//     of the shortest one, within 5 % or 2 ms. The shortest interval is 20 ms or longer;
 //   - in each interval, the sketch read floor sensors in four ticks or more;
 //   - a sensor was over the line between two changes that are 20 mm or more apart, and none was over it at
 //     the second change. The robot did not find the line again, or lost it three times in this way.

@@ -47,7 +47,7 @@ std::vector<exec::Detected> SlowSource::found(SimTime) const {
     const int number = here.worst.pin - executor_.board().spec().analog_pin_0;
     told.what = fmt::format(
         "A{} was read up to {:.2f} V too {}: the source wired to it does not charge the converter's "
-        "capacitor in time; that still has the voltage of the previously read pin",
+        "capacitor in time; the capacitor still has the voltage of the previously read pin",
         number, std::abs(here.worst.volts), here.worst.volts > 0.0 ? "high" : "low");
     told.mend = fmt::format(
         "Read A{} twice and discard the first reading, put 100 nF between it and ground, or connect a source "

@@ -73,9 +73,9 @@ std::vector<exec::Detected> TornRecord::found(SimTime) const {
     const auto seconds = [](SimTime t) { return 1e-9 * static_cast<double>(t); };
     all.push_back(
         {result::detector("torn_record"),
-         fmt::format("a power cut from {:.4f} to {:.4f} s (in a script: after eeprom {} power off for 20ms) "
-                     "leaves{} in bytes {} to {} of the EEPROM, neither the old{} nor the new{}, and nothing "
-                     "reveals it: the bytes are written one by one",
+         fmt::format("a power cut from {:.4f} to {:.4f} s (in a script: “after eeprom {} power off for "
+                     "20ms”) leaves{} in bytes {} to {} of the EEPROM, neither the old{} nor the new{}, and "
+                     "nothing reveals it: the bytes are written one by one",
                      seconds(first.at), seconds(last.at + kEepromWriteTime), first.number, half,
                      first.address, last.address, old_bytes, new_bytes),
          "Write a checksum after the record, and check it when the record is read.", record.where,

@@ -41,8 +41,8 @@ std::size_t guilty_robot(const wire::RunRequest& request, const std::vector<std:
   if (acting < 0 || acting > static_cast<int>(request.agents.size())) {  // a sketch has overwritten it
     if (suspects.size() == 1) return suspects[0];
     throw InputError(
-        "one of the sketches on the host has ended the shared process and overwritten the record of which "
-        "sketch it was: run each sketch alone or on its chip");
+        "one of the sketches on the host has ended the shared process and overwritten the record that names "
+        "this sketch: run each sketch alone or on its chip");
   }
   throw std::runtime_error(fmt::format(
       "the run's process ended while the chip of robot {} was emulated; a sketch on the host that writes to "

@@ -54,7 +54,8 @@ void DebuggedRun::run_on() {
     if (!server_.attached()) moments_.clear();
     const bool can_go_back = server_.history() && server_.attached();
     if (can_go_back && t >= moments_.next()) moments_.add({t, simulation_.save(), told_.count()});
-    // Defers an interruption until the run is at its latest time, since reports cannot be withdrawn.
+    // Defers an interruption while the run repeats an earlier part. Otherwise the run could end before
+    // reports that the listener already has.
     setup_.interrupted = told_.is_at_front() ? interrupted_ : nullptr;
     simulation_.run_until(t + kStretch);
   }
@@ -122,7 +123,8 @@ bool DebuggedRun::halts_at_end(const judge::Outcome& outcome) {
   if (!moment) return false;  // the power was always off
   Place place = *search.found;
   place.stop.edge = Edge::end;
-  server_.say("The run is over: " + outcome.why + " This is its last instruction; continue to end the run.");
+  server_.say("The run is over: " + outcome.why +
+              " This is its last instruction. Enter “continue” to end the run.");
   seek(*moment, place);
   return true;
 }

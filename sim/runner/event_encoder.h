@@ -18,8 +18,8 @@ namespace robosim::runner {
 class EventEncoder final : public run::Listener {
  public:
   /// Reports the events to which `request` subscribes, for robot number `agent`. Frequent events go
-  /// through `batcher` if it is not null and the request comes in batches. All arguments except `tell` must
-  /// outlive this object.
+  /// through `batcher` if it is not null and the request's events come in batches. All arguments except
+  /// `tell` must outlive this object.
   EventEncoder(const wire::RunRequest& request, int agent, const BoardSpec& board, exec::Executor& executor,
                Tell tell, EventBatcher* batcher);
 
@@ -44,8 +44,8 @@ class EventEncoder final : public run::Listener {
   const exec::SourceLine& driving(Pin pin, const PinDrive& drive) const;
   int source_of(Pin pin, const PinDrive& drive) { return sources_ ? number_of_source(pin, drive) : 0; }
   int number_of_source(Pin pin, const PinDrive& drive);
-  /// Returns whether the batcher can append an event without a record of its time or name before it. This is
-  /// the case for most events. This code is small, since recording a run must be fast.
+  /// Returns whether the batcher can append an event without first appending a record of its time or name.
+  /// This is the case for most events. This code is small, since recording a run must be fast.
   static bool goes_on(const EventBatcher* batcher, int agent, SimTime t, Pin pin) {
     return batcher && batcher->follows(agent, t, pin);
   }

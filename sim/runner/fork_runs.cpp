@@ -69,7 +69,7 @@ std::vector<scenario::Step> steps_of(const std::string& script, const wire::Ways
       continue;
     }
     if (trigger.kind != at)
-      throw InputError(step.place, "expected a line that begins with at, or with the way's `after`");
+      throw InputError(step.place, "expected a line that begins with “at”, or with the way's `after`");
     if (trigger.time < parted) throw InputError(step.place, "this line is due before the run is split");
   }
   return steps;

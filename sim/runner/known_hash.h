@@ -1,4 +1,4 @@
-// SHA-256 of files, cached for the next request.
+// Caches the SHA-256 of files for the next request.
 #pragma once
 
 #include <filesystem>

@@ -19,8 +19,8 @@ namespace robosim::runner {
 /// Outputs of addr2line for one image. Many runs of a sweep ask about the same addresses.
 class KnownLines {
  public:
-  /// Returns the output for these offsets. Calls `ask` if it is not known, and keeps a result that is not
-  /// empty.
+  /// Returns the output for these offsets. Calls `ask` if the output is not known, and stores an output that
+  /// is not empty.
   std::string find(const std::vector<std::uintptr_t>& offsets, const std::function<std::string()>& ask);
 
  private:

@@ -184,7 +184,7 @@ judge::Outcome RequestedRun::inquire() const {
 std::vector<judge::Outcome> RequestedRun::simulate() const {
   if (request_.why) return {inquire()};
   // A run with counters or observers may not go back, because they would count some ticks twice. A run that a
-  // client drives may not go back either, because the client cannot.
+  // client drives may not go back either, because the client cannot go back.
   const bool may_go_back =
       !request_.interactive && !request_.detect && request_.counters.empty() && !request_.source_ns;
   if (debugger_ && may_go_back) return {DebuggedRun(setup_, *debugger_).go()};

@@ -58,7 +58,7 @@ class RunWatch {
   struct Reading {
     std::int64_t processor_ns = 0;
     std::int64_t wall_us = 0;
-    bool is_excused = false;  ///< is halted by a debugger or waits for a processor; read in a long silence
+    bool is_excused = false;  ///< halted by a debugger or awaiting a processor; read only in a long silence
   };
   Found look(const Reading& now);
 
@@ -77,7 +77,7 @@ class RunWatch {
   pid_t run_ = -1;
   Limits limits_;
   SimTime seen_ = kNotBegun;
-  bool has_begun_ = false;  ///< loading of firmware has begun; stays true whatever the firmware writes
+  bool has_begun_ = false;  ///< loading of firmware has begun; stays true, whatever the firmware writes
   int seen_acting_ = 0;
   std::int64_t begun_ns_ = 0;      ///< processor time before any firmware was loaded
   std::int64_t processor_ns_ = 0;  ///< processor time at the last progress

@@ -73,7 +73,7 @@ class SandboxProxy {
  private:
   struct Header {
     std::uint64_t token;
-    std::uint64_t batches;  ///< number of batches handed on before
+    std::uint64_t batches;  ///< number of batches handed on before this message
     std::uint32_t bytes;
     char what;
     char unused[3] = {};

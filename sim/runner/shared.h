@@ -9,8 +9,8 @@
 
 namespace robosim::runner {
 
-/// An object in shared memory. Its default constructor creates it; its destructor is never called. Untouched
-/// pages use no memory.
+/// An object of type `T` in shared memory. The default constructor of `T` creates the object; the destructor
+/// of `T` is never called. Untouched pages use no memory.
 template <class T>
 class Shared {
  public:

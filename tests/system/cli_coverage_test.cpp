@@ -64,8 +64,8 @@ class CliCoverage : public ::testing::Test {
 TEST_F(CliCoverage, SaysWhichLinesNeverRanAndWritesATracefile) {
   const Ended ended = run({});
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("coverage: 12 of 18 lines of Mine.ino ran; never: 5-6, 16-19\n"),
-                               HasSubstr("3 of 4 lines of double.cpp ran; never: 3\n")));
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("coverage: 12 of 18 lines of Mine.ino ran; never ran: 5-6, 16-19\n"),
+                               HasSubstr("3 of 4 lines of double.cpp ran; never ran: 3\n")));
   const std::string sketch = (folder_ / "My Sketches/Mine/Mine.ino").string();
   EXPECT_THAT(info(), AllOf(HasSubstr("SF:" + std::filesystem::canonical(sketch).string() + "\n"),
                             HasSubstr("FNDA:3,remember(int)\n"), HasSubstr("\nDA:4,3\nDA:5,0\nDA:6,0\n"),
@@ -84,7 +84,7 @@ TEST_F(CliCoverage, RunsAddUpAndTheSameRunCountsOnce) {
 TEST_F(CliCoverage, CountsUpToACrashAHangAndAPowerCut) {
   const Ended crashed = run({"--send", "x"});
   EXPECT_EQ(crashed.status, 1);
-  EXPECT_THAT(crashed.out, HasSubstr("of Mine.ino ran; never: 5-6, 19\n"));
+  EXPECT_THAT(crashed.out, HasSubstr("of Mine.ino ran; never ran: 5-6, 19\n"));
   folder_.write("cut.txt", "at 1s send \"h\"\nat 1500ms power off 100ms\n");
   run({"--script", "cut.txt"});
   EXPECT_THAT(info(), HasSubstr("FNDA:3,setup\n")) << "once in the first run, twice in the second";
@@ -124,7 +124,7 @@ TEST_F(CliCoverage, IsCountedOnAChipByTheEmulatorAndChangesNothing) {
     const std::vector<std::string> chip = {"--target", target, "--robot", robot, "--json"};
     const Ended counted = run(chip);
     ASSERT_EQ(counted.status, 0) << robot << counted.err;
-    EXPECT_THAT(counted.err, HasSubstr("of Mine.ino ran; never: 5")) << robot;
+    EXPECT_THAT(counted.err, HasSubstr("of Mine.ino ran; never ran: 5")) << robot;
     EXPECT_THAT(counted.err, HasSubstr(", 16-19\n")) << robot;
     EXPECT_THAT(info(),
                 AllOf(HasSubstr("\nDA:11,1\n"), HasSubstr("\nDA:17,0\n"), Not(HasSubstr("Arduino.h"))))

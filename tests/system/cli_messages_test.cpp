@@ -124,7 +124,7 @@ TEST_F(Newcomers, LearnWhichOfSeveralInoFilesIsTheMainOne) {
   EXPECT_THAT(
       refusal({"run", "./Line"}),
       HasSubstr("expected Line.ino, named like its folder, among the 2 .ino files, got a.ino and b.ino; "
-                "rename the main file to that, or name one of them, as in ./Line/a.ino"));
+                "rename the main file to Line.ino, or name one of the files, as in ./Line/a.ino"));
 }
 
 }  // namespace cli_messages_test

@@ -253,8 +253,8 @@ void take_libraries(Project& project, const Settings& settings, const fs::path& 
   const auto wanted = list_of(settings.text(project.environment, "lib_deps"));
   if (!wanted.empty() && !is_folder(fetched))
     project.remarks.push_back(fmt::format(
-        "lib_deps names {}, but {} does not exist yet (“pio pkg install” fetches it); libraries are searched "
-        "for elsewhere",
+        "lib_deps names {}, but {} does not exist yet (“pio pkg install” fetches it); Robosim searches "
+        "elsewhere for libraries",
         wanted.size() == 1 ? wanted[0] : fmt::format("{} libraries", wanted.size()),
         fetched.lexically_relative(folder).string()));
 }

@@ -85,7 +85,7 @@ Project project_of_image(const fs::path& given) {
   project.board_name = text_in(build_options(folder), "fqbn");
   project.file = folder / "build.options.json";
   if (project.board_name.empty() && folder.parent_path().filename() == "build") {
-    // Exported binaries: SKETCH/build/arduino.avr.uno
+    // Exported binaries are in SKETCH/build/arduino.avr.uno.
     std::string name = folder.filename().string();
     for (char& c : name) c = c == '.' ? ':' : c;
     if (!board_of_fqbn(name)) return {};

@@ -47,8 +47,8 @@ Project project_of_image(const std::filesystem::path& image);
 std::filesystem::path sketch_of_image(const std::filesystem::path& image);
 
 /// Finds a board for an image whose board Robosim does not have. The found board has the same chip
-/// ("atmega328p"), and the clock of the FQBN, if specified. Adds a remark. Does nothing if there is no such
-/// board.
+/// ("atmega328p"), and the clock that the FQBN specifies, if any. Adds a remark. Does nothing if there is no
+/// such board.
 void find_stand_in(Project& project, const std::string& chip);
 
 /// Throws InputError for a board that Robosim does not have and cannot substitute.

@@ -33,7 +33,7 @@ struct Parser {
   yaml_parser_t yaml;
 };
 
-/// Returns the change of the nesting depth by an event.
+/// Returns how much an event changes the nesting depth.
 int depth_of(yaml_event_type_t type) {
   if (type == YAML_SEQUENCE_START_EVENT || type == YAML_MAPPING_START_EVENT) return 1;
   return type == YAML_SEQUENCE_END_EVENT || type == YAML_MAPPING_END_EVENT ? -1 : 0;

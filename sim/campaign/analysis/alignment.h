@@ -23,7 +23,7 @@ std::int64_t seen_ns(const History& history);
 /// Returns "1.234 s".
 std::string seconds(std::int64_t ns);
 
-/// Converts times of one side to the other by interpolating linearly between common events.
+/// Converts times of one side to times of the other side, by linear interpolation between common events.
 class Clocks {
  public:
   using Pair = std::pair<std::int64_t, std::int64_t>;

@@ -12,7 +12,7 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::int64_t kSlipping_ns = kSecond_ns;  // time before a loss of the line that is not compared
+constexpr std::int64_t kSlipping_ns = kSecond_ns;  // time before a loss of the line; it is not compared
 
 std::string came_to(const TimedText& place) {
   return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;
@@ -29,7 +29,7 @@ History up_to(std::int64_t until, History history) {
   return history;
 }
 
-/// Returns whether the run ended because the robot lost the line, whatever the verdict.
+/// Returns whether the run ended because the robot lost the line, with any of three verdicts.
 bool is_astray(const History& history) {
   return history.lost_ns &&
          (history.verdict == "lost" || history.verdict == "stuck" || history.verdict == "timeout");
@@ -112,7 +112,7 @@ class Comparer {
                  std::array<std::optional<std::size_t>, 2> place = {}) {
     const std::int64_t a = t[0] - before[0], b = t[1] - before[1];
     if (std::abs(a - b) <= tolerance_.time_for(std::max(a, b))) return true;
-    const std::string since = before[0] + before[1] > 0 ? " after the one before" : " after the start";
+    const std::string since = before[0] + before[1] > 0 ? " after the previous one" : " after the start";
     Difference d{Difference::Kind::time,
                  what,
                  t,

@@ -18,8 +18,8 @@ constexpr std::int64_t kShortest_ns = 100'000'000;  // shortest manoeuvre
 constexpr int kFewest = 2, kManyRuns = 100;
 constexpr std::int64_t kAboutThen_ns = 2'000'000'000;
 
-/// Returns whether two texts agree, up to a tolerance of times. Example: "comes 2.220 s after the one before"
-/// and "comes 2.180 s after the one before".
+/// Returns whether two texts agree, up to a tolerance of times. Example: "comes 2.220 s after the previous
+/// one" and "comes 2.180 s after the previous one".
 bool is_same_way(const std::string& one, const std::string& other, const Tolerance& tolerance) {
   const LineText a = take_apart(one), b = take_apart(other);
   if (a.form != b.form) return false;

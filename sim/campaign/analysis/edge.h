@@ -22,7 +22,7 @@ bool does_as(const History& mine, const History& other, const Difference& found,
 /// Returns whether `own`, a difference between two runs of one target, resembles `found`, a difference
 /// between targets. Differences within 2 s of each other only need to be of the same kind. Here, place and
 /// time count as one kind, and so do motors and speed. Differences at other times must separate the same two
-/// behaviours. These are the same two manoeuvres, or the same two times at places of one kind.
+/// behaviours: two manoeuvres, or two times at places of one kind.
 bool is_alike(const Difference& own, const Difference& found);
 
 /// A condition on a run: the robot comes to a place by a certain time.
@@ -52,7 +52,7 @@ class Choice {
   static std::optional<std::int64_t> time_at(const ComesTo& comes, const History& run);
 
   std::variant<ComesTo, Moves, EndsAs> what_;
-  bool of_first_ = true;  ///< `first` meets the condition; otherwise only `second` does
+  bool of_first_ = true;  ///< true: `first` meets the condition; false: only `second` meets it
 };
 
 /// The number of a target's runs with slightly wrong clocks, and how many of these behave like `first`.

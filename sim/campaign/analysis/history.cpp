@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDriven = 0.02;  // smallest share of the full command that counts as driving
 
-// A line without its end that is older than this at the end of a run is a prompt. A later one is cut off.
+// At the end of a run, an unfinished line that is older than this is a prompt. A newer one was cut off.
 constexpr std::int64_t kSilence_ns = 100'000'000;
 
 bool ends_line(char c) { return c == '\n' || c == '\r'; }

@@ -36,7 +36,7 @@ struct History {
   std::string target;
   std::vector<TimedText> places;  ///< in order of time; no place twice in a row
   std::vector<TimedText>
-      lines;  ///< from the serial port, without line ends and the line that the end cut off
+      lines;  ///< from the serial port, without line ends, and without a last line that was cut off
   std::vector<Stretch> stretches;  ///< consecutive
   std::string verdict;
   std::string why;

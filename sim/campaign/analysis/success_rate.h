@@ -54,9 +54,11 @@ class Tally {
   double rate() const;
   Interval interval() const { return wilson(successes_, runs_); }
 
-  /// Returns whether enough runs have succeeded, whatever the remaining runs do. False without a demand.
+  /// Returns whether enough runs have succeeded, whatever the remaining runs do. Returns false without a
+  /// demand.
   bool met() const;
-  /// Returns whether too many runs have failed, whatever the remaining runs do. False without a demand.
+  /// Returns whether too many runs have failed, whatever the remaining runs do. Returns false without a
+  /// demand.
   bool missed() const;
   bool decided() const { return met() || missed(); }
 

@@ -46,7 +46,8 @@ std::vector<std::string> what_is_not_told(const Calibration& c, bool supply_meas
     all.push_back("the sensors: no log has a sweep of a sensor with more than two values");
   } else {
     all.push_back(
-        "height and ambient: over one floor and from one height, white_volts or white_time includes both");
+        "height and ambient: all sweeps have one floor and one height, so that white_volts or white_time "
+        "includes both");
     for (const PartFit& part : c.sweep.parts) {
       if (part.footprint.value == 0.0)
         all.push_back(fmt::format(
@@ -70,8 +71,8 @@ std::vector<std::string> what_is_not_told(const Calibration& c, bool supply_meas
     all.push_back("no_load_current: requires drives at two voltages, or the rolling out after them");
   if (c.drive->inertia.value == 0.0) all.push_back("the body's inertia: requires turns on the spot");
   all.push_back(
-      "wheel, and the difference of the two: counts show only angles; roll the robot ten turns along a tape "
-      "measure");
+      "wheel, and the difference between the two wheels: counts show only angles; roll the robot ten turns "
+      "along a tape measure");
   all.push_back("grip and static_friction: no wheel slips or sticks in these drives");
   if (!supply_measured)
     all.push_back(

@@ -36,7 +36,7 @@ robot::Description nominal(robot::Description robot) {
   return robot;
 }
 
-/// Returns a motor's command for a value -255 .. 255 of the sketch. 0 sets all pins low.
+/// Returns a motor's command for the sketch's value from -255 to 255. The value 0 sets all pins low.
 world::WheelCommand command(const robot::Description& robot, const robot::MotorSpec& motor, int told) {
   if (told == 0) return {0.0, 0.0};
   // An Uno's timer 0 has the duty cycle (n + 1) / 256, its other timers n / 255. Uses a value in between.

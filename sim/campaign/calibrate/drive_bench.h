@@ -42,7 +42,7 @@ class Bench {
   bool has_motors() const { return motors_[0] && motors_[1]; }
   /// Throws InputError for drives that no parameters can produce.
   void check();
-  /// Returns whether a drive turns on the spot.
+  /// Returns whether any drive turns on the spot.
   bool spins() const { return spins_; }
   /// Returns the differences between counts and simulation with these factors. For drives by stopwatch,
   /// returns the difference divided by its uncertainty. Each half second of a longer drive is compared

@@ -141,7 +141,7 @@ class Reader {
       fail(fmt::format("the column {} is missing", counts_left ? "count_right" : "count_left"));
     if (is_drive_ && !counts_left)
       fail(
-          "a drive requires the columns count_left and count_right; without encoders use a stopwatch: "
+          "a drive requires the columns count_left and count_right; without encoders, use a stopwatch: "
           "docs/howto/calibrating.md");
     if (!is_drive_ && names_.size() < (counts_left ? 4u : 2u))
       fail(
@@ -158,7 +158,7 @@ class Reader {
       fail(fmt::format("a row before the column names: expected a first row that begins with t_us, got “{}”",
                        shortened(fields.front())));
     if (fields.size() != names_.size())
-      fail(fmt::format("the row's fields: expected {}, as many as column names on line {}, got {}",
+      fail(fmt::format("expected {} fields, one for each column name on line {}, got {}",
                        names_.size(), table_line_, fields.size()));
     if (lines_.size() >= kMostRows)
       fail(fmt::format("the table has too many rows: expected at most {}", kMostRows));

@@ -2,7 +2,7 @@
 //
 //   supply = "7.4 V"              # the battery's voltage during the drives; or --supply
 //   [[drive]]
-//   pwm = 255                     # of both motors, from rest
+//   pwm = 255                     # command of both motors, from rest
 //   time = "1 s"                  # then all pins low
 //   distance = "1180 mm"          # from standstill to standstill
 //   measured = "10 mm"            # uncertainty; default 10 mm

@@ -256,8 +256,8 @@ std::vector<Element> gather(const std::vector<Log>& logs, const robot::Descripti
             throw InputError(
                 {log.file, sweep.line},
                 fmt::format(
-                    "{} reads {:.3g} over the floor and {:.3g} over the tape here, but {:.3g} and {:.3g} in "
-                    "the sweep {}; check that both are of the same robot at the same height",
+                    "in this sweep, {} reads {:.3g} over the floor and {:.3g} over the tape, but {:.3g} and "
+                    "{:.3g} in the sweep {}; check that both sweeps are of the same robot at the same height",
                     element.fit.name, levels.white, levels.black, first.white, first.black,
                     to_string(Place{*element.traces.front().file, element.traces.front().sweep->line})));
           if (element.traces.empty()) element.rough = levels;

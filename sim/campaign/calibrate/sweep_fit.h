@@ -14,7 +14,7 @@
 //   noise       from second differences of neighbouring readings, minus the noise from rounding to codes; as
 //               a share of black - white. Patches of the floor hardly change second differences
 //   footprint   f; its uncertainty is the scatter of ten estimates, each from a tenth of the edges
-//   track       path of the wheels / 2 pi over a whole turn, from a crossing to the second one after it
+//   track       path of the wheels / 2 pi over a whole turn, from a crossing to the second crossing after it
 #pragma once
 
 #include <string>

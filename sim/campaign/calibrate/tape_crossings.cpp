@@ -28,7 +28,7 @@ bool black_is_more(const robot::ReflectanceSpec& part) {
   return part.read != robot::ReflectanceSpec::Read::rc && part.black_high;
 }
 
-/// Returns the slope of y over t for the samples first to last.
+/// Returns the slope of y over t for the samples `first` to `last`.
 double slope(const std::vector<double>& t, const std::vector<double>& y, std::size_t first,
              std::size_t last) {
   double n = 0.0, st = 0.0, sy = 0.0, stt = 0.0, sty = 0.0;
@@ -118,8 +118,8 @@ Levels rough_levels(const Trace& trace, const std::string& name, const robot::Re
             name));
   if (std::fabs(levels.black - levels.white) < 0.5 * range && std::fabs(at(0.0) - levels.white) > 0.7 * range)
     throw InputError(
-        place, fmt::format("{} reads {} over the tape than next to it, but with this robot file it reads "
-                           "{} over black; check that the tape is black and the floor white",
+        place, fmt::format("{} reads {} over the tape than next to it, but by this robot file, a sensor "
+                           "reads {} over black; check that the tape is black and the floor white",
                            name, sign > 0.0 ? "less" : "more", sign > 0.0 ? "more" : "less"));
   if (std::fabs(levels.black - levels.white) < 0.5 * range)
     throw InputError(
@@ -137,8 +137,8 @@ Levels rough_levels(const Trace& trace, const std::string& name, const robot::Re
   for (const std::size_t dark : {0u, 1u})
     if (at_end[dark] > kMostSaturated * over[dark])
       throw InputError(
-          place, fmt::format("{} reads {} in {:.0f} % of its readings over the {}: the sensor is saturated "
-                             "there, so that it does not show how {} that is",
+          place, fmt::format("{0} reads {1} in {2:.0f} % of its readings over the {3}: the sensor is "
+                             "saturated there, so that it does not show how {4} the {3} is",
                              name, (dark == 1) == (sign > 0.0) ? 1023 : 0, 100.0 * at_end[dark] / over[dark],
                              dark ? "tape" : "floor", dark ? "dark" : "bright"));
   return levels;

@@ -54,7 +54,7 @@ struct SketchResult {
 /// tool, bad input, failure, timeout.
 ExitStatus worse(ExitStatus a, ExitStatus b);
 
-/// Returns why a run does not meet the check, in one sentence; nullopt if it does.
+/// Returns why a run does not meet the check, in one sentence; nullopt if the run meets it.
 std::optional<std::string> why_failed(const Check& check, const result::RunResult& result);
 /// Returns whether `why` is a finding of a detector.
 bool is_of_detectors(const std::string& why);

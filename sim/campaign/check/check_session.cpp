@@ -84,7 +84,7 @@ void confine(Check& check, const fs::path& folder) {
       throw InputError(
           check.place,
           "target: with --untrusted, expected avr, stm32, or no target (the chip of the robot's board), "
-          "got host; there the sketch would share its judge's memory");
+          "got host; on the host, the sketch would share its judge's memory");
   if (folder.empty()) return;
   std::vector<std::string> files = sweep.each.libraries;
   if (!sweep.each.script.empty()) files.push_back(sweep.each.script);
@@ -135,8 +135,8 @@ void CheckSession::add(const std::string& sketch, const std::string& file) {
     std::error_code error;
     if (!fs::exists(result.checks, error)) {
       throw InputError({result.checks, 0, 0},
-                       "no such file; robosim new creates a project with one, and --checks FILE uses one for "
-                       "all sketches");
+                       "no such file; “robosim new” creates a project with a checks.toml, and --checks FILE "
+                       "uses one file for all sketches");
     }
     for (Check check : read_checks(result.checks)) {
       if (!check.fleet.empty())
@@ -177,8 +177,8 @@ void CheckSession::plan(const Check& check, bool limited) {
       throw InputError(
           check.place,
           fmt::format("with --untrusted, all runs of a sketch's own checks together: expected at most "
-                      "{:.0f} s of simulated time, got {:.0f} s up to this check; lower seeds or for, "
-                      "or use --checks",
+                      "{:.0f} s of simulated time, got {:.0f} s up to this check; lower “seeds” or "
+                      "“for”, or use --checks",
                       kMostSimulated_s, sum_s));
     for (Combination& combination : planned.plan.combinations) combination.task.request.detect = check.detect;
     result.where = where_text(planned.plan);

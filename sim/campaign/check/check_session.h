@@ -17,9 +17,9 @@ namespace robosim::campaign {
 
 class CheckSession {
  public:
-  /// All sketches may use the Arduino libraries in the folders `libraries`. If `untrusted`, the sketches come
-  /// from strangers. Such sketches run only on chips. Checks in a sketch's folder may name only files in that
-  /// folder.
+  /// All sketches may use the Arduino libraries in the folders `libraries`. If `untrusted` is true, the
+  /// sketches come from strangers. Such sketches run only on chips. Checks in a sketch's folder may name only
+  /// files in that folder.
   explicit CheckSession(SweepPlanner& planner, std::vector<std::string> libraries = {},
                         bool untrusted = false)
       : planner_(planner), libraries_(std::move(libraries)), untrusted_(untrusted) {}

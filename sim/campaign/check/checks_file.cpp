@@ -73,7 +73,7 @@ class CheckReader {
     check.place = reader_.table().place;
     check.name = as_string(reader_.require("name"), "name");
     if (check.name.empty())
-      throw InputError(check.place, "name: expected what is checked, got an empty string");
+      throw InputError(check.place, "name: expected a description of the check, got an empty string");
     check.sweep = sweep();
     check.fleet = fleet();
     check.expect = words_at(reader_, "expect");

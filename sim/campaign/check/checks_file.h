@@ -41,7 +41,7 @@ struct Check {
 std::vector<TextAssertion> text_assertions_in(const std::filesystem::path& file);
 
 /// Returns all checks of a file, in its order. Each key means the same as the flag of `run` or `sweep` with
-/// its name. Paths are relative to the file's folder. Throws InputError.
+/// the same name. Paths are relative to the file's folder. Throws InputError.
 std::vector<Check> read_checks(const std::filesystem::path& file);
 /// Works like read_checks(), but reads `text`, the content of `file`.
 std::vector<Check> parse_checks(std::string_view text, const std::filesystem::path& file);

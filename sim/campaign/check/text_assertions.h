@@ -1,5 +1,5 @@
-// Texts that a sketch must never, sometimes or always send or show: the keys never, sometimes and always of
-// checks.toml.
+// Reads the keys `never`, `sometimes` and `always` of checks.toml: texts that a sketch must never, sometimes
+// or always send or show.
 #pragma once
 
 #include <string>
@@ -21,11 +21,11 @@ struct TextAssertion {
   std::string text() const;
 };
 
-/// Reads the keys never, sometimes and always of a file of checks. Throws InputError.
+/// Reads the keys `never`, `sometimes` and `always` of a file of checks. Throws InputError.
 std::vector<TextAssertion> read_text_assertions(TableReader& file);
 
-/// Returns why a run breaks a never or always assertion, in one sentence; empty if it does not. A text of
-/// `always` must appear by the end of a run.
+/// Returns why a run breaks a `never` or `always` assertion, in one sentence; empty if no such assertion is
+/// broken. A text of `always` must appear by the end of a run.
 std::string why_broken(const TextAssertion& assertion, const result::RunResult& result);
 
 }  // namespace robosim::campaign

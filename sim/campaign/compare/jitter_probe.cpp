@@ -77,7 +77,8 @@ std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair)
   };
   const auto say = [&](std::size_t side) {
     progress_.say(
-        fmt::format("measuring how often {} does so with other clocks …", pair.target_runs[side]->target));
+        fmt::format("measuring how often {} behaves differently with other clocks …",
+                    pair.target_runs[side]->target));
   };
   for (std::size_t side = 0; side < 2; ++side) {
     say(side);
@@ -111,7 +112,7 @@ std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair)
 std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::size_t side, const Pair& pair) {
   TargetRun& target_run = *pair.target_runs[side];
   progress_.say(
-      fmt::format("checking whether {} does so with a slightly different clock …", target_run.target));
+      fmt::format("checking whether {} behaves differently with another clock …", target_run.target));
   const ObservedRobot observed = observed_robot_of(compared, side, pair);
   std::optional<Edge> found;
   std::vector<std::int64_t> starts{0};

@@ -51,7 +51,7 @@ class JitterProbe {
   const Observer& observer_;
   Progress& progress_;
   std::function<TargetRun*()> make_host_;
-  std::map<const TargetRun*, FromStart> from_start_;  ///< of the target runs of one difference
+  std::map<const TargetRun*, FromStart> from_start_;  ///< for the target runs of one difference
 };
 
 }  // namespace robosim::campaign

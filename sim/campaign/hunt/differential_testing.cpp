@@ -146,11 +146,11 @@ Symptom symptom_of(const Divergence& divergence, const TestCase& test_case, cons
   const std::string& target = space.builds[test_case.build].target;
   if (test_case.differential == Differential::host)
     return {kUnlike, "unlike the host " + divergence.form,
-            fmt::format("Where the host {}, the {} {}, whatever the noise.", divergence.other, target,
+            fmt::format("The host {}, but the {} {}, with any noise.", divergence.other, target,
                         divergence.ours),
             false};
   return {kUnlike, "unlike when its clock wraps " + divergence.form,
-          fmt::format("The sketch {} when millis() is near an overflow, whatever the noise; some minutes "
+          fmt::format("If millis() is near an overflow, the sketch {}, with any noise; some minutes "
                       "earlier it {}.",
                       divergence.ours, divergence.other),
           false};

@@ -272,7 +272,8 @@ void Hunt::look_back() {
 std::string Hunt::remark() const {
   if (!findings_.empty() || traits_.contains(kDrives) || !has_motors(baseline_.result, baseline_.robot))
     return "";
-  return fmt::format("in none of them did the robot drive, whatever the inputs: {}\n", baseline_.result.why);
+  return fmt::format("the robot drove in none of these runs, whatever the inputs: {}\n",
+                     baseline_.result.why);
 }
 
 bool Hunt::go() {

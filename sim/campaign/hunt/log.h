@@ -23,7 +23,7 @@ struct HuntRow {
   std::vector<std::string> heard;    ///< texts of `sometimes` that no earlier run had
   std::size_t finding = 0;           ///< number of the run's finding, from 1; 0 = none
   std::optional<HuntFinding> fresh;  ///< the finding, if this run is the first that shows it
-  bool has_goal = false;             ///< the run went on until its goal, if the sketch reached it
+  bool has_goal = false;             ///< the run had a goal
 };
 
 /// The part of a hunt that one machine ran.

@@ -57,8 +57,8 @@ std::optional<Symptom> symptom_of(const result::RunResult& result, const TestCas
 /// Returns the detectors' findings, one by one.
 std::vector<Symptom> detected_in(const result::RunResult& result);
 
-/// Returns the compiler's warnings in `messages` about code that is rarely intended. Examples: an = in a
-/// condition, an if without a body, a constant that does not fit.
+/// Returns the compiler's warnings in `messages` about code that is rarely intended. Examples: an `=` in a
+/// condition, an `if` without a body, a constant that does not fit.
 std::vector<Symptom> warned_in(const std::string& messages);
 
 /// Returns a broken `never` or `always` assertion of checks.toml.

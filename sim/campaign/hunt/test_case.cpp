@@ -166,7 +166,7 @@ TestCase like(const Noted& noted, const HuntSpace& space, const RandomSource& rn
 }
 
 /// Draws a build. Most test cases run on the host, which is many times as fast as a chip. Builds without
-/// checks (sanitizers) are more frequent, because only their runs tell the robot's behaviour.
+/// checks (sanitizers) are more frequent, because only their runs are evidence of the robot's behaviour.
 std::size_t draw_build(const HuntSpace& space, std::uint64_t run, const RandomSource& rng) {
   if (!space.host_counterpart)
     return static_cast<std::size_t>(run % 2 == 0 ? 0 : run / 2 % drawn_builds(space));

@@ -114,7 +114,7 @@ MutationResult plant_bugs(const MutateOptions& options, Progress& progress,
   std::error_code error;
   if (!by_tests && !fs::exists(file, error))
     throw InputError(
-        {file}, "no such file: robosim mutate requires checks to try, or programs of tests with --tests");
+        {file}, "no such file: “robosim mutate” requires a file of checks, or test programs with --tests");
 
   progress.say("reading the sketch");
   const Tree tree = parse(by_tests ? read(options.sketch, listener)
@@ -125,7 +125,7 @@ MutationResult plant_bugs(const MutateOptions& options, Progress& progress,
   const Trial unchanged = bench.try_unchanged(ask);
   if (unchanged.ending == Trial::Ending::not_compiled)
     throw InputError({choice.path.string()},
-                     "a copy of the sketch's folder alone does not build: " + unchanged.why);
+                     "a copy of only the sketch's folder does not build: " + unchanged.why);
   if (unchanged.ending != Trial::Ending::passed && unchanged.check.empty())
     throw InputError({file}, unchanged.why);
   if (unchanged.ending != Trial::Ending::passed)

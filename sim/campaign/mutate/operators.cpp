@@ -253,7 +253,7 @@ void find_functions(const json& node, std::vector<const json*>& found) {
     for (const json& child : inner(node)) find_functions(child, found);
 }
 
-/// Finds the variables declared in `node`, and all uses of each variable, by its id.
+/// Finds the variables declared in `node`. Stores all uses of each variable under the variable's id.
 void find_names(const Tree& tree, const json& node, std::vector<const json*>& declared,
                 std::map<std::string, std::vector<Range>>& uses) {
   if (kind_of(node) == "VarDecl") declared.push_back(&node);

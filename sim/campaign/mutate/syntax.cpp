@@ -73,7 +73,7 @@ fs::path find_clang() {
   for (const char* name : {"clang++", "clang++-14", "clang++-19", "clang++-16"})
     if (const fs::path found = build::find_program(name); !found.empty()) return found;
   throw ToolMissing(
-      "mutants are drawn from the syntax tree that clang++ gives, which is not installed: apt-get install "
+      "clang++ is not installed, but mutants are drawn from the syntax tree that it gives: apt-get install "
       "clang");
 }
 
@@ -103,7 +103,7 @@ json dump(const fs::path& clang, const build::ParseContext& context, const fs::p
   readable.insert(readable.end(), {clang.parent_path(), source.parent_path()});
   const build::CommandResult result = build::run_within(readable, {command})[0];
   if (!result.output.starts_with("{"))
-    throw InputError({source.string()}, "clang gives no syntax tree of it");
+    throw InputError({source.string()}, "clang gives no syntax tree of this file");
   return read_tree(result.output, number_of);
 }
 

@@ -48,7 +48,8 @@ TestRun read_report(const std::string& report) {
 TestRun run_tests(const fs::path& program, const std::string& filter, const fs::path& scratch,
                   int most_seconds) {
   const fs::path timeout = build::find_program("timeout");
-  if (timeout.empty()) throw ToolMissing("timeout is missing; the Debian package coreutils brings it");
+  if (timeout.empty())
+    throw ToolMissing("the program timeout is missing; the Debian package coreutils contains it");
   const fs::path report = scratch / "report.json";
   fs::remove(report);
   std::vector<std::string> words = {timeout.string(),  std::to_string(most_seconds),
@@ -58,7 +59,7 @@ TestRun run_tests(const fs::path& program, const std::string& filter, const fs::
   const build::CommandResult result = build::run(build::Command{words, scratch, {}});
   if (result.status > 1 || !fs::exists(report))
     throw ProgramBroke(fmt::format("{} ended with status {}{}{}", program.filename().string(), result.status,
-                                   fs::exists(report) ? "" : " and wrote no report as GoogleTest does",
+                                   fs::exists(report) ? "" : ", but wrote no report, unlike GoogleTest",
                                    result.output.empty() ? "" : ":\n" + result.output),
                        result.status == kTimeIsUp);
   TestRun run = read_report(read_file(report));

@@ -28,7 +28,7 @@ struct ProgramBroke : std::runtime_error {
 };
 
 /// Runs a program until its first test fails. `filter` is GoogleTest's filter; empty = GTEST_FILTER. Throws
-/// CouldNotRun, ProgramBroke, and ToolMissing without the program `timeout`.
+/// CouldNotRun, ProgramBroke, and ToolMissing if the program `timeout` is missing.
 TestRun run_tests(const std::filesystem::path& program, const std::string& filter,
                   const std::filesystem::path& scratch, int most_seconds = 600);
 

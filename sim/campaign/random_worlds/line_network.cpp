@@ -35,7 +35,7 @@ std::set<Knot> reached_from(Knot from, const LineNetwork& network) {
 /// Compares knots in row order.
 bool comes_before(Knot a, Knot b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
 
-/// Sorts the pieces, moves the network to the lattice's corner, and drops columns and rows without line. If
+/// Sorts the pieces, moves the network to the lattice's corner, and drops columns and rows without a line. If
 /// the start is no longer a station, it becomes the first station.
 void tidy(LineNetwork& network) {
   const std::set<Knot> knots = knots_of(network.pieces);

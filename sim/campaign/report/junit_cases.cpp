@@ -147,7 +147,7 @@ class Reader {
   std::vector<JunitCase> cases_;
   std::string refused_;
   bool open_ = false;              ///< whether a case is open
-  std::string failure_, printed_;  ///< of the case
+  std::string failure_, printed_;  ///< texts of the open case
   std::string* text_ = nullptr;    ///< destination of the current text
 };
 

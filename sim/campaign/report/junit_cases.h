@@ -1,5 +1,5 @@
-// Reads test reports in JUnit's XML, as written by robosim test --junit, ctest --output-junit and GoogleTest:
-// the cases and their results. Rejects a document type.
+// Reads test reports in JUnit's XML, as written by `robosim test --junit`, `ctest --output-junit` and
+// GoogleTest: the cases and their results. Rejects a report with a document type.
 #pragma once
 
 #include <optional>

@@ -43,7 +43,7 @@ std::string cell(const JunitCase& one, std::size_t number, const ReportExtras& e
                      linked(extras, number, "✗"));
 }
 
-/// Returns the shortest lap of all cases; none if no case has one.
+/// Returns the shortest lap of all cases; nullopt if no case has a lap.
 std::optional<double> best_lap_s(const std::vector<JunitCase>& cases,
                                  const std::vector<std::size_t>& numbers) {
   std::optional<double> best;
@@ -66,8 +66,8 @@ void rank(const std::vector<JunitCase>& cases, Table& groups) {
   for (std::size_t i = 0; i < sorted.size(); ++i) groups.names[i] = std::move(sorted[i].second);
 }
 
-/// Returns a row for each group, and a column for each check if `columns`. If `laps`, a column has the
-/// shortest laps.
+/// Returns a table with a row for each group. If `columns` is true, it has a column for each check. If `laps`
+/// is true, it has a column of shortest laps.
 std::string groups_table(const std::vector<JunitCase>& cases, const Table& groups, const Table& checks,
                          bool columns, bool laps, const ReportExtras& extras) {
   const std::string shown = rows_shown(groups.names.size(), kMostRows);
@@ -119,7 +119,7 @@ std::string checks_table(const std::vector<JunitCase>& cases, const Table& check
   }
   const double longest_s = std::max(most_of(all_times), 1e-3), widest_mm = std::max(most_of(all_off), 1e-3);
   std::string body = fmt::format(
-      "<h2>Those that passed, check by check</h2>\n<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th "
+      "<h2>Passed cases of each check</h2>\n<div class=\"wide\" tabindex=\"0\"><table>\n<tr><th "
       "class=\"left\">check</th><th>passed</th><th>times, 0 to {:.1f} s</th>",
       longest_s);
   if (!all_off.empty()) body += fmt::format("<th>off the line, 0 to {:.0f} mm</th>", widest_mm);
@@ -158,9 +158,9 @@ std::string what_failed(const std::vector<JunitCase>& cases, const ReportExtras&
           "<tr><td class=\"left\">{}</td><td class=\"left\">{}</td><td class=\"why\">{}</td></tr>\n",
           markup_text(one.group), linked(extras, i, markup_text(one.name)), markup_text(one.message));
   if (failures.empty()) return failures;
-  return fmt::format("<h2>What failed{}</h2>\n", rows_shown(told, kMostRows)) +
+  return fmt::format("<h2>Failures{}</h2>\n", rows_shown(told, kMostRows)) +
          "<div class=\"wide\" tabindex=\"0\"><table class=\"list\">\n<tr><th "
-         "class=\"left\">of</th><th "
+         "class=\"left\">name</th><th "
          "class=\"left\">check</th><th class=\"left\">why</th></tr>\n" +
          failures + "</table></div>\n";
 }
@@ -188,7 +188,7 @@ std::string junit_page(const std::string& file, const std::vector<JunitCase>& ca
     const auto whole = std::count_if(groups.names.begin(), groups.names.end(), [&](const std::string& name) {
       return count(cases, groups.of.at(name), JunitCase::Ending::failed) == 0;
     });
-    body += fmt::format(" Without a failure: {} of {}.", whole, groups.names.size());
+    body += fmt::format(" Names without a failure: {} of {}.", whole, groups.names.size());
   }
   const bool laps =
       columns && std::any_of(cases.begin(), cases.end(), [](const JunitCase& one) { return one.best_lap_s; });

@@ -120,8 +120,9 @@ std::vector<std::string> remarks_on(const ReportExtras& extras) {
   std::vector<std::string> remarks;
   if (extras.other > 0)
     remarks.push_back(
-        fmt::format("{} of the runs had another result when they were repeated, and are not shown: give "
-                    "report the options of the sweep, or the sketch, map or robot has changed since.",
+        fmt::format("{} of the runs had another result when they were repeated, and are not shown. Pass "
+                    "the sweep's options to “robosim report”, unless the sketch, map or robot has changed "
+                    "since.",
                     extras.other));
   if (extras.cannot_be > 0)
     remarks.push_back(fmt::format(

@@ -42,7 +42,7 @@ struct ReportExtras {
 /// be repeated.
 std::vector<std::string> remarks_on(const ReportExtras& extras);
 
-/// Reads the command of a run, as a table or robosim test has stored it. Throws InputError.
+/// Reads the command of a run, as a table or `robosim test` has stored it. Throws InputError.
 using ReadCommand = std::function<launch::RunSettings(const std::string& command)>;
 
 /// Repeats runs of a sweep's table, beginning with the worst run of each combination. Only these worst runs
@@ -50,8 +50,8 @@ using ReadCommand = std::function<launch::RunSettings(const std::string& command
 ReportExtras extras_of_runs(const std::vector<SweptRun>& runs, const ReportOptions& options,
                             const ReadCommand& read_command, const launch::Listener& listener);
 
-/// Repeats failed checks of robosim test, which the JUnit XML `file` contains, and adds their replays. Begins
-/// with the first failure of each sketch. For C++ tests, adds the replays that the tests have saved.
+/// Repeats the failed checks in `file`, the JUnit XML of `robosim test`, and adds their replays. Begins with
+/// the first failure of each sketch. For C++ tests, adds the replays that the tests have saved.
 ReportExtras extras_of_cases(const std::vector<JunitCase>& cases, const std::string& file,
                              const ReportOptions& options, const ReadCommand& read_command,
                              const launch::Listener& listener);

@@ -1,4 +1,4 @@
-// Reads a sweep's table for a report. Accepts any table that sweep --csv has written, with any inputs.
+// Reads a sweep's table for a report. Accepts any table that `sweep --csv` has written, with any inputs.
 #pragma once
 
 #include <cstdint>

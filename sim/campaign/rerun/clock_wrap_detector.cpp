@@ -224,13 +224,13 @@ std::vector<result::Detected> detect_clock_wrap(client::Runner& runner, wire::Ru
     seen.detector = result::detector("clock_wrap");
     const bool ends_otherwise = wrapped.result.verdict != usual.result.verdict;
     seen.what = fmt::format(
-        "when {} goes back to 0, as it does after {}, here at {:.2f} s, the robot behaves differently{}",
+        "the robot behaves differently when {} goes back to 0 (after {}; in this run at {:.2f} s){}",
         by_micros ? "micros()" : "millis()", by_micros ? "71.6 minutes" : "49.7 days",
         1e-9 * static_cast<double>(moment),
         ends_otherwise ? fmt::format(": {} instead of {}", wrapped.result.verdict, usual.result.verdict)
                        : "");
     if (place)
-      seen.what += fmt::format("; in the second after that, this line runs {:.0f} times {}",
+      seen.what += fmt::format("; in the next second, this line runs {:.0f} times {}",
                                std::abs(place->wrapped - place->other),
                                place->wrapped > place->other ? "more" : "less");
     seen.mend =

@@ -10,7 +10,7 @@
 // as high and does not wrap. If these two runs differ after the wrap, the sketch does not handle the wrap. A
 // difference is another verdict, another path in the next 2 s, or a pin that stops changing. Line counts show
 // which line ran far more often, or stopped running. Some sketches also differ with other clocks that do not
-// wrap, because a microsecond changes the robot's path. Nothing is reported for them.
+// wrap, because a microsecond changes the robot's path. Nothing is reported for such sketches.
 //
 // The clock wraps in the middle of the run, or after a pin change that precedes a long pause. The detector
 // misses 16-bit variables, and deadlines that are not pending at any of these moments. It skips sketches

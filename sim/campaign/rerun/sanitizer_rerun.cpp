@@ -15,7 +15,7 @@ constexpr double kLongest_of_timeout_s = 60.0;
 // A sketch with checks takes longer to crash.
 constexpr double kMargin_of_crash_s = 1.0;
 
-// Returns the time by which a check must fail to explain the first result.
+// Returns a time limit. A check that fails after this time does not explain the first result.
 double limit_s(const result::RunResult& first) {
   if (first.verdict == "timeout") return std::min(kLongest_of_timeout_s, first.time_s);
   return first.verdict == "crashed" ? first.time_s + kMargin_of_crash_s : first.time_s;
@@ -112,8 +112,8 @@ std::string next_of(const result::RunResult& result) {
 std::string next_after(const result::RunResult& first, const Checked& second) {
   if (const auto& finding = second.finding)
     return fmt::format(
-        "{}{}, {:.2f} s after the start: that is what a second run, with checks (--sanitize), has met "
-        "first.{}{}",
+        "{}{}, {:.2f} s after the start: this is the first failed check of a second run with checks "
+        "(--sanitize).{}{}",
         finding->fault.reason, place_of(finding->fault), finding->time_s, finding->advice.empty() ? "" : " ",
         finding->advice);
   if (!second.is_clean || (first.verdict != "lost" && first.verdict != "stuck")) return next_of(first);

@@ -19,7 +19,7 @@ bool deserves_sanitizer_rerun(const build::Request& sketch, const result::RunRes
 struct Checked {
   std::optional<result::Finding> finding;  ///< the first failed check
   /// No check failed in the whole run. If neither this nor `finding` is set, nothing is known: the sketch
-  /// does not compile with checks, crashed for another reason, or the user interrupted.
+  /// does not compile with checks, crashed for another reason, or the user interrupted the run.
   bool is_clean = false;
 };
 
@@ -36,7 +36,7 @@ bool deserves_detectors(const build::Request& sketch, const result::RunResult& f
 /// the chip has.
 struct AsFlashed {
   std::vector<result::Detected> detected;
-  std::optional<result::RunResult> crashed;  ///< the repeated run, if it crashed, whatever the first result
+  std::optional<result::RunResult> crashed;  ///< the repeated run, if it crashed, after any first result
 };
 /// Runs the sketch as flashed, with detectors. Returns an empty result if the user interrupts the run.
 AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,

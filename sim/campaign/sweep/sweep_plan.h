@@ -59,8 +59,8 @@ class SweepPlanner {
   explicit SweepPlanner(launch::Listener listener);
   ~SweepPlanner();
 
-  /// Makes the plan. Of several sketches, leaves out those that do not compile, unless none compiles. Throws
-  /// InputError, ToolMissing and client::RunnerError.
+  /// Makes the plan. Skips sketches that do not compile, unless none compiles. Throws InputError, ToolMissing
+  /// and client::RunnerError.
   SweepPlan plan(const SweepOptions& options);
 
  private:

@@ -36,15 +36,15 @@ std::string sweep_header(Columns columns = Columns::all);
 std::string sweep_row(const Combination& combination, const result::RunResult& result,
                       Columns columns = Columns::all);
 
-/// Reads the rows of `text`, the content of a table: the run and outcome of each. An incomplete last row
-/// without line feed is skipped. Throws InputError (with `file` and line) if a row is damaged, belongs to
-/// another plan, or has other inputs. In newer tables the last group of digits in `inputs` is a checksum of
-/// the rest of the row.
 struct SweepRow {
   std::size_t run = 0;
   SweepOutcome outcome;
   std::string line;  ///< with its line feed
 };
+/// Reads the rows of `text`, the content of a table: the run and outcome of each. An incomplete last row
+/// without line feed is skipped. Throws InputError (with `file` and line) if a row is damaged, belongs to
+/// another plan, or has other inputs. In newer tables, the last group of digits in `inputs` is a checksum of
+/// the rest of the row.
 std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string& file,
                                       const SweepPlan& plan);
 

@@ -70,7 +70,7 @@ void FirmwareActions::tell(Kind kind, int64_t first, int64_t second, int64_t thi
 
 void FirmwareActions::called(const Function& function) {
   const std::vector<exec::DebugInfo::Argument>& arguments = function.entry.arguments;
-  // The compiler may leave out the upper bytes of an argument that the function does not use. Then the
+  // The compiler may omit the upper bytes of an argument if the function does not use these bytes. Then the
   // remaining register or constant is not the argument.
   const auto value = [&](std::size_t number, std::size_t size) -> std::optional<std::int64_t> {
     if (number >= arguments.size()) return std::nullopt;

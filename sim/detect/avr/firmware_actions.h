@@ -1,11 +1,12 @@
 // Finds the actions of firmware on an AVR that may be mistakes, and passes them to DoubtfulActions
 // (doubtful_actions.h).
 //
-// Calls: debug information tells where a function of the API begins, and which registers have its arguments
-// there. This includes copies that the compiler has inlined. Calls whose arguments are elsewhere are not
-// found.
+// Calls: debug information gives the address where a function of the API begins, and the registers that have
+// its arguments there. This includes copies that the compiler has inlined. Calls whose arguments are
+// elsewhere are not found.
 //
-// Timers: every instruction of the program that stores to TCCRnA, TCCRnB or OCRnx at a constant address.
+// Timers: the detector examines every instruction that stores to TCCRnA, TCCRnB or OCRnx at a constant
+// address.
 #pragma once
 
 #include <cstdint>

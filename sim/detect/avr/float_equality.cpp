@@ -100,8 +100,8 @@ std::vector<Detected> FloatEquality::found(SimTime) const {
       all.push_back(
           {result::detector("float_equality"),
            fmt::format(
-               "a measured or summed float rarely equals an exact value: this one was compared with {:g} "
-               "by == or != {} times, passed it, and was never equal",
+               "a measured or summed float rarely equals an exact value: this one was compared {1} times "
+               "by == or != with {0:g}, passed it, and was never equal",
                constant(one), one.times),
            "Compare with >= or <=, or with fabs(a - b) < 0.5, or count in integers.", debug_.place(one.pc),
            1e-9 * static_cast<double>(one.found_at), one.times});

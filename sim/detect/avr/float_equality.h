@@ -7,7 +7,7 @@
 // properties:
 //
 //   - it ran at least 10 times, with a constant on one side, and its two sides were never equal;
-//   - the other side was below the constant at some time and above at another: the value has passed it;
+//   - the other side was below the constant at one time and above it at another: the value has passed it;
 //   - if the constant is 0, the value did not come closer to 0 in 20 consecutive comparisons. This exempts
 //     `if (error != 0) correct();`, where a control error changes its sign repeatedly.
 //

@@ -77,7 +77,7 @@ void Heap::answered() {
     seen_.add(
         {result::detector("no_memory"),
          fmt::format("no memory was left for {} bytes{}: a String silently becomes empty or stays "
-                     "unchanged, and new returns a null pointer",
+                     "unchanged, and “new” returns a null pointer",
                      asked.bytes,
                      free.bytes < asked.bytes
                          ? ""
@@ -148,7 +148,7 @@ std::optional<Detected> Heap::growth() const {
       grown, rate, left / rate);
   seen.mend =
       "Print a text instead of storing it, or store it in a char array of fixed size; reserve() once, in "
-      "setup(); delete everything that new has created.";
+      "setup(); delete everything that “new” has created.";
   seen.where = grown_at_;
   seen.first_s = 1e-9 * static_cast<double>(growths_.front().at);
   seen.times = times[0] + times[1] + times[2];

@@ -6,7 +6,7 @@
 // The chip has 2 KB of RAM. Growth in each pass fills the RAM within a minute, although not in a short test
 // on the bench. Then malloc() fails, a String silently becomes empty, and `new` returns a null pointer.
 // Alternatively the stack grows into the heap, and a function returns to an invalid address. A freed block
-// leaves a hole between used blocks, which fits only allocations of at most its size. A fragmented heap
+// leaves a hole between used blocks. The hole fits only allocations of at most its size. A fragmented heap
 // (strings of many lengths, some freed, some not) therefore grows although enough bytes are free.
 //
 //   heap_grows      after the first second, the heap's end has risen three times in each third of the run

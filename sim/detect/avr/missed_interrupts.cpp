@@ -41,7 +41,8 @@ MissedInterrupts::~MissedInterrupts() { machine_.chip().chip().core().on_lost = 
 /// running".
 std::string MissedInterrupts::held_off() const {
   return machine_.chip().in_handler() ? "because a handler was still running"
-                                      : "because interrupts, or this one, were off (noInterrupts(), cli())";
+                                      : "because all interrupts, or only this one, were off "
+                                        "(noInterrupts(), cli())";
 }
 
 void MissedInterrupts::see(const char* detector, const std::string& what, const SourceLine& where,
@@ -114,7 +115,7 @@ void MissedInterrupts::ticks_lost(std::int64_t ticks, Cycle at) {
                   "because {} for at least {:.1f} ms, until here",
                   ticks == 1 ? "a tick" : fmt::format("{} ticks", ticks), 1e-3 * tick_us,
                   handler ? "a handler was running"
-                          : "interrupts, or this one, were off (noInterrupts(), cli(), TIMSK0)",
+                          : "all interrupts, or only this one, were off (noInterrupts(), cli(), TIMSK0)",
                   1e-3 * off_us),
       where, ticks);
 }

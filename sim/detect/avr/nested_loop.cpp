@@ -32,7 +32,7 @@ void NestedLoop::visited(std::uint32_t, Cycle) {
   seen_ = {result::detector("nested_loop"),
            fmt::format(
                "loop() is called from within itself and does not return: {} calls are open at {:.2f} s, each "
-               "takes {} bytes of the stack, and {} bytes are left before it reaches the variables",
+               "takes {} bytes of the stack, and {} bytes are left before the stack reaches the variables",
                deepest_, now_s, bytes, left > 0 ? left : 0),
            "Return from loop(): main() calls it repeatedly.",
            program_.debug.place(call_site(cpu)),

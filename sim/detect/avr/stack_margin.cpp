@@ -184,8 +184,8 @@ std::vector<Detected> StackMargin::found(SimTime) const {
                : fmt::format("leaves {} bytes of RAM; with one more call it occasionally overwrites {}", left,
                              next);
   seen.what = fmt::format(
-      "an interrupt at the wrong moment {}: {}, and only {} are free where the main program is deepest", end,
-      names, nearest_.room);
+      "an interrupt at the wrong moment {}: {}, and only {} bytes are free where the main program is deepest",
+      end, names, nearest_.room);
   seen.mend =
       "Store texts in flash (F(\"…\"), PROGMEM), make buffers and arrays smaller, and avoid recursion.";
   seen.where = place(nearest_.where);

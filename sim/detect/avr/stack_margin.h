@@ -7,13 +7,13 @@
 //           40 <------------------- stack of a handler on top
 //
 // In this run, the interrupt may never have occurred during the deepest call. On a robot, one of thousands of
-// interrupts does so by chance. The stack then overwrites variables, such as a threshold or a pointer. Or a
-// return address is overwritten, and a function returns to an invalid address.
+// interrupts occurs then by chance. The stack then overwrites variables, such as a threshold or a pointer. Or
+// a return address is overwritten, and a function returns to an invalid address.
 //
 // The detector measures the smallest distance between the main program's stack and the variables or heap
 // while interrupts are on. From that distance, the detector subtracts the stack use of the deepest handler.
-// On an AVR, a handler can interrupt another handler only if that handler enables interrupts. The stack use
-// of each handler that enables interrupts is therefore subtracted, too.
+// On an AVR, a handler can interrupt another handler only if the other handler enables interrupts. The stack
+// use of each handler that enables interrupts is therefore subtracted, too.
 //
 // A finding is a remainder of fewer than 16 bytes. A handler may need 16 bytes for a branch that this run has
 // not executed: a call (2 or 3 bytes), a few saved registers and one or two local numbers.

@@ -88,17 +88,17 @@ TEST(Edge, OneOfTheSameTwoTimesAtAPlaceOfTheSameSortIsTheSameWay) {
   const auto late = [](const char* what, const char* one, const char* other) {
     return Difference{Kind::time, what, {kElsewhere_ns, kElsewhere_ns}, {one, other}, "", {}};
   };
-  Difference found = late("junction 5, the way after station 3", "comes 2.220 s after the one before",
-                          "comes 4.560 s after the one before");
+  Difference found = late("junction 5, the way after station 3", "comes 2.220 s after the previous one",
+                          "comes 4.560 s after the previous one");
   found.t_ns = {};
-  EXPECT_TRUE(is_alike(late("junction 1, the way after station 1", "comes 4.640 s after the one before",
-                            "comes 2.160 s after the one before"),
+  EXPECT_TRUE(is_alike(late("junction 1, the way after station 1", "comes 4.640 s after the previous one",
+                            "comes 2.160 s after the previous one"),
                        found));
-  EXPECT_FALSE(is_alike(late("junction 1, the way after station 1", "comes 9.640 s after the one before",
-                             "comes 2.160 s after the one before"),
+  EXPECT_FALSE(is_alike(late("junction 1, the way after station 1", "comes 9.640 s after the previous one",
+                             "comes 2.160 s after the previous one"),
                         found));
-  EXPECT_FALSE(is_alike(late("junction 1, the way after junction 2", "comes 4.640 s after the one before",
-                             "comes 2.160 s after the one before"),
+  EXPECT_FALSE(is_alike(late("junction 1, the way after junction 2", "comes 4.640 s after the previous one",
+                             "comes 2.160 s after the previous one"),
                         found));
 }
 

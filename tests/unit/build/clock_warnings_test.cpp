@@ -23,8 +23,8 @@ std::string since_is(const std::string& type, const std::string& use) {
 
 TEST(ClockWarnings, ADifferenceFromATimeIn16BitsIsNamedWithItsLineTheMomentAndTheWayOut) {
   EXPECT_EQ(in(since_is("uint16_t", "if (millis() - since >= 5000) act();")),
-            "My.ino:4: warning: millis() - since is wrong from 65.536 s after power-on, because since "
-            "cannot exceed 65535: declare since as unsigned long, or write (uint16_t)(millis() - since)");
+            "My.ino:4: warning: 'millis() - since' is wrong from 65.536 s after power-on, because 'since' "
+            "cannot exceed 65535: declare 'since' as unsigned long, or write (uint16_t)(millis() - since)");
 }
 
 TEST(ClockWarnings, TheMomentDependsOnTheTypeAndTheClock) {
@@ -37,7 +37,7 @@ TEST(ClockWarnings, TheMomentDependsOnTheTypeAndTheClock) {
   EXPECT_THAT(in(since_is("byte", use)), HasSubstr("from 0.256 s"));
   EXPECT_THAT(in(since_is("byte", use)), HasSubstr("write (uint8_t)(millis() - since)"));
   EXPECT_THAT(in("unsigned int t; void loop() { t = micros(); while (micros() - t < 100); }"),
-              HasSubstr("micros() - t is wrong from 65.536 ms"));
+              HasSubstr("'micros() - t' is wrong from 65.536 ms"));
 }
 
 TEST(ClockWarnings, AnIntHas16BitsOnAnAvrOnly) {
@@ -54,17 +54,17 @@ TEST(ClockWarnings, FollowMembersElementsAndVariablesWithTheTime) {
               StartsWith("My.ino:4: warning: millis() - t.since is wrong"));
   EXPECT_THAT(in("class T { uint16_t since_ = 0; bool due() { return millis() - this->since_ > 5; }\n"
                  "void start() { since_ = millis(); } };"),
-              HasSubstr("millis() - this->since_ is wrong"));
+              HasSubstr("'millis() - this->since_' is wrong"));
   EXPECT_THAT(
       in("unsigned int last[3];\nvoid loop() { last[i] = millis(); if (millis() - last[i] > 5) f(); }"),
-      HasSubstr("millis() - last[i] is wrong"));
+      HasSubstr("'millis() - last[i]' is wrong"));
   EXPECT_THAT(in("uint16_t last;\nvoid loop() { unsigned long now = millis();\n"
                  "if (now - last >= 20) { last = now; } }"),
               StartsWith("My.ino:3: warning: now - last is wrong"));
   EXPECT_THAT(in("void loop() { static uint16_t a(millis()), b; b = a; if (5 <= millis() - b) f(); }"),
-              HasSubstr("millis() - b is wrong"));
+              HasSubstr("'millis() - b' is wrong"));
   EXPECT_THAT(in("uint16_t next = 0;\nvoid loop() { if (millis() - next >= P) { next += P; f(); } }"),
-              HasSubstr("millis() - next is wrong"));
+              HasSubstr("'millis() - next' is wrong"));
 }
 
 TEST(ClockWarnings, ADifferenceThatIsDividedOrStoredWithAllItsBitsIsWrong) {
@@ -76,12 +76,12 @@ TEST(ClockWarnings, ADifferenceThatIsDividedOrStoredWithAllItsBitsIsWrong) {
 
 TEST(ClockWarnings, ATimeIn16BitsThatIsComparedWithTheClockIsNamed) {
   EXPECT_EQ(in("void loop() {\nint t = millis();\nwhile (millis() < t + 1000) wait();\n}"),
-            "My.ino:3: warning: millis() < t + 1000 is wrong from 32.768 s after power-on, because t cannot "
-            "exceed 32767: declare t as unsigned long");
+            "My.ino:3: warning: 'millis() < t + 1000' is wrong from 32.768 s after power-on, because 't' "
+            "cannot exceed 32767: declare 't' as unsigned long");
   EXPECT_THAT(in("void f() { uint16_t until = millis() + 500; while (millis() < until) wait(); }"),
-              HasSubstr("millis() < until is wrong from 65.536 s"));
+              HasSubstr("'millis() < until' is wrong from 65.536 s"));
   EXPECT_THAT(in("void f() { uint16_t t = millis(); if (ready && t + 9 <= millis()) act(); }"),
-              HasSubstr("t + 9 <= millis() is wrong from 65.536 s"));
+              HasSubstr("'t + 9 <= millis()' is wrong from 65.536 s"));
 }
 
 TEST(ClockWarnings, ADifferenceThatIsCutTo16BitsIsCorrect) {
@@ -150,7 +150,7 @@ TEST_F(ClockWarningsOf, ASketchNameItsHeadersAndComeFromTheCacheAgain) {
   write("My/My.ino",
         "#include \"Timer.h\"\nTimer timer;  // millis() - since\nvoid setup() { timer.since = millis(); }\n"
         "void loop() {}\n");
-  const std::string expected = "Timer.h:3: warning: millis() - since is wrong from 65.536 s after power-on";
+  const std::string expected = "Timer.h:3: warning: 'millis() - since' is wrong from 65.536 s after power-on";
   EXPECT_THAT(build_here("My").messages, StartsWith(expected));
   const Image again = build_here("My");
   EXPECT_TRUE(again.from_cache);

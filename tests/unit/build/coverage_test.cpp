@@ -18,9 +18,9 @@ FileCoverage file(const char* name, std::map<int, std::uint64_t> lines) {
 
 TEST(Coverage, SummaryNamesTheLinesThatNeverRanAndLinesWithoutCodeDoNotPartThem) {
   EXPECT_EQ(summary({file("/a/S.ino", {{1, 5}, {2, 0}, {3, 0}, {6, 0}, {7, 1}, {9, 0}, {30, 2}})}),
-            "3 of 7 lines of S.ino ran; never: 2-6, 9\n");
+            "3 of 7 lines of S.ino ran; never ran: 2-6, 9\n");
   EXPECT_EQ(summary({file("/a/S.ino", {{1, 5}}), file("/a/b.cpp", {{2, 0}})}),
-            "1 of 1 lines of S.ino ran\n0 of 1 lines of b.cpp ran; never: 2\n");
+            "1 of 1 lines of S.ino ran\n0 of 1 lines of b.cpp ran; never ran: 2\n");
 }
 
 TEST(Coverage, AddsUpLineByLine) {

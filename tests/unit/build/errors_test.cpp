@@ -211,7 +211,7 @@ TEST_F(SketchTest, WhatIsNoSketchIsRefused) {
   EXPECT_THAT(error_of("NoSuch"), HasSubstr("no such sketch"));
   EXPECT_THAT(error_of("Nothing"), EndsWith("got a folder without an .ino file"));
   EXPECT_THAT(error_of("HandIn"),
-              EndsWith("got a folder without an .ino file; Follower in it is one: name that folder"));
+              EndsWith("without an .ino file; it contains the sketch Follower: name that folder"));
   EXPECT_THAT(error_of("Nothing/readme.txt"),
               HasSubstr("expected a sketch: a folder, an .ino or a .cpp file"));
   EXPECT_THAT(
@@ -242,7 +242,7 @@ TEST_F(SketchTest, ACacheWhoseFoldersAreOfAnotherUserIsNamedWithAWayOut) {
   std::filesystem::create_directories(folder_ / "xdg/robosim/work");
   std::filesystem::permissions(folder_ / "xdg/robosim/work",
                                std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
-  EXPECT_THAT(error_of("Any"), HasSubstr("Permission denied: expected a folder for compiled sketches"));
+  EXPECT_THAT(error_of("Any"), HasSubstr("Permission denied: expected a folder that this user can write"));
   std::filesystem::permissions(folder_ / "xdg/robosim/work", std::filesystem::perms::owner_all);
 }
 

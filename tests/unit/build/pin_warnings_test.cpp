@@ -38,8 +38,8 @@ TEST(PinWarnings, FollowAVariableThatIsSetOnce) {
 
 TEST(PinWarnings, SayThatAPinHasNoPwmUnlessItIsAllOrNothing) {
   EXPECT_EQ(on("uno", "analogWrite(4, speed);"),
-            "My.ino:2: warning: analogWrite(4, …): pin D4 of the uno has no PWM: it is LOW below 128 and "
-            "HIGH otherwise; these pins have PWM: D3, D5, D6, D9, D10, D11");
+            "My.ino:2: warning: analogWrite(4, …): pin D4 of the uno has no PWM: it is LOW for values below "
+            "128, and HIGH otherwise; these pins have PWM: D3, D5, D6, D9, D10, D11");
   EXPECT_EQ(on("uno", "analogWrite(4, 255); analogWrite(4, 0); analogWrite(5, 100);"), "");
 }
 
@@ -58,7 +58,7 @@ TEST(PinWarnings, SayThatSerialIsNeverBegun) {
     return serial_warning(own, header + own, *find_board(board));
   };
   const std::string prints = "void loop() {\n  Serial.println(1);\n}\n";
-  EXPECT_THAT(of("uno", prints), StartsWith("My.ino:2: warning: Serial is never begun"));
+  EXPECT_THAT(of("uno", prints), StartsWith("My.ino:2: warning: Serial.begin() is never called"));
   EXPECT_EQ(of("uno", prints + "void setup() { Serial.begin(9600); }"), "");
   EXPECT_EQ(of("uno", prints, "void start() { Serial.begin(9600); }\n"), "");
   EXPECT_EQ(of("uno", prints + "void setup() { start(Serial); }"), "");
@@ -71,7 +71,7 @@ TEST(PinWarnings, SayThatASketchWaitsForAComputerThatARobotOnTheFloorDoesNotHave
     return usb_warning("#line 1 \"My.ino\"\nvoid setup() {\n  " + code + "\n}\n", *find_board(board));
   };
   EXPECT_THAT(of("leonardo", "while (!Serial) {}"),
-              AllOf(StartsWith("My.ino:2: warning: while (!Serial) waits until a computer opens the port"),
+              AllOf(StartsWith("My.ino:2: warning: 'while (!Serial)' waits until a computer opens the port"),
                     HasSubstr("while (!Serial && millis() < 2000)")));
   EXPECT_THAT(of("micro", "while (!Serial);"), StartsWith("My.ino:2: "));
   EXPECT_THAT(of("leonardo", "while(!Serial) { delay(10); }"), StartsWith("My.ino:2: "));

@@ -89,7 +89,7 @@ TEST_F(Stm32Test, TheHeadersOfCHaveTheirNamesForCxx) {
   EXPECT_NO_THROW(build({folder_ / "C", *find_board("bluepill")})) << "the host has the same headers";
   write("V/V.ino", "#include <vector>\n" + kEmptySketch);
   EXPECT_THAT(stm32_error_of("V"),
-              HasSubstr("no such header vector: of the C++ standard library, Robosim has"));
+              HasSubstr("no such header vector: for the STM32, Robosim has only"));
   EXPECT_THROW(build({folder_ / "C", *find_board("uno")}), CompileError) << "Arduino's core has none of them";
 }
 

@@ -158,7 +158,7 @@ TEST(AReport, HasARowForEachPupilAndAColumnForEachCheck) {
   EXPECT_THAT(
       page,
       AllOf(HasSubstr("4 checks: 3 passed, 1 failed, 0 left out"), HasSubstr("<th>starts</th><th>laps</th>"),
-            HasSubstr("Without a failure: 1 of 2"), HasSubstr("</span>1/2"),
+            HasSubstr("Names without a failure: 1 of 2"), HasSubstr("</span>1/2"),
             HasSubstr("title=\"lost &quot;it&quot;\"><a href=\"class-runs/Bo-laps.html\">✗"),
             HasSubstr("<a href=\"class-runs/Bo-laps.html\">laps</a></td><td class=\"good\">✓")));
 }

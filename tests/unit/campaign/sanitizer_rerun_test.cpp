@@ -38,8 +38,8 @@ TEST(NextStepAfterARun, IsTheFindingOfTheRunWithChecks) {
   finding.advice = "On the chip int has 16 bits.";
   EXPECT_EQ(
       next_after(run_that_ended("lost", result::kWatch), {.finding = finding}),
-      "index 5 is outside of the array in loop, My.ino:9, 1.50 s after the start: that is what a second "
-      "run, with checks (--sanitize), has met first. On the chip int has 16 bits.");
+      "index 5 is outside of the array in loop, My.ino:9, 1.50 s after the start: this is the first "
+      "failed check of a second run with checks (--sanitize). On the chip int has 16 bits.");
   EXPECT_EQ(next_after(run_that_ended("lost", result::kWatch), {}), result::kWatch)
       << "the sketch does not compile with checks, or the user interrupted";
 }

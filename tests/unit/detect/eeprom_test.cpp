@@ -138,8 +138,8 @@ TEST_F(EepromTest, ANumberOfTwoBytesCanBeTornWhereBothChange) {
   EXPECT_EQ(found[0].where.line, 5);
   EXPECT_EQ(found[0].times, 1);
   EXPECT_THAT(found[0].what,
-              HasSubstr("a power cut from 6.0034 to 6.0102 s (in a script: after eeprom 8 "
-                        "power off for 20ms) leaves 00 00 in bytes 0 to 1 of the EEPROM, neither "
+              HasSubstr("a power cut from 6.0034 to 6.0102 s (in a script: “after eeprom 8 "
+                        "power off for 20ms”) leaves 00 00 in bytes 0 to 1 of the EEPROM, neither "
                         "the old FF 00 nor the new 00 01"));
   EXPECT_THAT(found[0].mend, HasSubstr("checksum"));
 }

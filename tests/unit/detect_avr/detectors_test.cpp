@@ -27,7 +27,7 @@ TEST_F(DetectorsTest, AFloatThatPassesANumberByTheNumbersLine) {
   EXPECT_EQ(found[0].detector, "float_equality");
   EXPECT_EQ(found[0].where.line, 4);
   EXPECT_EQ(found[0].where.file, "Test.ino");
-  EXPECT_THAT(found[0].what, HasSubstr("compared with 90 by == or !="));
+  EXPECT_THAT(found[0].what, HasSubstr("by == or != with 90"));
   EXPECT_GT(found[0].times, 130);
   EXPECT_EQ(found[1].where.line, 7);
   avr_->power_off(now_);
@@ -73,7 +73,8 @@ TEST_F(DetectorsTest, AnalogWriteOnAPinOutOfAnArrayThatHasNoPwm) {
   EXPECT_EQ(found[0].where.line, 6);
   EXPECT_EQ(found[0].times, 10);
   EXPECT_EQ(found[0].what,
-            "pin 7 of the uno has no PWM, and is LOW below 128 and HIGH otherwise: analogWrite(7, 100)");
+            "pin 7 of the uno has no PWM, and is LOW for values below 128, and HIGH otherwise: "
+            "analogWrite(7, 100)");
   EXPECT_EQ(found[0].mend, "Use a pin with PWM: 3, 5, 6, 9, 10, 11.");
 }
 

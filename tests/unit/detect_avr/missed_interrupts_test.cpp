@@ -34,7 +34,7 @@ TEST_F(LossesTest, EdgesAndTicksThatComeWhileInterruptsAreOff) {
   ASSERT_THAT(found, SizeIs(2));
   EXPECT_EQ(found[0].detector, "lost_edge");
   EXPECT_THAT(found[0].what, HasSubstr("an edge at pin 2 was lost"));
-  EXPECT_THAT(found[0].what, HasSubstr("because interrupts, or this one, were off"));
+  EXPECT_THAT(found[0].what, HasSubstr("because all interrupts, or only this one, were off"));
   EXPECT_EQ(found[0].where.file, "Test.ino");
   EXPECT_EQ(found[0].where.line, 4);
   EXPECT_NEAR(static_cast<double>(found[0].times), 60.0 / 8.0 * 4.0, 6.0);
@@ -88,7 +88,8 @@ TEST_F(LossesTest, BytesThatComeWhileInterruptsAreOff) {
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].detector, "lost_byte");
   EXPECT_THAT(found[0].what,
-              HasSubstr("the chip's receive buffer was full, because interrupts, or this one, were off"));
+              HasSubstr("the chip's receive buffer was full, because all interrupts, or only this one, "
+                        "were off"));
   EXPECT_EQ(found[0].where.line, 3);
 }
 

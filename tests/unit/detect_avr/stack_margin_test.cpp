@@ -40,7 +40,8 @@ TEST_F(StackMarginTest, IsNoneWhereAHandlerThatCameElsewhereWouldOverwriteVariab
   EXPECT_EQ(found[0].detector, "stack_margin");
   EXPECT_EQ(found[0].what,
             "an interrupt at the wrong moment occasionally overwrites 26 bytes of variables: the handler at "
-            "Test.ino:2 takes 108 bytes of stack, and only 82 are free where the main program is deepest");
+            "Test.ino:2 takes 108 bytes of stack, and only 82 bytes are free where the main program is "
+            "deepest");
   EXPECT_EQ(found[0].where.function, "deep");
   EXPECT_EQ(found[0].where.file, "Test.ino");
   EXPECT_EQ(found[0].where.line, 5);

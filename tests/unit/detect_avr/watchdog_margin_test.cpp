@@ -50,7 +50,8 @@ TEST_F(WatchdogMarginTest, IsOverrunWhereItBites) {
   const auto found = seen("static int pass; delay(++pass == 15 ? 300 : 20);");
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].detector, "watchdog_bite");
-  EXPECT_THAT(found[0].what, HasSubstr("was not reset within its timeout of 256 ms, and reset the chip"));
+  EXPECT_THAT(found[0].what,
+              HasSubstr("reset the chip, because it was not reset within its timeout of 256 ms"));
   EXPECT_THAT(found[0].mend, HasSubstr("Use a longer timeout, or")) << "the code may take any longer time";
   EXPECT_EQ(found[0].where.file, "Test.ino");
   EXPECT_EQ(found[0].where.line, 3);

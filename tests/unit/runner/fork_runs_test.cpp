@@ -137,7 +137,7 @@ TEST_F(WaysTest, OfARunThatCannotPartAreRefused) {
   EXPECT_THAT(refusal(), HasSubstr("script:1: this line is due before the run is split"));
   request_.ways->scripts = {"after boot 2 lift\n"};
   EXPECT_THAT(refusal(),
-              HasSubstr("script:1: expected a line that begins with at, or with the way's `after`"));
+              HasSubstr("script:1: expected a line that begins with “at”, or with the way's `after`"));
   request_.ways->scripts = {"", "at 3s press nothing\n"};
   EXPECT_THAT(refusal(), HasSubstr("nothing"));
   request_.ways->scripts = {""};
