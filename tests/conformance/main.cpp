@@ -23,7 +23,7 @@ std::string cell(const Program& program, const std::optional<Report>& report) {
 
 std::string table(int& wrong) {
   std::string text =
-      "| program | what must hold | source | due | ours | simavr 1.6 | avr8js "
+      "| program | what must hold | source | expected | Robosim | simavr 1.6 | avr8js "
       "|\n|---|---|---|---|---|---|---|\n";
   int count = 0, simavr_right = 0, avr8js_right = 0;
   for (const Program& program : programs_in(ROBOSIM_CONFORMANCE_PROGRAMS)) {
