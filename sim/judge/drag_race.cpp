@@ -10,7 +10,7 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kGone = 0.01;     // m from the start, at which the robot has left
+constexpr double kGone = 0.01;     // m from the start; at this distance, the robot has left the start
 constexpr double kPenalty = 5.0;   // s
 constexpr double kAcross = 0.02;   // m between points of a line across the lane
 constexpr double kHalfLane = 0.2;  // m

@@ -42,8 +42,8 @@ std::string pin_name(const Evidence& e, Pin pin) {
 
 bool is_at(const exec::Activity& a, std::string_view function) { return a.call.rfind(function, 0) == 0; }
 
-// Returns the pin for which the sketch seems to wait: the only input that it has read lately. A robot that
-// has moved may read one input as it drives; its sketch must be at that read.
+// Returns the pin for which the sketch seems to wait: the only input that it has read lately. A sketch may
+// read one input while the robot drives. If the robot has moved, the sketch must therefore be at that read.
 Pin awaited_pin(const Evidence& e) {
   if (is_at(e.activity, "pulseIn"))
     return e.t - e.activity.last_call < kSilentAfter ? e.activity.pin : kNoPin;
@@ -62,8 +62,8 @@ double turn_rate(const Evidence& e, const Judge::Stay& stay) {
   return e.judge->turned_during(stay) / (1e-9 * static_cast<double>(e.t - e.judge->drives_since(stay)));
 }
 
-// Returns whether a robot turns now as it has turned during a stay. A robot that turned long ago, for example
-// to calibrate its sensors, does not.
+// Returns whether a robot still turns in the direction in which it has turned during a stay. This excludes a
+// robot that turned long ago, for example to calibrate its sensors.
 bool still_turns(const Evidence& e, const Judge::Stay& stay) {
   constexpr double kSlowest = 0.5;  // rad/s, a turn in 12.6 s
   const double rate = turn_rate(e, stay);
@@ -75,8 +75,8 @@ bool spins(const Evidence& e) {
   return drives_long(e, stay) && std::abs(e.judge->turned_during(stay)) >= kTwoTurns && still_turns(e, stay);
 }
 
-// Returns whether the robot circles, and does not just follow a small loop: no sensor has seen the line for
-// the duration of a turn.
+// Returns whether the robot circles. If a sensor has seen the line within the duration of a turn, the robot
+// just follows a small loop.
 bool circles(const Evidence& e) {
   constexpr double kTurn = kTwoTurns / 2.0;
   const Judge::Stay& stay = e.judge->surroundings();
@@ -150,7 +150,7 @@ std::string advice(const Evidence& e) {
       (check == "add_overflow" || check == "sub_overflow" || check == "mul_overflow") &&
       e.crash->reason.find("does not fit an int,") != std::string::npos;
   if (e.int_bits > 16 || !is_int_too_large) return "";
-  return "On the chip int has 16 bits: make one of the numbers long, as in 1000L * analogRead(A1).";
+  return "On the chip, an int has 16 bits: make one of the numbers long, as in 1000L * analogRead(A1).";
 }
 
 std::string list_of_pins(const std::vector<int>& pins) {
@@ -323,7 +323,7 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   });
 }
 
-// Returns why motors were never driven although no pin is to blame.
+// Returns a clause that says that the motors were never driven, with the reason if it is known.
 const char* equal_inputs(const Evidence& e) {
   const auto was_high = [&](const robot::WiredPin& wired, const char* role) {
     const auto pin = static_cast<std::size_t>(wired.pin);
@@ -398,8 +398,8 @@ int long_delay(const Evidence& e) {
   return mean_speed(e) * ms * 1e-3 >= kLong_m ? ms : 0;
 }
 
-// Returns whether motors are driven, and no floor sensor has been read just now. An interrupt handler may
-// read sensors during a delay.
+// Returns whether motors are driven, although no floor sensor has been read just now. An interrupt handler
+// may read sensors during a delay.
 bool is_driven_blindly(const Evidence& e) {
   constexpr SimTime kJustNow = 50 * kMillisecond;
   const bool has_power = e.left_command != 0.0 || e.right_command != 0.0;
@@ -414,10 +414,10 @@ bool reads_no_more(const Evidence& e) {
   return e.moved && has_left_line(e) && seen && e.sensors_read != kNever && e.sensors_read + kLong < seen->at;
 }
 
-// Length of a drive along the line that a robot with wrong wiring hardly reaches.
+// A robot with wrong wiring hardly follows the line for this distance.
 constexpr double kFollowed_m = 1.0;
 
-// Returns how far the robot had driven when a sensor last saw the line, from its mean speed.
+// Estimates from the mean speed how far the robot had driven when a sensor last saw the line.
 double driven_until_lost(const Evidence& e) {
   const auto& seen = e.judge->line_last_seen();
   return seen ? mean_speed(e) * 1e-9 * static_cast<double>(std::min(seen->at, stopped_at(e))) : 0.0;

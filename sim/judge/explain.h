@@ -39,7 +39,7 @@ struct Evidence {
       was_pulled_up;         ///< per pin: its pull-up was on, e.g. by digitalWrite(pin, HIGH) of an input
   bool pin_level = false;    ///< the present level of the pin that the sketch reads
   bool pin_changed = false;  ///< the sketch has read both levels at this pin
-  bool on_chip = false;      ///< the firmware is a chip's image, whose calls are seen by their effects only
+  bool on_chip = false;      ///< the firmware is a chip's image; only the effects of its calls are known
   bool in_contact = false;   ///< the body touches an obstruction
   std::string stopped_by = "a wall, an obstacle or the map's edge";  ///< what the body touches
   double left_command = 0.0, right_command = 0.0;                    ///< motor commands at the end, -1..1
@@ -55,8 +55,8 @@ struct Evidence {
   SupplySummary power;
 };
 
-/// Returns whether the robot has left the place where a sensor last saw the line, half a second or longer
-/// before `t`. A script may take the line from a robot that stands.
+/// Returns whether a sensor last saw the line half a second or longer before `t`, and at another place. The
+/// place must differ, because a script may remove the line under a robot that stands still.
 bool left_line_before(const Evidence& evidence, SimTime t);
 /// Returns one sentence that explains why the run ended.
 std::string explain(const Evidence& evidence);

@@ -245,7 +245,7 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
   const Pose& pose = body.pose();
   if (!origin_) begin_at(pose.position);
   if (may_depart(pose)) {
-    // Restarts the clock of each lap of which less than half is done. In a lap of which more is done, the
+    // Restarts the clock of each lap of which less than half is done. If more than half of a lap is done, the
     // body is returning to the start.
     for (Lap* lap : {&forwards_, &backwards_})
       if (2 * lap->next < loop_.size()) lap->began = t;

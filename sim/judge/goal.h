@@ -22,11 +22,11 @@ struct Goal {
     laps,         ///< `laps` times round the loop in either direction, with every node passed in order
     station,      ///< `station` visited, and at rest there for 0.5 s
     robotrace,    ///< from the start line to the goal line of the map's [race], then at rest between them
-    ukmars,       ///< as robotrace, without coming to rest
+    ukmars,       ///< like robotrace, but without the rest
     drag_race,    ///< along a straight, and to a stop after the goal line
     rescue_line,  ///< over the tiles of the map's [rescue]
     line_maze,    ///< to the disc, `tries` times
-    still,        ///< no wheel turned for 1 s after having moved
+    still,        ///< no wheel turned for 1 s after the robot had moved
     none,         ///< the time is up without a failure
   };
   Kind kind = Kind::tour;
@@ -40,7 +40,8 @@ struct Goal {
 /// "line-maze:3", "still" or "none". Throws InputError with a list of the valid goals.
 Goal parse_goal(std::string_view text);
 std::string to_string(const Goal& goal);
-/// Returns the map's own goal. Without such a goal, returns laps:1 on a single loop, and tour elsewhere.
+/// Returns the map's own goal. Without such a goal, returns `laps:1` on a single loop, and `tour` on other
+/// maps.
 Goal default_goal(const map::Map& map, const map::Network& network);
 
 /// A station or junction to visit.
@@ -65,7 +66,7 @@ class Progress {
     if (!passes_by(body)) look(body, t, events);
   }
 
-  /// Updates the progress when passes_by() is false.
+  /// Updates the progress. Call this function if passes_by() is false.
   void look(const world::Body& body, SimTime t, Events& events);
   /// Returns whether an update would change nothing. The function is inline, because each tick calls it.
   [[gnu::always_inline]] bool passes_by(const world::Body& body) const {
@@ -75,7 +76,7 @@ class Progress {
   /// Returns whether further updates would have the same result while the body stays in place.
   bool is_settled(const world::Body& body) const;
   bool reached() const { return reached_; }
-  /// Returns one clause: what is missing, or what was achieved.
+  /// Returns one clause that states what is missing, or what was achieved.
   std::string summary() const;
 
   const std::vector<Waypoint>& stations() const { return stations_; }
@@ -156,10 +157,10 @@ class Progress {
   std::optional<Vec2> origin_;  ///< the body's first position
   Vec2 checked_at_{1e9, 1e9};   ///< far away before the first check
   Vec2 checked_heading_;
-  bool takes_time_;               ///< rules or goal need a check in each tick
+  bool takes_time_;               ///< the rules or the goal need a check in each tick
   bool is_around_origin_ = true;  ///< the body may depart before the next check
   Vec2 searched_at_;              ///< the body's position in the last search
-  double free_reach_ = 0.0;       ///< m from searched_at_, within which the body covers no remaining place
+  double free_reach_ = 0.0;  ///< m; within this distance of searched_at_, the body covers no remaining place
   bool reached_ = false;
 };
 

@@ -25,9 +25,10 @@ constexpr double kThreeTurns = 18.849555921538759;  ///< 6 pi rad; a robot that 
 constexpr SimTime kSilentAfter = 2 * kSecond;       ///< duration without an API call
 /// A motor still counts as driven during pauses of up to this length between pulses.
 constexpr SimTime kPulsePause = 200 * kMillisecond;
-/// A robot still touches an obstruction during pauses of up to this length: it bounces off and returns.
+/// A robot still counts as touching an obstruction during pauses of up to this length, in which it bounces
+/// off and returns.
 constexpr SimTime kTouchPause = 200 * kMillisecond;
-constexpr SimTime kDrivePause = kSecond;           ///< a robot still drives during shorter pauses
+constexpr SimTime kDrivePause = kSecond;           ///< a robot still counts as driving during shorter pauses
 constexpr SimTime kInOnePlaceAfter = 5 * kSecond;  ///< a robot that stays this long is reported as staying
 
 /// The judge's input in each tick.
@@ -47,7 +48,7 @@ struct Situation {
 
 class Judge {
  public:
-  /// `senses`: the robot has reflectance sensors. A robot without reflectance sensors cannot be lost.
+  /// `senses` is true if the robot has reflectance sensors. A robot without such sensors cannot be lost.
   explicit Judge(bool senses) : senses_(senses) {}
 
   /// Returns toppled, lost, stuck, hung or ended; nullopt in a normal state. A sketch that is silent but may

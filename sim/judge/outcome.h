@@ -33,7 +33,7 @@ ExitStatus exit_status(Verdict verdict);
 
 using result::Metrics;
 
-/// A hint on what to examine next.
+/// Suggests what to examine next.
 struct NextStep {
   /// How to examine it: run on the host, watch the run, or write a script.
   enum class By { none, host, watching, script };

@@ -15,7 +15,7 @@ namespace {
 constexpr double kAlong = 0.005;        // m between two points of the path
 constexpr double kLeastStep = 0.01;     // m of path on a tile: a shorter part is not a visit
 constexpr double kCrossing = 0.1;       // m, least distance along the path between two points of a crossing
-constexpr double kRoundObstacle = 1.5;  // tiles from an obstacle, within which the robot may be anywhere
+constexpr double kRoundObstacle = 1.5;  // tiles; this close to an obstacle, the robot may be anywhere
 constexpr double kOffTheStart = 0.01;   // m
 constexpr double kMostOfAllPaths = 1000.0;  // m
 constexpr SimTime kRestAtEnd = 5 * kSecond;
@@ -44,7 +44,7 @@ class PathPoints {
     std::sort(points_.begin(), points_.end(), before);
   }
 
-  /// Returns whether another path passes through p, or the first path does at a place other than `along`.
+  /// Returns whether another path passes through `p`, or the first path passes through it away from `along`.
   bool meet(Vec2 p, double along) const {
     for (std::int64_t x = square(p.x) - 1; x <= square(p.x) + 1; ++x)
       for (std::int64_t y = square(p.y) - 1; y <= square(p.y) + 1; ++y)

@@ -5,7 +5,7 @@
 //
 //                                Line           Entry
 //   start tile left              5              -
-//   each tile up to a checkpoint or the end, when the robot reaches it
+//   each tile up to a checkpoint or the end, when the robot reaches that place
 //                                5 - 2 n, not below 0; n since the previous checkpoint
 //   tile with one or more gaps   10             10
 //   tile with one or more speed bumps

@@ -1,4 +1,4 @@
-// Advice that two programs give: the judge after a run, and the command after a second run with checks.
+// Defines advice that the judge gives after a run, and that `robosim` gives after a second run with checks.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace robosim::result {
 
 inline constexpr const char* kTryHost =
     "run it on the host as well: if it keeps the line there, look for an int that exceeds 32767, as in 1000 "
-    "* analogRead(A1); on the chip int has 16 bits, and the compiler does not warn about it";
+    "* analogRead(A1); on the chip, an int has 16 bits, and the compiler does not warn about it";
 inline constexpr const char* kIfNot = ". If not, ";  ///< joins kTryHost and further advice
 inline constexpr const char* kWatch = "watch it in slow motion, or record what the sensors saw";
 
@@ -16,10 +16,10 @@ inline constexpr const char* kTryWirings =
     "order of the sensors, their values over black, a motor's side or direction): robosim wire tries the "
     "alternatives";
 
-/// Returns `advice`, or nothing if it contains kTryWirings.
+/// Returns `advice`, or an empty string if `advice` contains kTryWirings.
 std::string without_wirings(const std::string& advice);
 
-/// Returns advice without kTryHost. If nothing else remains, returns kWatch.
+/// Returns `advice` without kTryHost. If nothing else remains, returns kWatch.
 std::string without_host(std::string advice);
 
 }  // namespace robosim::result

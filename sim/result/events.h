@@ -21,7 +21,7 @@ struct StationVisited {
 
 template <class V>
 void fields(V& v, Same<V, StationVisited>& e) {
-  v("station", e.station, "`station_visited`: its name");
+  v("station", e.station, "`station_visited`: name of the station");
 }
 
 /// A lap of a loop is complete.
@@ -33,8 +33,8 @@ struct LapDone {
 
 template <class V>
 void fields(V& v, Same<V, LapDone>& e) {
-  v("lap", e.lap, "`lap_done`: its number from 1; each direction counts its own");
-  v("lap_s", e.lap_s, "`lap_done`: how long it took", {.unit = "s"});
+  v("lap", e.lap, "`lap_done`: number of the lap, from 1, in its direction");
+  v("lap_s", e.lap_s, "`lap_done`: duration of the lap", {.unit = "s"});
 }
 
 /// The body has collided with something.
@@ -46,41 +46,44 @@ struct CollisionBegan {
 template <class V>
 void fields(V& v, Same<V, CollisionBegan>& e) {
   v("with_robot", e.with_robot,
-    "`collision_began`: with another robot; else with a wall, an obstacle or the map's edge");
+    "`collision_began`: `true`: with another robot; `false`: with a wall, an obstacle or the map's edge");
 }
 
-/// The script acted, or an action of limited duration ended: a lifted robot is put down, an obstacle removed.
+/// The script acted, or an action of limited duration ended. For example, a lifted robot was put down.
 struct ScriptActed {
   static constexpr const char* kKind = "script_acted";
   std::string verb;  ///< a verb of the scenario language: press, release, send, place, lift, lower, tilt,
                      ///< sweep, cover, uncover, obstacle, clear, paint, erase, door, light, restore
-  std::string part;  ///< press, release, cover, uncover, send: the part; light: on, off; door: shut, open
-  std::string text;  ///< send: the bytes; place: "X,Y,DIR"; obstacle, clear: "X,Y"; paint, erase, door:
-                     ///< "X,Y X,Y"; light: its number or "all"
-  std::array<double, 3> disc_mm{};  ///< obstacle: x and y of its centre, and its radius
+  /// For press, release, cover, uncover and send: the part. For light: "on" or "off". For door: "shut" or
+  /// "open". For restore: the restored state of the light or door. Otherwise empty.
+  std::string part;
+  /// For send: the bytes. For place: "X,Y,DIR". For obstacle and clear: "X,Y". For paint, erase and door:
+  /// "X,Y X,Y". For light: its number or "all". For restore: the text of the action that ended.
+  std::string text;
+  std::array<double, 3> disc_mm{};  ///< for obstacle: x and y of its centre, and its radius
   std::array<double, 3>
-      moves{};  ///< obstacle: its target x and y, mm, and the duration in seconds; 0 s = it does not move
-  std::array<double, 4> box_mm{};  ///< paint, erase, door: left, bottom, width, height of the area
+      moves{};  ///< for obstacle: x and y of its target in mm, and the duration in seconds; 0 s = no move
+  std::array<double, 4>
+      box_mm{};  ///< for paint, erase, door, and restore of these: left, bottom, width, height of the area
 };
 
 template <class V>
 void fields(V& v, Same<V, ScriptActed>& e) {
-  v("verb", e.verb, "`script_acted`: the scenario language's: `\"press\"`, `\"send\"`, `\"place\"` …");
+  v("verb", e.verb, "`script_acted`: verb of the scenario language: `\"press\"`, `\"send\"`, `\"place\"` …");
   v("part", e.part,
-    "`script_acted`: of press, release, cover, uncover, and send to a part; of light on or off, of door shut "
-    "or open; "
-    "else empty");
+    "`script_acted`: the part, for press, release, cover, uncover, and for send to a part; `\"on\"` or "
+    "`\"off\"` for light, `\"shut\"` or `\"open\"` for door; for restore, the restored state; else empty");
   v("argument", e.text,
-    "`script_acted`: of send, place, obstacle, clear, paint, erase, door and light; else empty");
-  v("disc", e.disc_mm, "`script_acted`: of obstacle: x and y of its centre, and its radius",
+    "`script_acted`: argument of send, place, obstacle, clear, paint, erase, door, light or restore; else "
+    "empty");
+  v("disc", e.disc_mm, "`script_acted`: for obstacle, x and y of its centre, and its radius",
     {.unit = "mm", .presence = when(e.disc_mm[2] > 0.0)});
   v("moves", e.moves,
-    "`script_acted`: of an obstacle that moves: to which x and y (mm), and how many seconds it takes",
+    "`script_acted`: for an obstacle that moves, x and y of its target (mm), and the duration in seconds",
     {.presence = when(e.moves[2] > 0.0)});
   v("box", e.box_mm,
-    "`script_acted`: of paint, erase and door: the rectangle of the floor that it covers: left, bottom, "
-    "width "
-    "and height",
+    "`script_acted`: for paint, erase, door, and restore of these: left, bottom, width and height of the "
+    "changed area",
     {.unit = "mm", .presence = when(e.box_mm[2] > 0.0)});
 }
 
@@ -97,7 +100,8 @@ void fields(V& v, Same<V, FaultBegan>& e) {
   v("part", e.part,
     "`fault_began`: a part of the robot, or `\"power\"`, `\"serial\"`, `\"eeprom\"`, `\"clock\"`");
   v("arguments", e.arguments, "`fault_began`: the kind of fault, then its arguments");
-  v("resets_chip", e.resets_chip, "`fault_began`: the supply no longer suffices for the chip");
+  v("resets_chip", e.resets_chip,
+    "`fault_began`: whether the supply voltage has become too low for the chip");
 }
 
 /// A fault has ended: its duration was over, or the script repaired it.
@@ -110,12 +114,13 @@ struct FaultEnded {
 
 template <class V>
 void fields(V& v, Same<V, FaultEnded>& e) {
-  v("part", e.part, "`fault_ended`: as above");
-  v("arguments", e.arguments, "`fault_ended`: of the fault; `[\"ok\"]` where the script said so");
-  v("repaired", e.repaired, "`fault_ended`: the script said so; else the fault's time was up");
+  v("part", e.part, "`fault_ended`: the part, as for `fault_began`");
+  v("arguments", e.arguments, "`fault_ended`: arguments of the fault; `[\"ok\"]` if the script ended it");
+  v("repaired", e.repaired,
+    "`fault_ended`: `true`: the script ended the fault; `false`: its duration was over");
 }
 
-/// The script switched the board off.
+/// The board has lost power: the script switched it off, or the supply voltage became too low.
 struct PowerLost {
   static constexpr const char* kKind = "power_lost";
   /// A byte of EEPROM whose write was interrupted, and its present value.
@@ -129,15 +134,15 @@ struct PowerLost {
 template <class V>
 void fields(V& v, Same<V, PowerLost::HalfWritten>& b) {
   v("address", b.address, "address of the byte");
-  v("value", b.value, "its present value");
+  v("value", b.value, "present value of the byte");
 }
 
 template <class V>
 void fields(V& v, Same<V, PowerLost>& e) {
-  v("byte", e.byte, "`power_lost`: the byte of EEPROM that was being written; absent if none was");
+  v("byte", e.byte, "`power_lost`: the EEPROM byte whose write was interrupted; absent if there was none");
 }
 
-/// The script switched the board on, or the power cut ended: the firmware restarts.
+/// The board has power again, and the firmware restarts.
 struct PowerBack {
   static constexpr const char* kKind = "power_back";
 };
@@ -154,9 +159,9 @@ struct PartTold {
 
 template <class V>
 void fields(V& v, Same<V, PartTold>& e) {
-  v("part", e.part, "`part_told`: a display, a Bluetooth module …");
+  v("part", e.part, "`part_told`: name of a display, a Bluetooth module …");
   v("shows", e.text,
-    "`part_told`: what it shows, lines joined by `|`, or a line that the sketch has sent through it");
+    "`part_told`: the displayed lines, joined by `|`, or a line that the sketch has sent through the part");
 }
 
 /// A score under the rules of a competition.
@@ -169,9 +174,9 @@ struct Scored {
 
 template <class V>
 void fields(V& v, Same<V, Scored>& e) {
-  v("what", e.what, "`scored`: for people: `\"gap\"`");
-  v("value", e.value, "`scored`: what it counts");
-  v("score_unit", e.unit, "`scored`: `\"s\"` or `\"points\"`");
+  v("what", e.what, "`scored`: reason for the score, for people: `\"gap\"`");
+  v("value", e.value, "`scored`: value of the score");
+  v("score_unit", e.unit, "`scored`: unit of the value: `\"s\"` or `\"points\"`");
 }
 
 /// An event with its simulated time and its robot.

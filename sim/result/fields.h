@@ -1,17 +1,18 @@
-// Describes the JSON keys of a message, once, next to its struct. All code that writes, reads or documents
-// the message uses this description.
+// Provides the means to describe the JSON keys of a message once, next to the message's struct. All code that
+// writes, reads or documents the message uses this description.
 //
 //   struct Reading { std::string part; double volts = 0.0; };
 //
 //   template <class V>
 //   void fields(V& v, Same<V, Reading>& r) {
 //     v("part", r.part, "name of the part");
-//     v("volts", r.volts, "what it reads", {.unit = "V"});
+//     v("volts", r.volts, "measured voltage", {.unit = "V"});
 //   }
 //
-// fields() calls the visitor V for each key in the order of writing. The visitor in json_writer.h writes
-// JSON. The one in json_reader.h reads and checks JSON. The one in tables.cpp makes the tables in docs/. This
-// file does not depend on JSON, so a header with a struct and its description compiles quickly.
+// fields() calls the visitor V once for each key, in the order in which the keys are written. The visitor in
+// json_writer.h writes JSON. The visitor in json_reader.h reads and checks JSON. The visitor in
+// tests/unit/wire/docs_test.cpp makes the tables in docs/. This file includes no JSON library, so a header
+// with a struct and its description compiles quickly.
 #pragma once
 
 #include <array>
@@ -24,13 +25,13 @@
 
 namespace robosim::result {
 
-/// T for a visitor that reads, const T for all others.
+/// Is T for a visitor that reads, and const T for every other visitor.
 template <class V, class T>
 using Same = std::conditional_t<V::kReads, T, const T>;
 
 /// Determines whether a reader requires a key, and whether a writer writes the key.
 struct Presence {
-  bool required = true;  ///< a reader requires the key; otherwise a missing key keeps its default
+  bool required = true;  ///< for a reader; otherwise, the value of a missing key stays unchanged
   bool written = true;
 };
 inline constexpr Presence kOptional{false, true};  ///< always written; optional for a reader
@@ -40,13 +41,13 @@ constexpr Presence when(bool written) { return {false, written}; }
 /// Further properties of a key.
 struct Rules {
   const char* unit = "";       ///< "mm"; for arrays, the elements' unit; "" = none
-  const char* otherwise = "";  ///< for people: a request's meaning without the key; "" = the default value
+  const char* otherwise = "";  ///< for docs: the meaning of a request without the key; "" = the default value
   Presence presence = {};
-  /// For integers: the range, both ends included.
+  /// The range of an integer, both ends included.
   std::int64_t least = std::numeric_limits<std::int64_t>::min();
   std::int64_t most = std::numeric_limits<std::int64_t>::max();
   std::int64_t multiple_of = 1;
-  bool not_empty = false;  ///< text: "" is not allowed
+  bool not_empty = false;  ///< for text: "" is not allowed
   /// For text: all allowed values. An empty list allows every value.
   std::initializer_list<const char*> one_of = {};
 };
@@ -83,10 +84,10 @@ concept Described = requires(V& v, Same<V, T>& t) {
 /// The maximum number of robots on one map.
 inline constexpr std::size_t kMostAgents = 256;
 
-/// Describes the key `agent` of messages about one of several robots.
+/// Describes the key `agent`, which messages about one of several robots have.
 template <class V>
 void agent_field(V& v, Same<V, int>& agent) {
-  v("agent", agent, "number of the robot that it is about, from 0; absent if 0",
+  v("agent", agent, "number of the robot, from 0; absent if 0",
     {.presence = when(agent != 0), .least = 0, .most = kMostAgents - 1});
 }
 

@@ -16,11 +16,11 @@ struct Lateness {
 template <class V>
 void fields(V& v, Same<V, Lateness>& l) {
   v("from_ns", l.from_ns,
-    "at the first end of `loop()` or beginning of `delay()` from this time of the sketch's clock on; 0: "
+    "time of the sketch's clock; the delay comes at the next end of `loop()` or beginning of `delay()`; 0: "
     "before `setup()`",
     {.unit = "ns", .least = 0});
   v("by_ns", l.by_ns,
-    "time in which only interrupts are served; negative: the next `delay()` is shorter by this time",
+    "duration of the delay, in which only interrupts are served; if negative, it shortens the next `delay()`",
     {.unit = "ns"});
 }
 

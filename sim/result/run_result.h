@@ -1,5 +1,5 @@
-// Defines the result of a run: its measurements, the chip's resources, a crash. The simulation sets these
-// values, and every client reads them.
+// Defines the result of a run, such as its verdict, measurements, resources of the chip, or a crash. The
+// simulation sets these values, and every client reads them.
 #pragma once
 
 #include <cmath>
@@ -22,9 +22,9 @@ struct SourceLine {
 
 template <class V>
 void fields(V& v, Same<V, SourceLine>& s) {
-  v("function", s.function, "empty if unknown", {.presence = kOptional});
-  v("file", s.file, "as the user named it; empty if unknown", {.presence = kOptional});
-  v("line", s.line, "counted from 1; 0 if unknown", {.presence = kOptional});
+  v("function", s.function, "the function; empty if unknown", {.presence = kOptional});
+  v("file", s.file, "the file, as the user named it; empty if unknown", {.presence = kOptional});
+  v("line", s.line, "the line, from 1; 0 if unknown", {.presence = kOptional});
 }
 
 /// The reason why firmware cannot continue.
@@ -38,17 +38,15 @@ struct Crash {
 
 template <class V>
 void fields(V& v, Same<V, Crash>& c) {
-  v("reason", c.reason, "a clause: \"division by zero\"");
+  v("reason", c.reason, "the reason, a clause: \"division by zero\"");
   fields(v, c.where);
   v("check", c.check,
-    "what has found it: a check that is built into the image, or `\"sandbox\"` "
-    "([security](../explanation/security.md)); "
-    "absent "
-    "if neither has",
+    "the check that found the crash: one that is built into the image, or `\"sandbox\"` "
+    "([security](../explanation/security.md)); else absent",
     {.presence = when(!c.check.empty())});
-  v("calls", c.calls, "on a chip: the calls that led there, innermost first, the core's included",
+  v("calls", c.calls, "on a chip: calls that led to the crash, innermost first, including the core's",
     {.presence = when(!c.registers.empty())});
-  v("registers", c.registers, "on a chip: its processor's registers, lines for people",
+  v("registers", c.registers, "on a chip: the processor's registers, as lines for people",
     {.presence = when(!c.registers.empty())});
 }
 
@@ -61,10 +59,10 @@ struct Finding {
 
 template <class V>
 void fields(V& v, Same<V, Finding>& f) {
-  v("check", f.fault.check, "what was checked: `\"mul_overflow\"`");
-  v("reason", f.fault.reason, "a clause");
+  v("check", f.fault.check, "the check that failed: `\"mul_overflow\"`");
+  v("reason", f.fault.reason, "the reason, a clause");
   fields(v, f.fault.where);
-  v("time_s", f.time_s, "when it was found", {.unit = "s"});
+  v("time_s", f.time_s, "simulated time of the finding", {.unit = "s"});
 }
 
 /// A line of the sketch that divided an integer by zero and continued, as on a chip. Only runs on the host
@@ -78,8 +76,8 @@ struct DivisionByZero {
 template <class V>
 void fields(V& v, Same<V, DivisionByZero>& d) {
   fields(v, d.where);
-  v("first_s", d.first_s, "when it did first", {.unit = "s"});
-  v("times", d.times, "how often it did");
+  v("first_s", d.first_s, "time of the first division", {.unit = "s"});
+  v("times", d.times, "number of divisions");
 }
 
 /// A feature of the chip that the sketch used, but that the run's target lacks. After the first use, the run
@@ -92,9 +90,9 @@ struct Lack {
 
 template <class V>
 void fields(V& v, Same<V, Lack>& l) {
-  v("what", l.what, "as a sketch names it: `\"CLKPR\"`");
+  v("what", l.what, "name of the feature in a sketch: `\"CLKPR\"`");
   fields(v, l.where);
-  v("first_s", l.first_s, "when it was used first", {.unit = "s"});
+  v("first_s", l.first_s, "time of the first use", {.unit = "s"});
 }
 
 /// A finding of a detector (docs/howto/sanitizers.md): the sketch works here, but would fail on a real robot.
@@ -110,12 +108,12 @@ struct Detected {
 
 template <class V>
 void fields(V& v, Same<V, Detected>& d) {
-  v("detector", d.detector, "which one: `\"blind\"`");
+  v("detector", d.detector, "name of the detector: `\"blind\"`");
   v("what", d.what, "a sentence: the finding, and how it fails");
   v("mend", d.mend, "a sentence: how to fix it");
   fields(v, d.where);
   v("first_s", d.first_s, "time of the first occurrence", {.unit = "s"});
-  v("times", d.times, "how often it was seen there");
+  v("times", d.times, "number of occurrences at this line");
 }
 
 /// Returns "the robot drove … in loop, Follow.ino:9 (3 times, first at 0.31 s). Let loop() …"
@@ -126,7 +124,7 @@ struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
   std::int64_t ram_bytes = 0;        ///< variables
   std::int64_t stack_bytes_max = 0;  ///< the maximum in use, including handlers
-  std::int64_t loops = 0;            ///< number of passes of loop(); 0 = unknown, as are the next two values
+  std::int64_t loops = 0;            ///< number of passes of loop(); 0 = unknown, also the next two values
   double loop_us_max = 0.0;          ///< longest time from one beginning of loop() to the next or to the end
   double loop_us_mean = 0.0;
   double interrupt_share = 0.0;  ///< share of the time in interrupt handlers: 0..1
@@ -139,13 +137,12 @@ void fields(V& v, Same<V, Resources>& r) {
   v("flash_bytes", r.flash_bytes, "code, constants and the variables' initial values");
   v("ram_bytes", r.ram_bytes, "variables");
   v("stack_bytes_max", r.stack_bytes_max,
-    "maximum stack use, including interrupt handlers: from the stack pointer at every change");
+    "maximum stack use, including interrupt handlers; measured at every change of the stack pointer");
   v("interrupt_share", r.interrupt_share, "share of the time in interrupt handlers, 0..1");
-  v("cpu_load", r.cpu_load, "share of the time not asleep, 0..1; a loop that waits is load");
+  v("cpu_load", r.cpu_load, "share of the time not asleep, 0..1; waiting loops count as load");
   v("loops", r.loops,
-    "passes of `loop()`, or of the endless loop of a `main()` without it; absent, with the next two, where "
-    "the "
-    "image does not tell them from those of loops within, or none has ended",
+    "number of passes of `loop()`, or of the endless loop of a `main()` without it; absent, like the next "
+    "two keys, if none has ended, or the image does not distinguish inner loops",
     {.presence = if_loops});
   v("loop_us_max", r.loop_us_max,
     "longest time from one beginning of `loop()` to the next, or to the end of the run",
@@ -163,8 +160,8 @@ struct ScorePart {
 template <class V>
 void fields(V& v, Same<V, ScorePart>& p) {
   v("part", p.part, "name of the part: `\"time\"`, `\"gap\"` …");
-  v("count", p.count, "how often");
-  v("value", p.value, "its total in the score; negative = deducted");
+  v("count", p.count, "number of such parts");
+  v("value", p.value, "sum of their values in the score; negative = deducted");
 }
 
 /// Measurements of a run.
@@ -192,26 +189,26 @@ void fields(V& v, Same<V, Metrics>& m) {
   v("distance_m", m.distance_m, "path of the axle's centre", {.unit = "m"});
   v("laps_s", m.laps_s, "duration of each complete lap, on a loop", {.unit = "s"});
   v("cross_track_rms_mm", m.cross_track_rms_mm,
-    "distance from the midpoint of the line sensors to the nearest centre line: root of the mean square over "
-    "all ticks after the first 0.5 s",
+    "distance from the midpoint of the line sensors to the nearest centre line: root mean square over all "
+    "ticks after the first 0.5 s",
     {.unit = "mm"});
   v("cross_track_max_mm", m.cross_track_max_mm, "maximum of this distance", {.unit = "mm"});
   v("off_line_s", m.off_line_s, "time with no sensor over a line", {.unit = "s"});
-  v("collisions", m.collisions, "contacts with walls and the map's edge; a lasting one counts once");
-  v("energy_j", m.energy_j, "drawn from the battery by the motors", {.unit = "J"});
+  v("collisions", m.collisions, "contacts with walls and the map's edge; a lasting contact counts once");
+  v("energy_j", m.energy_j, "energy that the motors drew from the battery", {.unit = "J"});
   v("energy_back_j", m.energy_back_j,
-    "returned to the battery by braking motors; absent if zero, as without `inductance` of "
-    "[motors](robots.md#motors)",
+    "energy that braking motors returned to the battery; absent if zero, for example if the "
+    "[motors](robots.md#motors) have no `inductance`",
     {.unit = "J", .presence = when(m.energy_back_j != 0.0)});
-  v("stations", m.stations, "names of the visited ones, in the order of the first visit");
+  v("stations", m.stations, "names of the visited stations, in the order of the first visit");
   v("junctions", m.junctions, "number of different junctions visited");
   v("score", m.score,
-    "what the [competition](courses.md) of the goal counts, s or points; absent if there is none, or none "
-    "yet",
+    "score in the goal's [competition](courses.md), in s or points; absent if there is no competition, or no "
+    "score yet",
     {.presence = when(!std::isnan(m.score))});
-  v("score_unit", m.score_unit, "`\"s\"`: less is better, or `\"points\"`; absent if there is no competition",
+  v("score_unit", m.score_unit, "`\"s\"` (less is better) or `\"points\"`; absent if there is no competition",
     {.presence = when(!m.score_unit.empty())});
-  v("run_s", m.run_s, "what the competition's clock shows at the end of the run",
+  v("run_s", m.run_s, "time on the competition's clock at the end of the run",
     {.unit = "s", .presence = when(!std::isnan(m.run_s))});
   v("score_parts", m.score_parts, "parts of the score; absent if there are none yet",
     {.presence = when(!m.score_parts.empty())});
@@ -224,7 +221,7 @@ struct Usage {
     std::string how;  ///< "driven" or "read"
   };
   struct Steady {
-    std::string part;   ///< name of the part; for an array, of its element
+    std::string part;   ///< name of the part, or of the element of an array
     std::string reads;  ///< "HIGH", "LOW" or "4.3 V"
   };
   std::vector<Loose> unwired;       ///< pins that the firmware used, although nothing is wired to them
@@ -234,21 +231,21 @@ struct Usage {
 
 template <class V>
 void fields(V& v, Same<V, Usage::Loose>& l) {
-  v("pin", l.pin, "`\"D7\"`");
-  v("how", l.how, "`\"driven\"` or `\"read\"`");
+  v("pin", l.pin, "the pin: `\"D7\"`");
+  v("how", l.how, "use of the pin: `\"driven\"` or `\"read\"`");
 }
 
 template <class V>
 void fields(V& v, Same<V, Usage::Steady>& s) {
-  v("part", s.part, "name of the part; for an array, of the element");
-  v("reads", s.reads, "`\"HIGH\"`, `\"LOW\"` or `\"4.3 V\"`");
+  v("part", s.part, "name of the part, or of the element of an array");
+  v("reads", s.reads, "the reading: `\"HIGH\"`, `\"LOW\"` or `\"4.3 V\"`");
 }
 
 template <class V>
 void fields(V& v, Same<V, Usage>& u) {
   v("unwired", u.unwired, "pins that the sketch used, though nothing is wired to them");
-  v("unused", u.unused, "names of parts and sensors that it neither drove nor read");
-  v("steady", u.steady, "buttons and sensors that it read, and that gave the same throughout");
+  v("unused", u.unused, "names of parts and sensors that the sketch neither drove nor read");
+  v("steady", u.steady, "buttons and sensors that the sketch read, and whose readings never changed");
 }
 
 /// The robot's pose: the axle's centre, x east and y north of the map's bottom-left corner.
@@ -265,10 +262,10 @@ void fields(V& v, Same<V, Pose>& p) {
   v("yaw", p.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
 }
 
-/// The text of a link whose lines ran long before, or declare what is still unchanged.
+/// Is the text of a cause whose lines ran long before the others, or declare a variable that never changed.
 inline constexpr const char* kSetBefore = "set before, and kept";
 
-/// A link of the chain that leads back from a verdict.
+/// One element of the chain of causes that leads back from a verdict.
 struct Cause {
   double t_s = 0.0;
   std::string text;               ///< "read S1 0.31 V"
@@ -277,8 +274,8 @@ struct Cause {
 
 template <class V>
 void fields(V& v, Same<V, Cause>& c) {
-  v("t_s", c.t_s, "time; 0 = since the start", {.unit = "s"});
-  v("text", c.text, "what was done then: `\"read S1 0.31 V\"`");
+  v("t_s", c.t_s, "simulated time; 0 = since the start", {.unit = "s"});
+  v("text", c.text, "the event at this time: `\"read S1 0.31 V\"`");
   v("lines", c.lines, "responsible lines of the sketch, nearest first");
 }
 
@@ -299,11 +296,11 @@ struct RunResult {
   std::optional<Crash> crash;
   std::vector<DivisionByZero> divisions_by_zero;
   std::vector<Lack> lacks;
-  int watchdog_resets = 0;             ///< how often the watchdog reset the chip
+  int watchdog_resets = 0;             ///< number of resets by the watchdog
   std::vector<Detected> detected;      ///< only if the request turned on detectors
   std::optional<Resources> resources;  ///< only on a chip
   Usage usage;
-  std::vector<Cause> because;  ///< the verdict's causes; empty = not requested, or nothing to report
+  std::vector<Cause> because;  ///< causes of the verdict; empty = not requested, or no cause found
   std::vector<Entry> events;   ///< the last events
   std::string serial;
   std::string shown;
@@ -323,59 +320,60 @@ struct RunResult {
 
 template <class V>
 void fields(V& v, Same<V, RunResult::Entry>& e) {
-  v("t_s", e.t_s, "when", {.unit = "s"});
-  v("text", e.text, "what happened: `\"station 2 visited\"`");
+  v("t_s", e.t_s, "time of the event", {.unit = "s"});
+  v("text", e.text, "the event: `\"station 2 visited\"`");
 }
 
 template <class V>
 void fields(V& v, Same<V, RunResult>& r) {
-  v("verdict", r.verdict, "`\"reached\"`, `\"lost\"` …");
-  v("why", r.why, "one sentence");
+  v("verdict", r.verdict, "the verdict: `\"reached\"`, `\"lost\"` …");
+  v("why", r.why, "reason for the verdict, one sentence");
   v("next", r.next, "what to try next; may be empty", {.presence = kOptional});
   v("next_by", r.next_by,
-    "how to take that step: a run on the `\"host\"`, `\"watching\"`, or a `\"script\"`; else absent",
+    "kind of that step: a run on the `\"host\"`, `\"watching\"`, or a `\"script\"`; absent for other steps",
     {.presence = when(!r.next_by.empty())});
-  v("status", r.status, "exit status that belongs to the verdict");
+  v("status", r.status, "exit status of the verdict");
   v("time_s", r.time_s, "simulated time at the end", {.unit = "s"});
   v("metrics", r.metrics, "measurements of the run");
   v("crash", r.crash, "absent unless the firmware crashed");
   v("divisions_by_zero", r.divisions_by_zero,
-    "on the host: lines that divided an integer by zero, the first 8; the run continued with the chip's "
+    "on the host: the first 8 lines that divided an integer by zero; the run continued with the chip's "
     "result",
     {.presence = when(!r.divisions_by_zero.empty())});
   v("lacks", r.lacks,
-    "on the host: chip features that the firmware used and the host lacks; from then on it may do what the "
-    "chip does not",
+    "on the host: chip features that the firmware used and that the host lacks; after the first use, the run "
+    "may differ from the chip",
     {.presence = when(!r.lacks.empty())});
   v("watchdog_resets", r.watchdog_resets, "how often the watchdog reset the chip; absent if never",
     {.presence = when(r.watchdog_resets > 0)});
-  v("detected", r.detected, "what [detectors](../howto/sanitizers.md#detectors) have seen; absent if nothing",
+  v("detected", r.detected,
+    "findings of the [detectors](../howto/sanitizers.md#detectors); absent if there are none",
     {.presence = when(!r.detected.empty())});
   v("resources", r.resources, "resources of the chip that the firmware used; absent on the host");
-  v("usage", r.usage, "parts of the wiring that the firmware used, and did not use", {.presence = kOptional});
+  v("usage", r.usage, "differences between the robot's wiring and the firmware's use of it",
+    {.presence = kOptional});
   v("because", r.because,
-    "chain of causes, back from the verdict ([why](../howto/why.md)); absent unless asked for",
+    "chain of causes that leads back from the verdict ([why](../howto/why.md)); absent unless requested",
     {.presence = when(!r.because.empty())});
-  v("events", r.events, "the last ones, at most 8");
-  v("serial", r.serial, "all that the firmware sent, up to 1 MiB");
-  v("shown", r.shown,
-    "what displays showed and Bluetooth modules received, up to 64 KiB, each on a line: `lcd: \"Lap 2\"`",
+  v("events", r.events, "the last events, at most 8");
+  v("serial", r.serial, "text that the firmware sent, up to 1 MiB");
+  v("shown", r.shown, "texts of displays and Bluetooth modules, up to 64 KiB, one per line: `lcd: \"Lap 2\"`",
     {.presence = when(!r.shown.empty())});
-  v("end", r.end, "where the robot is", {.presence = kOptional});
-  v("eeprom_writes", r.eeprom_writes, "bytes that the firmware wrote to its EEPROM", {.presence = kOptional});
+  v("end", r.end, "the robot's pose at the end", {.presence = kOptional});
+  v("eeprom_writes", r.eeprom_writes, "number of bytes that the firmware wrote to its EEPROM",
+    {.presence = kOptional});
   v("trace_hash", r.trace_hash, "fingerprint of the run: equal inputs give equal hashes");
-  v("goal", r.goal, "as on the command line");
-  v("for_s", r.for_s, "the most simulated time", {.unit = "s"});
+  v("goal", r.goal, "the goal, as on the command line");
+  v("for_s", r.for_s, "maximum simulated time", {.unit = "s"});
   v("seed", r.seed, "seed of the noise");
-  v("profile", r.profile, "with its version: `\"ideal\"`, `\"typical@1\"` …");
-  v("map_sha256", r.map_sha256, "of the map's file");
-  v("robot_sha256", r.robot_sha256, "of the robot's file");
-  v("image_sha256", r.image_sha256, "of the firmware image");
+  v("profile", r.profile, "the profile with its version: `\"ideal\"`, `\"typical@1\"` …");
+  v("map_sha256", r.map_sha256, "SHA-256 of the map's file");
+  v("robot_sha256", r.robot_sha256, "SHA-256 of the robot's file");
+  v("image_sha256", r.image_sha256, "SHA-256 of the firmware image");
   v("others", r.others,
     "results of the further robots of the request, each with these keys; absent if there are none",
     {.presence = when(!r.others.empty())});
-  v("ways", r.ways,
-    "for a run with several ways, the results of the second and all further ways; else absent",
+  v("ways", r.ways, "results of the second and further ways of a run with several ways; else absent",
     {.presence = when(!r.ways.empty())});
 }
 

@@ -1,4 +1,4 @@
-// Defines the conditions that stop a run which is driven step by step.
+// Defines the stop conditions of a run that is driven step by step.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@ struct Stop {
     event,    ///< an event of this kind has occurred: "collision_began" (event_kinds())
     visited,  ///< station `text` has been visited
     at,       ///< the body covers the centre of station `text`
-    reading,  ///< the part `text` reads at least 0.5 (`level`), or less (not `level`)
-    pin,      ///< the firmware drives pin `text` high or with PWM (`level`), or low (not `level`)
-    motors,   ///< a motor is driven (`level`), or no motor is (not `level`)
+    reading,  ///< part `text` reads at least 0.5 if `level` is true, and less if it is false
+    pin,      ///< the firmware drives pin `text`: high or with PWM if `level`, otherwise low
+    motors,   ///< a motor is driven if `level` is true, and no motor if it is false
     rest,     ///< no wheel has turned for `rest_ns`, counted from the last resume of the run
   };
   Kind kind = Kind::rest;
@@ -50,24 +50,25 @@ void fields(V& v, Same<V, Stop>& s) {
   v.choice(s.kind, Kind::line, "line", s.text,
            "a complete line sent by the firmware matches this regular expression (RE2) somewhere; only its "
            "first 1000 bytes count");
-  v.choice(s.kind, Kind::note, "note", s.text, "a note whose `text` contains this has occurred");
+  v.choice(s.kind, Kind::note, "note", s.text, "a `note` whose `text` contains this text has occurred");
   v.choice(s.kind, Kind::event, "event", s.text,
-           "something of this kind happened: `\"collision_began\"` or another `kind` of a note");
+           "an event of this kind has occurred: `\"collision_began\"` or another `kind` of a `note`");
   v.choice(s.kind, Kind::visited, "visited", s.text,
-           "that station (number or name) has been visited, at any time");
-  v.choice(s.kind, Kind::at, "at", s.text, "the body covers that station's centre");
-  v.choice(s.kind, Kind::reading, "reading", s.text, "that part's reading is at least 0.5");
+           "this station (number or name) has been visited, at any time");
+  v.choice(s.kind, Kind::at, "at", s.text, "the body covers this station's centre");
+  v.choice(s.kind, Kind::reading, "reading", s.text, "this part's reading is at least 0.5");
   v.choice(s.kind, Kind::pin, "pin", s.text,
-           "the firmware drives that pin high, or with PWM, however briefly");
-  v.choice(s.kind, Kind::motors, "motors", s.level, "`true`: a motor is driven; `false`: none is");
+           "the firmware drives this pin high or with PWM, however briefly");
+  v.choice(s.kind, Kind::motors, "motors", s.level, "`true`: a motor is driven; `false`: no motor is driven");
   v.choice(s.kind, Kind::rest, "rest_ns", s.rest_ns,
-           "no wheel has turned for this time, counted from when the run went on",
+           "no wheel has turned for this duration, counted from the last resume of the run",
            {.unit = "ns", .least = 0});
   if (V::kDescribes || s.kind == Kind::serial || s.kind == Kind::line)
     v("from", s.from, "with `serial` and `line`: number of the first byte that counts",
       {.presence = kOptional});
   if (V::kDescribes || s.kind == Kind::reading || s.kind == Kind::pin)
-    v("level", s.level, "with `reading` and `pin`; `false`: the reading is less, the pin is driven low",
+    v("level", s.level,
+      "with `reading` and `pin`; `false`: the reading is below 0.5, or the pin is driven low",
       {.presence = kOptional});
   agent_field(v, s.agent);
 }

@@ -86,7 +86,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number, ResolvedMiss
   if (setup_.detect) detectors_.emplace(robot_, executor_, setup_.map->line_m);
 }
 
-// Excludes competitions: a manual move according to their rules may put the robot anywhere.
+// Excludes competitions, because their rules may put the robot anywhere by a manual move.
 bool Agent::may_take_turns() const {
   return !progress_.contest() && !state_.listener->minds_turns() && sight() < kFarthestSight;
 }
@@ -177,7 +177,7 @@ void Agent::look_to_the_side() {
   const double side = robot_.line_side();
   if (std::abs(side) < kAside) return;
   const double left = robot_.right_command() - robot_.left_command();
-  // Commands from before the line came to this side do not answer it.
+  // Commands from before the line came to this side are not a response to it.
   if (side * state_.line_side <= 0.0) {
     state_.side_command = left;
     state_.steered = 0.0;
@@ -248,7 +248,7 @@ void Agent::feed_board(SimTime t) {
 void Agent::act_in_full(SimTime t) {
   if (robot_.has_battery()) feed_board(t);
   if (!finished()) player_.act(t, progress_, state_.happened);
-  if (!state_.happened.empty()) tell_events(t, t, 1);  // causes before their effects in this tick
+  if (!state_.happened.empty()) tell_events(t, t, 1);  // reports causes before their effects in this tick
   if (detectors_) detectors_->booted(player_.boots());
   robot_.begin_tick(t);
 }

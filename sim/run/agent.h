@@ -57,8 +57,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   /// Steps 2 and 3: runs the firmware to `end`, and sets the motors' commands. Returns whether a pin or a
   /// motor's command has changed since the tick began.
   bool run_firmware(SimTime end);
-  /// Runs steps 1 to 3 of the tick at `t`. Returns the time until which these steps have no work. `wakes` is
-  /// the result of the previous call; 0 = unknown.
+  /// Runs steps 1 to 3 of the tick at `t`. Returns the time until which these steps have nothing to do.
+  /// `wakes` is the result of the previous call; 0 = unknown.
   SimTime step_or_sleep(SimTime t, SimTime wakes);
   /// Step 4: goal and judge examine the world at `end`. Returns whether they reach a verdict, which finishes
   /// the agent.

@@ -1,5 +1,5 @@
-// A text that only grows, up to a mebibyte. Its snapshots share their common part: hundreds of them take
-// little more memory than one.
+// Stores a text that only grows, up to a mebibyte. Its snapshots share their common part, so that hundreds of
+// snapshots take little more memory than one.
 #pragma once
 
 #include <algorithm>

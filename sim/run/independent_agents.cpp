@@ -12,7 +12,7 @@ constexpr SimTime kTurn = 5 * kRestSpan;  // limits a turn, so that robots need 
 }  // namespace
 
 // Returns the time until which robots that are apart may run independently, starting at `t`. Returns `t` if
-// they may not. Until then no script acts, and no observer needs all robots at the same time.
+// they may not. Before that time, no script acts, and no observer needs all robots at the same time.
 SimTime Simulation::Impl::turns_end(SimTime t, SimTime end) const {
   if (wants_to_stop()) return t;
   SimTime until = std::min(end, t - t % kTurn + kTurn);
@@ -20,9 +20,9 @@ SimTime Simulation::Impl::turns_end(SimTime t, SimTime end) const {
   return until;
 }
 
-// Runs the ticks from `t` to `end`, or fewer. First runs each robot that is apart from all others, one after
-// the other; then runs the remaining robots in lockstep. In a turn of several ticks, a robot's state and its
-// copy of the firmware stay in the caches. If no robot is apart, returns false and changes nothing.
+// Runs the ticks from `t` to `end`, or fewer ticks. First runs each robot that is apart from all others, one
+// after the other; then runs the remaining robots in lockstep. In a turn of several ticks, a robot's state
+// and its copy of the firmware stay in the caches. If no robot is apart, returns false and changes nothing.
 bool Simulation::Impl::take_turns(SimTime t, SimTime end) {
   if (end < t + 2 * kTick) return false;
   const std::vector<bool>* apart = &world.apart(sights, 1e-9 * static_cast<double>(end - t));

@@ -1,5 +1,5 @@
-// The initial state of simulations on a map, which does not depend on their seeds. A process that forks for
-// each run builds this state first, so that all forks share it.
+// Builds the part of a simulation's initial state that depends on the map, but not on the seed. A process
+// that forks for each run builds this state first, so that all forks share it.
 #pragma once
 
 #include <cstddef>

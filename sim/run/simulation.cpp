@@ -98,7 +98,7 @@ inline bool Simulation::Impl::tick(SimTime t) {
   return left;
 }
 
-// Runs ticks of a single robot without a controller, from clock.t to the next check for rest, or fewer.
+// Runs ticks of a single robot without a controller, from clock.t to the next check for rest, or fewer ticks.
 // Afterwards clock.t is the beginning of the last of these ticks.
 void Simulation::Impl::go_alone(SimTime end) {
   Agent& agent = *agents.front();

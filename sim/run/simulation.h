@@ -1,5 +1,5 @@
-// A simulation consists of a clock, a world and agents: robots, each with its own firmware, script, goal and
-// verdict. Only the class Simulation keeps firmware and world in lockstep.
+// A simulation consists of a clock, a world and agents. An agent is a robot with its own firmware, script,
+// goal and verdict. Only the class Simulation keeps firmware and world in lockstep.
 //
 // A tick is [t, t+1 ms):
 //   1. The scenario acts at t, and parts schedule their pin edges from the state at t.
@@ -122,7 +122,7 @@ class BadAgent : public InputError {
  public:
   BadAgent(const InputError& error, int number) : InputError(error), agent(number) {}
   int agent;       ///< number of the agent
-  int other = -1;  ///< number of the agent on top of which it starts; -1 = no other agent is involved
+  int other = -1;  ///< number of the agent that occupies its start; -1 = no other agent is involved
 };
 
 /// A run that can pause between two ticks, be saved there, and continue from there any number of times.

@@ -24,7 +24,7 @@ struct Simulation::Impl final : Standstill {
   std::vector<std::uint8_t> eeprom(int number) const override { return agent(number).eeprom(); }
   void add(std::vector<scenario::Step> steps, int number) override {
     if (agent(number).finished())
-      throw InputError("the robot already has its verdict, so that it accepts no more changes");
+      throw InputError("the robot already has its verdict, so it accepts no more changes");
     agents[static_cast<std::size_t>(number)]->add(std::move(steps));
   }
   void check(const Leg& leg) const override;

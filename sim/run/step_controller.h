@@ -31,7 +31,7 @@ struct Leg {
 /// An agent's state at the beginning of a tick.
 struct State {
   SimTime t = 0;
-  int stop = -1;  ///< index of the leg's stop that was met; -1 = none, since the leg's time is up
+  int stop = -1;  ///< index of the leg's stop that was met; -1 = none was met
   /// Maximum of the cross-track error in the leg, over all ticks, with its time and place.
   double worst_cross_track = 0.0;  ///< m
   SimTime worst_t = 0;
@@ -53,8 +53,8 @@ class Standstill {
   virtual const judge::Outcome* outcome(int agent = 0) const = 0;
   /// Returns the entire EEPROM of the board.
   virtual std::vector<std::uint8_t> eeprom(int agent = 0) const = 0;
-  /// Adds steps to an agent's script. Steps that are due run as soon as the run continues. If a name is
-  /// unknown, throws InputError and adds no steps.
+  /// Adds steps to an agent's script. Steps that are due take effect as soon as the run continues. If a name
+  /// is unknown, throws InputError and adds no steps.
   virtual void add(std::vector<scenario::Step> steps, int agent = 0) = 0;
   /// Throws InputError if a stop of the leg is invalid in this run.
   virtual void check(const Leg& leg) const = 0;

@@ -16,7 +16,7 @@ namespace robosim::run {
 
 class StopConditions {
  public:
-  /// The state that stop conditions examine. All of it outlives this object.
+  /// The state that stop conditions examine. All of this state must outlive the StopConditions.
   struct Scene {
     const std::string& serial;
     const judge::Progress& progress;

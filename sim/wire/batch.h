@@ -10,14 +10,15 @@
 //   's'  a sample; the number is the count of readings. Then t_us (eight bytes), and as doubles x, y, yaw,
 //        speed, cross_track, left, right, both wheels, and the readings. If `other` is 1, sine and cosine
 //        of the yaw replace the yaw
-//   'p'  a pin; `other` is 0 input, 1 input_pullup or 2 output, plus 4 high, 8 PWM, 16 tone, 32 source. Then
-//        the duty cycle, a double; with tone its frequency, with source its number (four bytes each)
+//   'p'  a pin; `other` is 0 for input, 1 for input_pullup or 2 for output, plus 4 if high, 8 with PWM, 16
+//        with a tone, 32 with a source. Then the duty cycle (a double), the frequency of the tone, if any,
+//        and the number of the source, if any (four bytes each)
 //   'l'  a level that was read; `other` is 0 or 1
 //   'v'  volts that were read, a double
-//   'b'  a serial byte, in the place of the pin; `other` is 1 if the firmware sent the byte, else 0
+//   'b'  a serial byte, in place of the pin's number; `other` is 1 if the firmware sent the byte, else 0
 //   'd'  announces that the robot's pin events have sources (lines of the sketch); precedes everything else
-//   'c'  a source, numbered from 1; pin is the length of the function's name, `other` that of the file's, and
-//        the number is the line. Then the names
+//   'c'  a source, numbered from 1; the pin's number is the length of the function's name, `other` is the
+//        length of the file's name, and the number is the line. Then the two names
 //
 // Batches carry no columns. If a caller requests batches and columns, BatchReader computes the columns.
 #pragma once
@@ -78,7 +79,7 @@ class BatchWriter {
                   const std::vector<double>& readings) {
     return add_sample(agent, t_us, kWithHeading, numbers, readings);
   }
-  /// Add a PinChange, LevelSeen, VoltsSeen or SerialByte. `pin` is any number that identifies the pin within
+  /// Adds a PinChange, LevelSeen, VoltsSeen or SerialByte. `pin` is any number that identifies the pin within
   /// its robot. `mode` is 0 for input, 1 for input_pullup, 2 for output. `source` is a source's number, 0 =
   /// none. `agent` must be less than kMostAgents. A name must have at most kMostName bytes.
   void add_pin(int agent, std::int64_t t_ns, std::uint8_t pin, const char* name, int mode, bool level,
@@ -147,8 +148,8 @@ class BatchWriter {
     return put(to,
                Head{kind, static_cast<std::uint8_t>(agent), pin, static_cast<std::uint8_t>(other), number});
   }
-  // Accesses a memory through a local reference. Otherwise the compiler must assume that a write there
-  // changes memory_ itself.
+  // Accesses a memory through a local reference. Otherwise the compiler must assume that a write into the
+  // memory changes memory_ itself.
   static char* at(BatchMemory& memory) { return memory.bytes + memory.used.load(std::memory_order_relaxed); }
   static void end(BatchMemory& memory, const char* end) {
     memory.used.store(static_cast<std::uint32_t>(end - memory.bytes), std::memory_order_release);

@@ -7,8 +7,9 @@
 //   order 1   expects the previous value      (constant values, or jumps)
 //   order 2   expects a steady change         (times, positions)
 //
-// A difference d is written as z = 2 d if d >= 0, and as z = -2 d - 1 otherwise. z is stored in groups of
-// seven bits, the lowest bits first. Each group is a byte; all except the last have the highest bit set.
+// A difference `d` is written as the integer `2 d` if `d >= 0`, and as `-2 d - 1` otherwise. Its bits are
+// stored in groups of seven, the lowest bits first. Each group is a byte. In all bytes except the last, the
+// highest bit is set.
 #pragma once
 
 #include <algorithm>
@@ -34,9 +35,9 @@ struct ColumnSpec {
 
 template <class V>
 void fields(V& v, Same<V, ColumnSpec>& c) {
-  v("name", c.name, "with its unit");
+  v("name", c.name, "name of the column, with its unit");
   v("scale", c.scale, "stored integer = value x scale");
-  v("order", c.order, "1: differences of neighbours; 2: differences of those differences");
+  v("order", c.order, "1: differences between neighbours; 2: differences between those differences");
 }
 
 /// The rows that were added to one stream since its previous Rows.
@@ -49,10 +50,11 @@ struct Rows {
 
 template <class V>
 void fields(V& v, Same<V, Rows>& r) {
-  v("stream", r.stream, "`\"samples\"`, `\"pin D5\"`, `\"volts A0\"`");
+  v("stream", r.stream, "name of the stream: `\"samples\"`, `\"pin D5\"`, `\"volts A0\"`");
   v("count", r.count, "number of rows", {.least = 0});
-  v("columns", r.columns, "with the first rows of a stream", {.presence = when(!r.columns.empty())});
-  v("bytes", r.bytes, "bytes of each column in base64; they continue the previous bytes");
+  v("columns", r.columns, "encodings of the columns; only with the first rows of a stream",
+    {.presence = when(!r.columns.empty())});
+  v("bytes", r.bytes, "new bytes of each column in base64, which continue its previous bytes");
 }
 
 /// The rows and sources that were added since the previous Columns.
@@ -68,13 +70,13 @@ void fields(V& v, Same<V, Columns>& c) {
   agent_field(v, c.agent);
   v("streams", c.streams, "streams with new rows");
   v("sources", c.sources,
-    "lines of the sketch that drive pins, on a chip: those that a column `source` names for the first time. "
-    "They are counted from 1 over all `columns` of the run",
+    "on a chip: lines of the sketch that drive pins, and that a column `source` names for the first time. "
+    "The lines are numbered from 1 over all `columns` of the run",
     {.presence = when(!c.sources.empty())});
 }
 
-/// Largest stored integer (value x scale); larger ones are clamped. JavaScript's numbers are exact up to
-/// here.
+/// The largest stored integer (value x scale). Larger integers are clamped. JavaScript's numbers are exact up
+/// to this limit.
 constexpr std::int64_t kMostSteps = std::int64_t{1} << 50;
 
 /// Writes a column.
@@ -86,7 +88,7 @@ class Column {
   std::string_view bytes() const { return {buffer_.data(), used_}; }
   /// Clears the bytes, but not the last number.
   void clear() { used_ = 0; }
-  /// Adds `count` values. The first is at `first`, and the others follow at distances of `step`.
+  /// Adds `count` values. The first value is at `first`, and each further value is `step` doubles later.
   void add(const double* first, std::size_t step, std::size_t count);
 
  private:
@@ -103,7 +105,7 @@ class Column {
 class ColumnReader {
  public:
   explicit ColumnReader(int order) : order_(order) {}
-  /// Returns the next `count` integers; nothing if the bytes contain a different number of integers.
+  /// Returns the next `count` integers. Returns nullopt if the bytes contain another number of integers.
   std::optional<std::vector<std::int64_t>> read(std::string_view bytes, std::size_t count);
 
  private:
@@ -111,8 +113,8 @@ class ColumnReader {
   std::uint64_t last_ = 0, change_ = 0;
 };
 
-/// Writes rows. Rows wait until their bytes are requested: packing column by column takes a third of the time
-/// of packing row by row.
+/// Writes rows. Rows wait until their bytes are requested. Packing column by column takes a third of the
+/// time of packing row by row.
 class Stream {
  public:
   Stream(std::string name, const std::vector<ColumnSpec>& columns);

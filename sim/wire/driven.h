@@ -15,7 +15,7 @@
 namespace robosim::wire {
 using namespace result;  // the values that messages carry
 
-/// Runs lines of the scenario language, without their times, as soon as the run continues.
+/// Executes lines of the scenario language, which have no times, as soon as the run continues.
 struct Act {
   static constexpr const char* kDo = "script";
   std::string lines;
@@ -29,7 +29,7 @@ void fields(V& v, Same<V, Act>& a) {
   agent_field(v, a.agent);
 }
 
-/// Continues the run until the first of these conditions, or to its verdict.
+/// Continues the run until the first of these conditions holds, or until the verdict.
 struct GoOn {
   static constexpr const char* kDo = "continue";
   std::optional<std::int64_t> to_ns;  ///< unset = no limit
@@ -38,9 +38,9 @@ struct GoOn {
 
 template <class V>
 void fields(V& v, Same<V, GoOn>& g) {
-  v("to_ns", g.to_ns, "simulated time at which it stands still again",
+  v("to_ns", g.to_ns, "simulated time at which the run pauses again",
     {.unit = "ns", .otherwise = "never", .least = 0});
-  v("until", g.until, "stops; it stands still at the first that is met",
+  v("until", g.until, "stop conditions; the run pauses at the first that is met",
     {.otherwise = "none", .presence = when(!g.until.empty())});
 }
 
@@ -74,10 +74,10 @@ struct Worst {
 
 template <class V>
 void fields(V& v, Same<V, Worst>& w) {
-  v("cross_track", w.cross_track_mm, "the largest cross-track error", {.unit = "mm"});
-  v("t_ns", w.t_ns, "when that was", {.unit = "ns"});
-  v("x", w.x_mm, "position of the axle's centre then", {.unit = "mm"});
-  v("y", w.y_mm, "position of the axle's centre then", {.unit = "mm"});
+  v("cross_track", w.cross_track_mm, "largest cross-track error", {.unit = "mm"});
+  v("t_ns", w.t_ns, "time of this error", {.unit = "ns"});
+  v("x", w.x_mm, "position of the axle's centre at this time", {.unit = "mm"});
+  v("y", w.y_mm, "position of the axle's centre at this time", {.unit = "mm"});
 }
 
 /// The state of a paused run, at the beginning of a tick.
@@ -99,19 +99,19 @@ struct Paused {
 
 template <class V>
 void fields(V& v, Same<V, Paused>& p) {
-  v("t_ns", p.t_ns, "where it stands", {.unit = "ns"});
-  v("sample", p.sample, "the state there");
-  v("stop", p.stop, "number, from 0, of the stop that was met; absent at the start and when the time was up",
+  v("t_ns", p.t_ns, "simulated time of the pause", {.unit = "ns"});
+  v("sample", p.sample, "state of the robot at this time");
+  v("stop", p.stop, "index in `until`, from 0, of the stop that was met; absent if none was",
     {.presence = when(p.stop >= 0)});
-  v("worst", p.worst, "the largest cross-track error since the run went on last");
+  v("worst", p.worst, "largest cross-track error since the last resume");
   v("powered", p.powered, "whether the robot has power");
   v("driven", p.driven, "whether a motor is commanded");
-  v("serial_bytes", p.serial_bytes, "how many bytes the firmware has sent");
-  v("metrics", p.metrics, "figures so far");
+  v("serial_bytes", p.serial_bytes, "number of bytes that the firmware has sent so far");
+  v("metrics", p.metrics, "measurements so far");
   v("resources", p.resources, "resources of the chip that the firmware used so far; absent on the host");
-  v("verdict", p.verdict, "verdict of a robot that has one while others go on; else absent",
+  v("verdict", p.verdict, "this robot's verdict, while other robots continue; else absent",
     {.presence = when(!p.verdict.empty())});
-  v("why", p.why, "reason of that verdict, one sentence", {.presence = when(!p.verdict.empty())});
+  v("why", p.why, "reason for that verdict, one sentence", {.presence = when(!p.verdict.empty())});
   v("others", p.others, "the further robots of the request, each with these keys; absent if there are none",
     {.presence = when(!p.others.empty())});
 }

@@ -1,4 +1,5 @@
-// Detects manual moves by a script. They add parts to a robot's path that the robot did not drive.
+// Detects manual moves by a script. A manual move adds a part to the robot's path that the robot did not
+// drive.
 #pragma once
 
 #include <utility>

@@ -1,5 +1,5 @@
-// Defines the requests that a run in step with the wall clock (`robosim run --live`) accepts at any time.
-// Such a run answers like a run that is driven step by step (driven.h).
+// Defines the requests that a run in step with the wall clock (`robosim run --live`) accepts at any time. The
+// answers are those of a run that is driven step by step (driven.h).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,8 @@ struct Play {
 
 template <class V>
 void fields(V& v, Same<V, Play>& p) {
-  v("speed", p.speed, "simulated seconds a second; 0 = as fast as possible", {.presence = kOptional});
+  v("speed", p.speed, "simulated seconds per second of wall time; 0 = as fast as possible",
+    {.presence = kOptional});
 }
 
 /// Pauses the run.
@@ -35,7 +36,8 @@ struct StepOn {
 
 template <class V>
 void fields(V& v, Same<V, StepOn>& s) {
-  v("ms", s.ms, "simulated time", {.unit = "ms", .presence = kOptional, .least = 1, .most = 3'600'000});
+  v("ms", s.ms, "simulated time for which the run continues",
+    {.unit = "ms", .presence = kOptional, .least = 1, .most = 3'600'000});
 }
 
 using LiveRequest = std::variant<Play, Pause, StepOn, Act, End>;

@@ -1,4 +1,5 @@
-// Defines or includes all messages of the runner protocol (docs/reference/runner-protocol.md) as C++ values.
+// Defines all messages of the runner protocol (docs/reference/runner-protocol.md) as C++ structs, or includes
+// the headers that do.
 #pragma once
 
 #include "sim/result/run_result.h"
@@ -26,16 +27,14 @@ struct Hello {
 template <class V>
 void fields(V& v, Same<V, Hello>& h) {
   v("hello", h.program, "name of the runner's program");
-  v("protocol", h.protocol, "version of the protocol that it speaks");
+  v("protocol", h.protocol, "version of the protocol that the runner uses");
   v("version", h.version, "version of Robosim");
-  v("target", h.target, "whose firmware it runs: `\"host\"`, `\"avr\"` or `\"stm32\"`");
+  v("target", h.target, "target of the firmware that it runs: `\"host\"`, `\"avr\"` or `\"stm32\"`");
   v("sandbox", h.sandbox,
-    "whether runs are confined ([security](../explanation/security.md)): `\"on\"`, `\"off\"` by choice, or "
-    "`\"missing\"` "
-    "in the "
-    "kernel; absent if firmware is data",
+    "whether a [sandbox](../explanation/security.md) confines runs: `\"on\"`, `\"off\"` by choice, or "
+    "`\"missing\"` in the kernel; absent if the chip is emulated",
     {.presence = when(!h.sandbox.empty())});
-  v("no_sandbox_why", h.no_sandbox_why, "the reason, a clause; absent if it is on",
+  v("no_sandbox_why", h.no_sandbox_why, "why the sandbox is not on, a clause; absent if it is on",
     {.presence = when(!h.no_sandbox_why.empty())});
 }
 
@@ -48,8 +47,8 @@ struct ErrorAnswer {
 
 template <class V>
 void fields(V& v, Same<V, ErrorAnswer>& e) {
-  v("kind", e.kind, "`\"input\"` (exit status 2), `\"internal\"` (3) or `\"tool\"` (5)");
-  v("message", e.message, "one sentence");
+  v("kind", e.kind, "kind of the error: `\"input\"` (exit status 2), `\"internal\"` (3) or `\"tool\"` (5)");
+  v("message", e.message, "the error, one sentence");
 }
 
 /// All messages of a runner.

@@ -21,8 +21,8 @@ class RunnerError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Reports that a run was interrupted, and that its runner then sent nothing for two seconds and was killed,
-/// or died. There is no result.
+/// Reports that a run was interrupted, and that its runner then died, or was killed because it sent nothing
+/// for two seconds. There is no result.
 class Unstoppable : public RunnerError {
  public:
   using RunnerError::RunnerError;
@@ -31,7 +31,7 @@ class Unstoppable : public RunnerError {
 // The client's functions.
 
 std::string to_line(long long id, const Request& request);
-/// Converts a request to a run that is driven step by step. The run serves it during a pause.
+/// Converts a request to a run that is driven step by step. The run serves such requests during a pause.
 std::string to_line(long long id, const DrivenRequest& request);
 /// Converts a request for a run in step with the wall clock.
 std::string to_line(long long id, const LiveRequest& request);

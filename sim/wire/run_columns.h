@@ -47,7 +47,7 @@ class SourceNumbers {
   std::vector<SourceLine> new_;
 };
 
-/// The period in simulated time at which columns are reported.
+/// The simulated time between two reports of columns.
 constexpr std::int64_t kColumnsEvery_ns = 2'000'000'000;
 
 class RunColumns {

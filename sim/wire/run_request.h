@@ -1,4 +1,4 @@
-// Defines the requests to an idle runner: for a robot's description, or for a run.
+// Defines the requests to an idle runner. They ask for a robot's description, or for a run.
 #pragma once
 
 #include <array>
@@ -26,16 +26,16 @@ struct DescribeRobot {
 
 template <class V>
 void fields(V& v, Same<V, DescribeRobot>& d) {
-  v("robot", d.robot, "a stock robot's name, or a path, either with `@BOARD` for another board",
+  v("robot", d.robot, "name of a stock robot, or path; `@BOARD` at its end selects another board",
     {.not_empty = true});
   v("full", d.full, "`true`: the answer has the key `text`", {.presence = when(d.full)});
 }
 
-/// A further robot of a simulation. Missing settings are those of the whole run.
+/// A further robot of a simulation. RunRequest has the settings that are missing here.
 struct AgentRequest {
   std::string name;    ///< for messages
   std::string target;  ///< target of the firmware; empty = the runner's target
-  std::string image;   ///< for this and the following members see RunRequest
+  std::string image;   ///< RunRequest explains this and the following members
   std::string robot;
   std::string start;
   std::string goal;
@@ -49,17 +49,19 @@ template <class V>
 void fields(V& v, Same<V, AgentRequest>& a) {
   v("name", a.name, "name of the robot, for messages", {.not_empty = true});
   v("target", a.target,
-    "whose firmware it has: `\"host\"`, `\"avr\"` or `\"stm32\"`, one that the runner has",
+    "target of its firmware: `\"host\"`, `\"avr\"` or `\"stm32\"`; the runner must support it",
     {.otherwise = "the runner's", .presence = when(!a.target.empty())});
   v("image", a.image, "path of the firmware image", {.not_empty = true});
-  v("robot", a.robot, "name or path", {.not_empty = true});
-  v("start", a.start, "`\"X,Y,DIR\"`", {.otherwise = "the map's", .presence = when(!a.start.empty())});
-  v("goal", a.goal, "as on the command line", {.otherwise = "the map's", .presence = when(!a.goal.empty())});
-  v("clock_ns", a.clock_ns, "what the firmware's clock begins with; chip targets only",
+  v("robot", a.robot, "name of a stock robot, or path", {.not_empty = true});
+  v("start", a.start, "the start: `\"X,Y,DIR\"`",
+    {.otherwise = "the map's", .presence = when(!a.start.empty())});
+  v("goal", a.goal, "the goal, as on the command line",
+    {.otherwise = "the map's", .presence = when(!a.goal.empty())});
+  v("clock_ns", a.clock_ns, "initial value of the firmware's clock; chip targets only",
     {.unit = "ns", .presence = when(a.clock_ns > 0), .least = 0});
   v("script", a.script, "text of a scenario", {.otherwise = "empty", .presence = when(!a.script.empty())});
-  v("script_file", a.script_file, "its name, for messages", {.presence = when(!a.script.empty())});
-  v("late", a.late, "when the sketch is late", {.otherwise = "never", .presence = when(!a.late.empty())});
+  v("script_file", a.script_file, "name of the script, for messages", {.presence = when(!a.script.empty())});
+  v("late", a.late, "delays of the sketch", {.otherwise = "never", .presence = when(!a.late.empty())});
 }
 
 /// The point at which a run branches. From there, the run continues in several ways from the same state.
@@ -71,13 +73,14 @@ struct Ways {
 
 template <class V>
 void fields(V& v, Same<V, Ways>& w) {
-  v("at_ns", w.at_ns, "where the run branches, unless `after` says it; a multiple of the tick (1 ms)",
+  v("at_ns", w.at_ns,
+    "time at which the run branches, unless `after` is given; a multiple of the tick (1 ms)",
     {.unit = "ns", .presence = kOptional, .least = 0, .multiple_of = 1'000'000});
   v("after", w.after, "the run branches when the sketch has sent this text",
     {.otherwise = "at `at_ns`", .presence = when(!w.after.empty())});
   v("scripts", w.scripts,
-    "for each way, of which there are 1 to 64, lines that come at the end of the script. Nothing in them is "
-    "due before the run branches; they may wait for `after`");
+    "for each of 1 to 64 ways, the lines that follow the common script. No line may be due before the run "
+    "branches; lines may wait for `after`");
 }
 
 /// One simulation.
@@ -119,59 +122,59 @@ struct RunRequest {
 template <class V>
 void fields(V& v, Same<V, RunRequest>& r) {
   v("image", r.image, "path of the firmware image", {.not_empty = true});
-  v("map", r.map, "path", {.not_empty = true});
-  v("robot", r.robot, "name or path", {.not_empty = true});
-  v("start", r.start, "`\"X,Y,DIR\"`", {.otherwise = "the map's", .presence = when(!r.start.empty())});
-  v("goal", r.goal, "as on the command line", {.otherwise = "the map's", .presence = when(!r.goal.empty())});
-  v("for_ns", r.for_ns, "simulated time", {.unit = "ns", .presence = kOptional, .least = 0});
+  v("map", r.map, "path of the map's file", {.not_empty = true});
+  v("robot", r.robot, "name of a stock robot, or path", {.not_empty = true});
+  v("start", r.start, "the start: `\"X,Y,DIR\"`",
+    {.otherwise = "the map's", .presence = when(!r.start.empty())});
+  v("goal", r.goal, "the goal, as on the command line",
+    {.otherwise = "the map's", .presence = when(!r.goal.empty())});
+  v("for_ns", r.for_ns, "maximum simulated time", {.unit = "ns", .presence = kOptional, .least = 0});
   v("seed", r.seed, "seed of the noise", {.presence = kOptional});
-  v("profile", r.profile, "how real the robot's parts are", {.presence = kOptional, .one_of = kProfileNames});
-  v("clock_ns", r.clock_ns, "what the firmware's clock begins with; chip targets only",
+  v("profile", r.profile, "how realistic the robot's parts are",
+    {.presence = kOptional, .one_of = kProfileNames});
+  v("clock_ns", r.clock_ns, "initial value of the firmware's clock; chip targets only",
     {.unit = "ns", .presence = when(r.clock_ns > 0), .least = 0});
   v("counters", r.counters,
-    "file that the runner writes at the end: how often lines ran (`sim/base/archive.h`); on the host only an "
-    "image that was built for coverage counts",
+    "file to which the runner writes how often each line ran (`sim/base/archive.h`), at the end; on the "
+    "host, only for an image that was built for coverage",
     {.otherwise = "none", .presence = when(!r.counters.empty())});
   v("detect", r.detect, "`true`: [detectors](../howto/sanitizers.md#detectors) watch the sketches",
     {.presence = when(r.detect)});
   v("gdb_port", r.gdb_port,
-    "port of 127.0.0.1 at which the run waits for gdb before the first instruction; 0 = none; chip targets "
+    "port of 127.0.0.1 on which the run waits for gdb before the first instruction; 0 = none; chip targets "
     "only (else an `input` error)",
     {.presence = when(r.gdb_port > 0), .least = 0, .most = 65535});
   v("why", r.why,
-    "`true`: the answer has the key `because`; a run of one robot on the target avr only, which is not "
-    "driven, and of which "
-    "nothing is streamed",
+    "`true`: the answer has the key `because`; only for a run of one robot on the target `avr` that is "
+    "neither driven nor streamed",
     {.presence = when(r.why)});
   v("ways", r.ways,
-    "the run branches: each way goes on like a run whose script ends with its lines. The answer is the first "
-    "way's and has the others' under the key `ways`. Counters of the second way are written to `counters` "
-    "with `.2` at its end, and so on. Only for a run of one robot on a chip that is neither driven nor "
-    "streamed (else an `input` error)",
+    "the run branches: each way continues like a run whose script ends with the way's lines. The answer is "
+    "the first way's result; its key `ways` has the other results. The second way's counters are written to "
+    "the path in `counters`, followed by `.2`, and so on. Only for a run of one robot on a chip that is "
+    "neither driven nor streamed (else an `input` error)",
     {.otherwise = "none"});
   v("script", r.script, "text of a scenario", {.otherwise = "empty", .presence = when(!r.script.empty())});
-  v("script_file", r.script_file, "its name, for messages", {.presence = when(!r.script.empty())});
+  v("script_file", r.script_file, "name of the script, for messages", {.presence = when(!r.script.empty())});
   v("samples_every_ns", r.samples_every_ns,
     "how often a `sample` is sent; a multiple of the tick (1 ms); 0 = never",
     {.unit = "ns", .presence = when(r.samples_every_ns > 0), .least = 0, .multiple_of = 1'000'000});
   v("columns_every_ns", r.columns_every_ns,
-    "how often a sample is taken for `columns`, which then hold all that happens at the pins, too; a "
-    "multiple "
-    "of the tick; 0 = there are no `columns`",
+    "how often a sample is added to the `columns`, which also contain all events at the pins; a multiple of "
+    "the tick; 0 = no `columns`",
     {.unit = "ns", .presence = when(r.columns_every_ns > 0), .least = 0, .multiple_of = 1'000'000});
-  v("started", r.started, "`false`: there is no `started`, for a client that waits for the answer alone",
+  v("started", r.started, "`false`: no `started` event is sent; for clients that only wait for the answer",
     {.presence = when(!r.started)});
   v("batches", r.batches,
-    "`true`: many `sample`, `pin`, `level`, `volts` and `byte` events come in one `batch`, some of them "
-    "late; "
-    "the order of all events stays. The client then makes `columns` of these",
+    "`true`: many `sample`, `pin`, `level`, `volts` and `byte` events come in one `batch`, some of them with "
+    "a delay; the order of all events stays. The client then computes the `columns` from these events",
     {.presence = when(r.batches)});
   v("interactive", r.interactive, "`true`: the client drives the run step by step (below)",
     {.presence = when(r.interactive)});
   v("source", r.source_ns,
-    "`[from, to]`: `pin`, `level`, `volts` and `byte` events are sent only for this span, and have the key "
-    "`source`: the line of the sketch that caused the event. For a sent byte, that is the line that printed "
-    "it, however long the byte waited in the core's buffer",
+    "`[from, to]`: `pin`, `level`, `volts` and `byte` events are sent only for this time span. Their key "
+    "`source` is the line of the sketch that caused the event. For a sent byte, this is the line that "
+    "printed it, however long the byte waited in the core's buffer",
     {.unit = "ns", .otherwise = "none"});
   v("stream",
     NameList{std::array{Name{"pin", &r.pins}, Name{"serial", &r.serial}, Name{"note", &r.notes},
@@ -180,13 +183,14 @@ void fields(V& v, Same<V, RunRequest>& r) {
     {.otherwise = "none", .presence = when(r.pins || r.serial || r.notes || r.io)});
   v("name", r.name, "name of the robot, for messages, if there are several",
     {.otherwise = "none", .presence = when(!r.name.empty())});
-  v("target", r.target, "target of its firmware, one that the runner supports",
+  v("target", r.target, "target of the firmware; the runner must support it",
     {.otherwise = "the runner's", .presence = when(!r.target.empty())});
   v("late", r.late,
-    "when the sketch is late, as if its code took longer, in the order of these times; on the host only "
-    "(else an `input` error)",
+    "delays of the sketch, as if its code took longer, sorted by time; on the host only (else an `input` "
+    "error)",
     {.otherwise = "never", .presence = when(!r.late.empty())});
-  v("agents", r.agents, "further robots on the same map, at most 255: they are number 1, 2 … of its events",
+  v("agents", r.agents,
+    "further robots on the same map, at most 255; in events, they have the numbers 1, 2 …",
     {.otherwise = "none", .presence = when(!r.agents.empty())});
 }
 

@@ -21,7 +21,7 @@ using namespace result;  // the values that messages carry
 /// The latest possible time of an event: more than a hundred years.
 inline constexpr std::int64_t kLatest_ns = 4'000'000'000'000'000'000;
 
-/// Sent once for each robot, before all other events about it.
+/// Sent once for each robot, before all other events about this robot.
 struct Started {
   static constexpr const char* kEvent = "started";
   struct Station {
@@ -36,33 +36,33 @@ struct Started {
   std::string goal;
   std::vector<Station> stations;
   std::vector<std::string> readings;  ///< names of Sample::readings
-  int width = 0;                      ///< size of the map, in cells
-  int height = 0;
-  double cell_mm = 0.0;  ///< side of a cell
+  int width = 0;                      ///< width of the map, in cells
+  int height = 0;                     ///< height of the map, in cells
+  double cell_mm = 0.0;               ///< side of a cell
   int agent = 0;
 };
 
 template <class V>
 void fields(V& v, Same<V, Started::Station>& s) {
-  v("id", s.id, "its number");
-  v("name", s.name, "its name; its number if it has no name");
-  v("x", s.x, "its column, from the left");
-  v("y", s.y, "its row, from the top");
+  v("id", s.id, "number of the station");
+  v("name", s.name, "name of the station; its number if it has no name");
+  v("x", s.x, "column of the station, from the left");
+  v("y", s.y, "row of the station, from the top");
 }
 
 template <class V>
 void fields(V& v, Same<V, Started>& s) {
-  v("start", std::tie(s.x, s.y, s.facing), "column, row and direction that the robot begins with");
-  v("goal", s.goal, "as on the command line");
+  v("start", std::tie(s.x, s.y, s.facing), "column, row and direction of the robot's start");
+  v("goal", s.goal, "the goal, as on the command line");
   v("stations", s.stations, "stations of the map");
-  v("readings", s.readings, "names of the readings of a sample, in their order");
-  v("width", s.width, "size of the map, in cells", {.presence = kOptional});
-  v("height", s.height, "size of the map, in cells", {.presence = kOptional});
+  v("readings", s.readings, "names of the readings in a sample, in their order");
+  v("width", s.width, "width of the map, in cells", {.presence = kOptional});
+  v("height", s.height, "height of the map, in cells", {.presence = kOptional});
   v("cell", s.cell_mm, "side of a cell", {.unit = "mm", .presence = kOptional});
   agent_field(v, s.agent);
 }
 
-/// The state at a moment, for display.
+/// The state of a robot at a moment, for display.
 struct Sample {
   static constexpr const char* kEvent = "sample";
   std::int64_t t_us = 0;
@@ -81,7 +81,7 @@ struct Sample {
 
 template <class V>
 void fields(V& v, Same<V, Sample>& s) {
-  v("t_us", s.t_us, "when", {.unit = "µs", .least = 0, .most = kLatest_ns / 1000});
+  v("t_us", s.t_us, "time of the sample", {.unit = "µs", .least = 0, .most = kLatest_ns / 1000});
   v("x", s.x_mm, "position of the axle's centre, east of the map's left edge", {.unit = "mm"});
   v("y", s.y_mm, "position of the axle's centre, north of the map's bottom edge", {.unit = "mm"});
   v("yaw", s.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
@@ -90,13 +90,13 @@ void fields(V& v, Same<V, Sample>& s) {
     {.unit = "mm"});
   v("left", s.left, "command of the left motor, -1..1");
   v("right", s.right, "command of the right motor, -1..1");
-  v("wheels", s.wheels_mm_s, "speeds of the left and the right wheel's tread, slipping or not",
+  v("wheels", s.wheels_mm_s, "speeds of the left and right wheel's tread, even during slip",
     {.unit = "mm/s", .presence = kOptional});
   v("readings", s.readings,
-    "noise-free levels in the order of `started`: of sensors 0 white .. 1 black, of LEDs and buttons 0 or 1, "
-    "of gauges in their units");
+    "noise-free readings in the order of `started`: sensors from 0 (white) to 1 (black), LEDs and buttons 0 "
+    "or 1, gauges in their units");
   v("at", s.at_station,
-    "in a run driven step by step, the station whose centre the body covers; absent if none",
+    "in a run that is driven step by step: the station whose centre the body covers; absent if none",
     {.presence = when(!s.at_station.empty())});
   agent_field(v, s.agent);
 }
@@ -135,7 +135,7 @@ struct VoltsSeen {
   int agent = 0;
 };
 
-/// A byte at the UART.
+/// The UART has sent or received a byte.
 struct SerialByte {
   static constexpr const char* kEvent = "byte";
   std::int64_t t_ns = 0;
@@ -147,18 +147,18 @@ struct SerialByte {
 
 template <class V>
 void source_field(V& v, Same<V, SourceLine>& source) {
-  v("source", source, "line of the sketch that caused the event; absent if unknown, or not requested",
+  v("source", source, "line of the sketch that caused the event; absent if unknown or not requested",
     {.presence = when(!source.file.empty())});
 }
 
 template <class V>
 void fields(V& v, Same<V, PinChange>& p) {
-  v("t_ns", p.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
-  v("pin", p.pin, "`\"D5\"`");
+  v("t_ns", p.t_ns, "time of the event", {.unit = "ns", .least = 0, .most = kLatest_ns});
+  v("pin", p.pin, "the pin: `\"D5\"`");
   v("mode", p.mode, "mode that the firmware has set", {.one_of = {"input", "input_pullup", "output"}});
-  v("level", p.level, "for an output, whether it is high");
-  v("pwm", p.pwm, "whether it is driven by PWM");
-  v("duty", p.duty, "share of the time that it is high, 0..1");
+  v("level", p.level, "for an output: whether the pin is high");
+  v("pwm", p.pwm, "whether PWM drives the pin");
+  v("duty", p.duty, "share of the time that the pin is high, 0..1");
   v("tone_hz", p.tone_hz, "frequency of `tone()`; 0 = none", {.unit = "Hz", .presence = kOptional});
   source_field(v, p.source);
   agent_field(v, p.agent);
@@ -166,27 +166,27 @@ void fields(V& v, Same<V, PinChange>& p) {
 
 template <class V>
 void fields(V& v, Same<V, LevelSeen>& l) {
-  v("t_ns", l.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
-  v("pin", l.pin, "`\"D2\"`");
-  v("level", l.level, "what the firmware found on the pin, or the edge that reached an interrupt");
+  v("t_ns", l.t_ns, "time of the event", {.unit = "ns", .least = 0, .most = kLatest_ns});
+  v("pin", l.pin, "the pin: `\"D2\"`");
+  v("level", l.level, "level that the firmware read, or level after an edge that reached an interrupt");
   source_field(v, l.source);
   agent_field(v, l.agent);
 }
 
 template <class V>
 void fields(V& v, Same<V, VoltsSeen>& s) {
-  v("t_ns", s.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
-  v("pin", s.pin, "`\"A0\"`");
-  v("volts", s.volts, "what the ADC sampled", {.unit = "V"});
+  v("t_ns", s.t_ns, "time of the event", {.unit = "ns", .least = 0, .most = kLatest_ns});
+  v("pin", s.pin, "the pin: `\"A0\"`");
+  v("volts", s.volts, "voltage that the ADC sampled", {.unit = "V"});
   source_field(v, s.source);
   agent_field(v, s.agent);
 }
 
 template <class V>
 void fields(V& v, Same<V, SerialByte>& b) {
-  v("t_ns", b.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
+  v("t_ns", b.t_ns, "time of the event", {.unit = "ns", .least = 0, .most = kLatest_ns});
   v("value", b.value, "value of the byte");
-  v("sent", b.sent, "whether the firmware has sent the byte; else it has received it");
+  v("sent", b.sent, "`true`: the firmware has sent the byte; `false`: it has received the byte");
   source_field(v, b.source);
   agent_field(v, b.agent);
 }
@@ -201,8 +201,8 @@ struct SerialText {
 
 template <class V>
 void fields(V& v, Same<V, SerialText>& s) {
-  v("t_ns", s.t_ns, "when its last byte was sent", {.unit = "ns", .least = 0, .most = kLatest_ns});
-  v("text", s.text, "a line with its line end, or a part of a line");
+  v("t_ns", s.t_ns, "time of the text's last byte", {.unit = "ns", .least = 0, .most = kLatest_ns});
+  v("text", s.text, "a line with its end, or a part of a line");
   agent_field(v, s.agent);
 }
 
@@ -211,7 +211,7 @@ struct Note {
   static constexpr const char* kEvent = "note";
   std::int64_t t_ns = 0;
   std::string text;
-  std::optional<RunEvent::What> what;  ///< unset if a newer runner sends a kind that is unknown here
+  std::optional<RunEvent::What> what;  ///< unset if a newer runner sends an unknown kind
   int agent = 0;                       ///< number of the robot
 
   /// Returns the value if the note is of this kind, else null: `note.is<StationVisited>()`.
@@ -225,10 +225,11 @@ inline Note note_of(const RunEvent& event) { return {event.t_ns, text_of(event),
 
 template <class V>
 void fields(V& v, Same<V, Note>& n) {
-  v("t_ns", n.t_ns, "when", {.unit = "ns", .least = 0, .most = kLatest_ns});
-  v("text", n.text, "for people: `\"station 2 visited\"`");
+  v("t_ns", n.t_ns, "time of the event", {.unit = "ns", .least = 0, .most = kLatest_ns});
+  v("text", n.text, "the event, for people: `\"station 2 visited\"`");
   agent_field(v, n.agent);
-  v.kinds("kind", n.what, "what happened; each of the keys below is present for the kinds that it names");
+  v.kinds("kind", n.what,
+          "kind of the event; the keys below are present for the kinds that their meanings name");
 }
 
 /// The run waits for a debugger before the firmware's first instruction.
@@ -253,7 +254,7 @@ struct Batch {
 
 template <class V>
 void fields(V& v, Same<V, Batch>& b) {
-  v("size", b.size, "number of bytes that follow the line; the next line comes after them",
+  v("size", b.size, "number of bytes that follow the line; the next line comes after these bytes",
     {.least = 0, .most = Batch::kMost_bytes});
 }
 

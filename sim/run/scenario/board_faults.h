@@ -1,5 +1,5 @@
-// Simulates faults of the board: of its supply, serial line, EEPROM and clock. Scripts call them power,
-// serial, eeprom and clock. A script can also break the robot's parts, which sim/robot simulates.
+// Simulates faults of the board's supply, serial line, EEPROM and clock. Scripts call these `power`,
+// `serial`, `eeprom` and `clock`. A script can also break the robot's parts, which sim/robot simulates.
 //
 // - Power. The board's regulator gives the chip min(supply, battery - regulator_drop_volts). Below
 //   brown_out_volts (both in the BoardSpec) the chip is held in reset, and restarts when the voltage rises
@@ -29,9 +29,10 @@
 namespace robosim::scenario {
 
 constexpr double kLogicKeeps = 2.0;  ///< V: with a lower supply, a 74HC's registers lose their state
-/// V: below this supply, an AVR is off. The typical V POT for a falling supply; the range is 0.6 to 1.6 V
-/// (data sheet 8025I of the ATmega48P to 328P, table 26-3). RAM is assumed to keep its content down to this
-/// voltage. No retention voltage was found for an ATmega328P; for an ATmega164P it is 50 mV (7674F, 26.4).
+/// V: below this supply, an AVR is off. This is the typical V POT for a falling supply; the range is 0.6 to
+/// 1.6 V (data sheet 8025I of the ATmega48P to 328P, table 26-3). RAM is assumed to keep its content down to
+/// this voltage. No retention voltage was found for an ATmega328P; for an ATmega164P it is 50 mV (7674F,
+/// 26.4).
 constexpr double kPowerOnReset = 1.3;
 
 /// The faults that a script can request, parsed and checked. A default value stands for "ok" in the script,
@@ -87,7 +88,7 @@ class BoardFaults final : EepromWatcher {
 
   /// Sets the battery's voltage. This may start or stop the chip.
   void feed(double volts, SimTime t);
-  /// Operates the switch between battery and board. When it is switched off, parts that share the board's
+  /// Operates the switch between battery and board. When the switch is off, parts that share the board's
   /// supply lose their state.
   void switch_power(bool on, SimTime t);
   /// Returns whether the chip runs: the board is switched on and the chip's voltage is high enough.
@@ -119,7 +120,7 @@ class BoardFaults final : EepromWatcher {
     int resets = 0;            ///< number of resets because of low voltage
     bool browned_out = false;  ///< the chip is off because of low voltage
     SimTime recovered = 0;     ///< when the chip last ran again after low voltage
-    bool was_gone = false;     ///< the supply was off since the chip last ran: the next start is a power-on
+    bool was_gone = false;  ///< the supply was off after the chip last ran, so the next start is a power-on
     std::uint64_t boots = 1;
     double chip_volts = 0.0;  ///< V, supply voltage of the chip
     bool keeps = true;        ///< parts on the board's supply retain their state

@@ -9,7 +9,7 @@
 
 namespace robosim::scenario {
 
-/// Parses "COLUMN,ROW"
+/// Parses "COLUMN,ROW".
 map::CellAt parse_cell(const map::Map& map, const std::string& text);
 
 /// A line between the centres of two cells in one row or column: "X,Y X,Y".
@@ -18,7 +18,7 @@ struct Stretch {
 };
 Stretch parse_stretch(const map::Map& map, const std::string& text);
 
-/// Parses a pose for the robot: on a line cell, "X,Y,DIR"; or anywhere, "352mm,118mm,NE".
+/// Parses a pose of the robot: "X,Y,DIR" for a line cell, or "352mm,118mm,NE" for any place.
 Pose parse_place(const map::Map& map, const map::Stripes& stripes, const std::string& text);
 
 }  // namespace robosim::scenario

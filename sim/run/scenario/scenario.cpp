@@ -129,7 +129,7 @@ void parse_power(ScriptLine& line, Action& action) {
   if (action.part == "on") return;
   if (line.more() && !line.next_is("byte")) action.duration = line.optional_duration();
   if (!line.take_if("byte")) return;
-  const std::string what = line.take("what the byte holds: old, new, erased or a value").text;
+  const std::string what = line.take("the byte's content: old, new, erased or a value").text;
   HalfWritten& byte = action.half_written;
   if (what == "new") return;
   byte.kind = what == "old" ? HalfWritten::Kind::before : HalfWritten::Kind::value;
@@ -144,7 +144,7 @@ void parse_power(ScriptLine& line, Action& action) {
 
 // Parses sweep LENGTH [every TIME] [for TIME]
 void parse_sweep(ScriptLine& line, Action& action) {
-  action.reach = line.quantity("how far to each side, from 1mm to 500mm", Dimension::length, 0.001, 0.5);
+  action.reach = line.quantity("the distance to each side, from 1mm to 500mm", Dimension::length, 0.001, 0.5);
   action.period = line.take_if("every") ? line.duration() : kSweepPeriod;
   if (action.period < kTick) line.refuse("the sweep is too fast: expected at least 1ms after \"every\"");
   action.duration = line.optional_duration().value_or(kSweep);

@@ -1,4 +1,5 @@
-// A scenario: stimuli to the robot, and their times. docs/reference/scripts.md describes the language.
+// Defines scenarios, which are lists of stimuli to the robot and their times. docs/reference/scripts.md
+// describes the language.
 //
 //   at 2s press start 100ms
 //   after serial "Ready" send "3\n"
@@ -25,7 +26,7 @@ struct Trigger {
     serial,   ///< the firmware has sent `text`
     station,  ///< the station called `text` has been visited
     told,     ///< the part `part` has shown a text that contains `text`
-    boot,     ///< the chip has started for the `count`-th time; the first is at the beginning of the run
+    boot,     ///< the chip has started for the `count`-th time; the run begins with the first start
     eeprom,   ///< the firmware has begun to write its EEPROM for the `count`-th time
   };
   Kind kind = Kind::at;
@@ -67,19 +68,21 @@ struct Action {
     light
   };
   Verb verb = Verb::press;
-  std::string part;  ///< press, release, cover, fault, send: the part; power, light: "off" or "on"; door:
-                     ///< "shut" or "open"
-  std::vector<std::string> arguments;  ///< fault: the kind and its arguments
-  std::string text;  ///< send: the bytes, or the message to a part; place: "X,Y,DIR"; obstacle, clear:
-                     ///< "X,Y"; paint, erase, door: "X,Y X,Y"; light: its number, or "all"
-  std::string to;    ///< obstacle: the cell to which the obstacle moves; empty = no move
-  SimTime held = 0;  ///< send to a remote control: how long its key is held down
-  double radius = kObstacleRadius;  ///< m, obstacle: its radius
-  double reach = 0.0;               ///< m, sweep: the distance to each side
-  SimTime period = 0;               ///< sweep: one cycle; tilt: the tilting; obstacle: the move to `to`
-  double angle = 0.0;               ///< rad, tilt: the angle
-  Vec2 side;                        ///< tilt: the side that goes down, a unit vector in the robot's frame
-  HalfWritten half_written;         ///< power off: the EEPROM byte that is being written
+  /// For press, release, cover, fault and send: the part. For power and light: "off" or "on". For door:
+  /// "shut" or "open".
+  std::string part;
+  std::vector<std::string> arguments;  ///< for fault: the kind and its arguments
+  /// For send: the bytes, or the message to a part. For place: "X,Y,DIR". For obstacle and clear: "X,Y". For
+  /// paint, erase and door: "X,Y X,Y". For light: its number, or "all".
+  std::string text;
+  std::string to;                   ///< for obstacle: the cell to which the obstacle moves; empty = no move
+  SimTime held = 0;                 ///< for send to a remote control: how long its key is held down
+  double radius = kObstacleRadius;  ///< m, for obstacle: its radius
+  double reach = 0.0;               ///< m, for sweep: the distance to each side
+  SimTime period = 0;        ///< duration of a sweep's cycle, of tilting, or of an obstacle's move to `to`
+  double angle = 0.0;        ///< rad, for tilt: the angle
+  Vec2 side;                 ///< for tilt: the side that goes down, a unit vector in the robot's frame
+  HalfWritten half_written;  ///< for power off: the EEPROM byte that is being written
   std::optional<SimTime> duration;  ///< the action is undone after this time; empty = never
 };
 
@@ -94,7 +97,7 @@ struct Step {
   Trigger trigger;
   Action action;
   Place place;           ///< position in the script
-  std::string varies{};  ///< the line, if it has spreads (spread.h); the step contains their nominal values
+  std::string varies{};  ///< the line, if it has spreads (spread.h); the step itself has the nominal values
 };
 
 /// Parses one line. Returns nullopt if the line is empty or a comment. Throws the same errors as

@@ -21,7 +21,7 @@ struct Word {
   int column = 1;
 };
 
-/// All functions throw InputError, with the place of the word.
+/// Reads the words of a line. All functions throw InputError, with the place of the word.
 class ScriptLine {
  public:
   /// Splits the part of the line before any comment into words. `place` is the beginning of the line. For

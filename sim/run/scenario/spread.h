@@ -1,5 +1,5 @@
-// Numbers of a script that vary with the seed: "2s+-500ms", "12+-2,3", "50%±10%". They are drawn before a
-// line is parsed, so that the parser need not handle spreads.
+// Draws the numbers of a script that vary with the seed: "2s+-500ms", "12+-2,3", "50%±10%". The numbers are
+// drawn before a line is parsed, so that the parser need not handle spreads.
 #pragma once
 
 #include <cstddef>

@@ -677,7 +677,7 @@ TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {
   e.crash = exec::Crash{"1000 * 40 does not fit an int, which holds -32768 to 32767 here", {}};
   e.crash->check = "mul_overflow";
   e.int_bits = 16;
-  EXPECT_THAT(next(Verdict::crashed), HasSubstr("On the chip int has 16 bits"));
+  EXPECT_THAT(next(Verdict::crashed), HasSubstr("On the chip, an int has 16 bits"));
   e.int_bits = 32;
   EXPECT_EQ(next(Verdict::crashed), "");
   e.int_bits = 16;
