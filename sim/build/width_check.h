@@ -1,5 +1,5 @@
-// Lets the AVR's compiler look at a sketch that is built for the host. An AVR's int has 16 bits, so that only
-// this compiler reports that 4 * 10000 overflows.
+// Lets the AVR's compiler look at a sketch that is built for the host. Only this
+// compiler reports that 4 * 10000 overflows, because an AVR's int has 16 bits.
 #pragma once
 
 #include <memory>

@@ -22,10 +22,10 @@
 // obstacle is a wall on the path; an intersection is a place where the path crosses itself or another path.
 //
 // A [[hill]] on the path is a seesaw if it has a pivot. A hill is a speed bump if it is more than 3 mm and up
-// to 10 mm high: neighbouring tiles may differ by 3 mm. A tile is a ramp if a higher hill rises or falls by
+// to 10 mm high. Lower hills are ignored, because neighbouring tiles may differ by 3 mm. A tile is a ramp if a higher hill rises or falls by
 // more than 10 mm on the tile.
 //
-// A lack of progress occurs when the robot leaves its last tile and the tile's neighbours on the path. Near
+// A lack of progress occurs when the robot is neither on its last tile nor on the tile's neighbours on the path. Near
 // an obstacle, the robot may be anywhere within 1.5 tiles of the obstacle. A lack of progress also occurs if
 // the robot is lost or stuck (judge.h), or a script picks the robot up. The captain then puts the robot on
 // the last checkpoint, or on the start. After the third lack in a row, the captain puts the robot on the next
@@ -60,7 +60,7 @@ class RescueRun {
   void score(result::Metrics& metrics) const;
 
  private:
-  /// A visit of the path to a tile.
+  /// A stretch of the path on one tile. The path may cross a tile several times.
   struct Step {
     int column = 0, row = 0;
     double from = 0.0, to = 0.0;  ///< m along the path

@@ -18,7 +18,7 @@ namespace robosim::cli {
 std::string size_report(const build::Image& image, const std::string& target, const BoardSpec& board,
                         const std::vector<std::filesystem::path>& files);
 
-/// Returns a sentence for each budget of the robot that an image for a chip exceeds.
+/// Returns a sentence for each limit in the robot's [budget] that the image exceeds. The image is for a chip.
 std::vector<std::string> over_budget(const build::Image& image, const wire::RobotInfo& robot);
 
 /// An image with its board and target.
@@ -28,8 +28,8 @@ struct Built {
   wire::RobotInfo robot;
 };
 
-/// Selects the board if the chip of the robot's board does not suit the target. `own` keeps the board,
-/// `fitting` replaces it.
+/// Selects between two boards for a target that does not suit the chip of the robot's board. `own` keeps the
+/// robot's board; `fitting` takes one that suits the target.
 enum class Boards { own, fitting };
 
 /// Compiles for the board of the robot that `robosim run` would use. The compiler's warnings go to standard

@@ -1,4 +1,4 @@
-// Turns around once by its gyroscope, drives ahead while its middle sensor sees the line, and stops. A letter
+// Makes one full turn by its gyroscope, drives ahead while its middle sensor sees the line, and stops. A letter
 // on the serial line selects how it uses the gyroscope's value:
 //   n  unchanged         o  minus the value at rest, the mean of 200 readings
 #include <Wire.h>
