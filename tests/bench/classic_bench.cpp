@@ -1,7 +1,7 @@
 // Measures the cell engine, in which a robot moves from cell to cell. First measures moves per second on map
 // d, in bulk and one by one. For comparison, measures a re-implementation of Robosim v1 (tests/support/v1.h).
 // Moves in bulk must reach 8 times the speed of v1, and 1e8 moves per second. Then measures a full scan of a
-// tree with a million stations. The scan must take at most 0.5 s. This excludes generating the map.
+// tree with a million stations. The scan must take at most 0.5 s, not counting the generation of the map.
 #include <benchmark/benchmark.h>
 
 #include "sim/map/cells/survey.h"

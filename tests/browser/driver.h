@@ -1,5 +1,5 @@
-// Debian's chromium without a window, driven by its chromedriver (W3C WebDriver). All tests of a program
-// share one browser.
+// Controls Debian's chromium, without a window, through its chromedriver (W3C WebDriver). All tests of a
+// program share one browser.
 #pragma once
 
 #include <httplib.h>
@@ -32,7 +32,7 @@
 
 namespace robosim::test {
 
-/// A program that prints its address when it is ready: the word after `before` on its standard output.
+/// Starts a program that prints its address when it is ready. The address is the word after `before`.
 class Started {
  public:
   Started(std::vector<std::string> words, const std::string& before) {

@@ -1,5 +1,4 @@
-// Provides the fixture of the tests of a recording's page, run.html: records one run for all tests of a
-// program.
+// Provides the fixture for tests of a recording's page, run.html. Records one run for all tests of a program.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -54,7 +54,7 @@ TEST_F(Page, SaysThatItIsCutOff) {
   EXPECT_THAT(over.get<std::string>(), HasSubstr("cut off"));
 }
 
-// Opens broken files with "Compare…". The page, and the run that is laid over it, stay unchanged.
+// Opens broken files with "Compare…". The page stays unchanged, and so does a run that is laid over it.
 TEST_F(Page, SaysWhatIsBrokenInAFileThatIsToBeComparedWith) {
   const std::string good = read_file(*folder / "run.rec");
   const auto made = [](const std::string& header) {

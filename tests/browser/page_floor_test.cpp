@@ -79,7 +79,7 @@ TEST_F(Page, EndsTheFloorAtItsEdge) {
   EXPECT_NE(shown["wet"], shown["floor"]) << shown;
   for (const Json& beyond : shown["outside"]) EXPECT_EQ(beyond, shown["background"]) << shown;
   for (const Json& edge : shown["edges"]) {
-    EXPECT_NE(edge, shown["background"]) << "a robot collides there: " << shown;
+    EXPECT_NE(edge, shown["background"]) << "a robot collides there, so an edge is drawn: " << shown;
     EXPECT_NE(edge, shown["floor"]) << shown;
   }
 }

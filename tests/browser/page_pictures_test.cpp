@@ -1,5 +1,5 @@
-// Takes pictures of a recording's page (`robosim run --record run.html`), and compares those of the
-// documents.
+// Takes pictures of a recording's page (`robosim run --record run.html`) and of a report. Compares some of
+// them with the pictures in docs.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

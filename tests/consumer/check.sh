@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/consumer/check.sh BUILD FOLDER: installs the build in BUILD below FOLDER. Then does what a user does
-# with an installed Robosim: creates a project, runs its checks and its C++ test, and builds a project with
-# every kind of test. Finally, requests a target whose package is missing.
+# tests/consumer/check.sh BUILD FOLDER: installs the build folder BUILD into a subfolder of FOLDER. Then uses
+# the installed Robosim as a user does: creates a project, runs its checks and its C++ test, and builds a
+# project with every kind of test. Finally, requests a target whose package is missing.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")

@@ -19,7 +19,7 @@ TEST_F(AiNavigatorAgain, DrivesOverTwoJunctionsAfterItWasSwitchedOff) {
   EXPECT_EQ(robot().station(), "1");
 }
 
-// After power-on at station 3, the robot's heading 0 is another direction than the map's heading 0.
+// After power-on at station 3, the robot's heading 0 differs from the map's heading 0.
 TEST_F(AiNavigatorAgain, DrivesOverTwoJunctionsAfterItWasSwitchedOffFacingAnotherWay) {
   put_on(kRingOfThree);
   scan();

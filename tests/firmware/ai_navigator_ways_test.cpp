@@ -69,7 +69,7 @@ TEST_F(AiNavigatorAgain, TakesTheShorterOfTwoWaysOverOtherJunctions) {
 }
 
 // When the search is at the second junction, the third junction is farther away than all junctions found so
-// far. The search finds the third junction first by the longer of the two routes to it.
+// far. The search first reaches the third junction by the longer of the two routes to it.
 TEST_F(AiNavigatorAgain, GoesStraightThroughARowOfJunctionsWithWaysRound) {
   put_on(kTwoRings);
   scan();

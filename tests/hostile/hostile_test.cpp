@@ -1,5 +1,5 @@
 // Tests hostile sketches, folders and requests, each against the whole command. docs/explanation/security.md
-// lists the guarantees. The test takes an hour: cmake --workflow --preset hostile.
+// lists the guarantees. The test takes an hour: `cmake --workflow --preset hostile`.
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -292,7 +292,7 @@ void try_input(const char* suite, const Input& input) {
     if (is_sketch) words.emplace_back("--serial");
     modes.emplace_back(target + (untrusted ? " --untrusted" : ""), words);
   };
-  // Without --untrusted, a settings file may be a link. It may also name library folders, or the robot's
+  // Without `--untrusted`, a settings file may be a link. It may also name library folders, or the robot's
   // base, outside of the sketch's folder.
   const bool names_others = input.mechanism == "link_as_settings" ||
                             (input.mechanism == "platformio" && input.variant == "libraries") ||
@@ -366,7 +366,7 @@ class Server {
     if (::read(output.read.get(), text, sizeof text) <= 0) throw std::runtime_error("no server");
     output_ = std::move(output.read);
   }
-  /// Returns the server's port. It is chosen before the server starts, because requests name the port.
+  /// Returns the server's port. The port is chosen before the server starts, because requests name it.
   static int port() {
     static const int number = QuietPort().number();
     return number;

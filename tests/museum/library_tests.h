@@ -17,7 +17,7 @@ class LibraryTests {
   explicit LibraryTests(std::filesystem::path folder);
 
   /// Recompiles tests that include the changed file (relative to the source tree) against the stage's copy.
-  /// Returns the first failure, "nav_test: Planners.AgreeOnThousandsOfTrees", or how the program ended.
+  /// Returns the first failure, as "nav_test: Planners.AgreeOnThousandsOfTrees", or how the program ended.
   /// Returns "" if nothing fails, or if the tests do not compile with the change.
   std::string failure(const Stage& stage, const std::string& changed) const;
 

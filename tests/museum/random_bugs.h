@@ -12,7 +12,7 @@
 
 namespace robosim::museum {
 
-/// Returns all mutations that robosim mutate could draw in firmware/: in Robosim's sketches, their library,
+/// Returns all mutations that `robosim mutate` could draw in firmware/: in Robosim's sketches, their library,
 /// and all headers that their compiled sources include. File names are relative to the source tree. The
 /// mutations are in order of their places.
 std::vector<mutate::Mutation> bugs_of_firmware();

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # count.sh performance|performance_table BUILD: counts the instructions of fixed pieces of work with
 # valgrind's callgrind. Compares the counts with the table of docs/explanation/performance.md, or writes them
-# into it. Status 1: a count is more than 2 % above the table's.
+# into it. Fails if a count is more than 2 % above the table's count.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 page=$here/../../docs/explanation/performance.md
@@ -13,8 +13,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 tolerance=2  # per cent
 
-# The counts are of code by g++ 12, which partly uses AVX2. Counts of another compiler's code are not
-# comparable.
+# The table's counts are for code that g++ 12 compiled, and that partly uses AVX2. Counts of another
+# compiler's code are not comparable.
 if [[ $(uname -m) != x86_64 || $(g++ -dumpversion) != 12 ]] || ! grep -qw avx2 /proc/cpuinfo ||
   ! command -v valgrind >/dev/null; then
   echo 'not counted: the table requires g++ 12 on x86-64 with AVX2, and valgrind'

@@ -33,7 +33,7 @@
 namespace robosim {
 namespace {
 
-// Runs a robot with five sensors on `oval`, without firmware, for `count` ticks.
+// Runs a robot with five sensors on `oval` for `count` ticks. BuiltInDriver replaces the firmware.
 void ticks(SimTime looks_every, int count) {
   const map::Map map = map::read_map(map::find_map("oval"));
   const robot::Description robot = robot::load_description("uno5");

@@ -1,6 +1,6 @@
 // Runs the sketches of samples/ as their users do. Each folder has two tests. First, the folder's checks.toml
-// must pass on each target that the file names. Second, `robosim compare` runs the file's first check: it
-// must find no difference between host and AVR, or the differences in differs.txt.
+// must pass on each target that the file names. Second, `robosim compare` runs the file's first check on host
+// and AVR. It must find no difference, or the differences in differs.txt if the folder has this file.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -66,7 +66,7 @@ TEST_P(Sample, DoesTheSameOnHostAndAvrButForWhatItSays) {
   const bool differs = fs::exists(folder() / "differs.txt");
   if (!runs_on_both(first) && !differs) {
     EXPECT_EQ(as_string(*first.find("target"), "target"), "avr")
-        << "a sample runs on both, or on the chip alone";
+        << "a sample runs on host and chip, or on the chip alone";
     return;
   }
   std::vector<std::string> words = options(first);

@@ -1,6 +1,6 @@
-// Firmware without a compiler: a line follower written directly against the board. Its runs depend only on
-// Robosim, so they are bit-identical for every compiler and machine. A sketch's runs also depend on the code
-// that gcc generates.
+// Provides a line follower that drives the board directly, without a sketch. Its runs depend only on Robosim,
+// so they are bit-identical for every compiler and machine. A sketch's runs also depend on the code that gcc
+// generates.
 #pragma once
 
 #include "hal/board/board_spec.h"

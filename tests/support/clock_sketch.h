@@ -1,7 +1,7 @@
 // A sketch whose output depends on a board's clock and supply, for every target that runs it:
 //
 //   pin 12   high for 100 ms by delay(), low, then high while ten bytes are sent at 57600 baud
-//   prints   F_CPU in MHz, the reading of A7, us for ten analogRead(), and us for a thousand digitalRead()
+//   prints   F_CPU in MHz, the reading of A7, the time of ten analogRead() and of 1000 digitalRead() in us
 #pragma once
 
 #include <gtest/gtest.h>
@@ -56,8 +56,8 @@ struct ReadTimes {
   double thousand_digital_us = 0.0;
 };
 
-/// Expects the sketch's output within a second, with half the supply on A7: the printed numbers, and the
-/// times at which pin 12 changes.
+/// Checks the numbers that the sketch printed, and the times at which pin 12 changed. The caller runs the
+/// sketch for a second, with half the supply on A7.
 inline ReadTimes expect_clock(const ClockedBoard& board, const std::vector<long long>& printed,
                               const std::vector<SimTime>& changes) {
   constexpr double kTenBytes_ns = 1.7e6;  // ten bits each at 58824 baud, the nearest possible rate

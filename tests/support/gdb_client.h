@@ -1,5 +1,5 @@
-// gdb's side of its remote protocol. Packets are sent in advance and replies are read afterwards, so one
-// thread can be both sides.
+// Implements gdb's side of its remote protocol. Packets are sent in advance and replies are read afterwards,
+// so one thread can run both sides.
 #pragma once
 
 #include <arpa/inet.h>

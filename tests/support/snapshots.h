@@ -35,7 +35,7 @@ namespace {
 using testing::ElementsAreArray;
 using testing::HasSubstr;
 
-/// One in kToTheEnd restored runs continues to the end of the simulation. The other runs end earlier.
+/// One of every kToTheEnd restored runs continues to the end of the simulation. The other runs end earlier.
 constexpr std::size_t kToTheEnd = 10;
 
 struct Case {

@@ -1,5 +1,5 @@
-// A simple re-implementation of Robosim v1's sensing, moving and scanning, from measurements of v1. It is the
-// reference for the cell engine's results and speed.
+// A simple re-implementation of Robosim v1's sensing, moving and scanning, based on measurements of v1. It is
+// the reference for the cell engine's results and speed.
 #pragma once
 
 #include <string>
@@ -44,7 +44,7 @@ struct Scan {
 };
 
 /// Runs v1's third scan algorithm. The map must be a tree of three-way junctions, with at least one junction.
-/// The start must be a dead end, facing the line.
+/// The robot must start at a dead end, and face the line.
 Scan scan(Robot& robot);
 
 }  // namespace robosim::cells::v1

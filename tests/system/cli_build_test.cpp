@@ -52,7 +52,7 @@ TEST(CliBuild, ACompileErrorForTheChipNamesFileAndLine) {
   folder.write("My/My.ino", "void setup() {}\nvoid loop() { halt(); }\n");
   const Ended ended = robosim_command({"build", "My/", "--target", "avr"}, folder.path());
   EXPECT_EQ(ended.status, 2);
-  // avr-gcc 5.4 reports the column at the end of the call, avr-gcc 14 that of the function's name.
+  // avr-gcc 5.4 reports the column of the call's end; avr-gcc 14 reports the column of the function's name.
   EXPECT_THAT(ended.err, AnyOf(StartsWith("My.ino:2:20: error: 'halt' was not declared"),
                                StartsWith("My.ino:2:15: error: 'halt' was not declared")));
 }

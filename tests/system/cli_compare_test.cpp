@@ -46,8 +46,8 @@ class CliCompare : public ::testing::Test {
     EXPECT_EQ(ended.status, 1) << ended.err;
     return json_of(ended)["difference"];
   }
-  /// Returns the comparison with the first seed for which chance decides on both host and stm32. The seed
-  /// depends on microseconds, and therefore on the releases of both compilers. With each earlier seed, the
+  /// Returns the comparison with the first seed for which chance decides on both host and stm32. Microseconds
+  /// decide which seed this is, so it depends on the releases of both compilers. With each earlier seed, the
   /// comparison must blame no target.
   static nlohmann::json first_on_the_edge(const std::vector<std::string>& words, int first_seed) {
     for (int seed = first_seed; seed < first_seed + 6; ++seed) {
@@ -154,9 +154,9 @@ TEST_F(CliCompare, ARobotOnTheEdgeIsToldAndBlamesNoTarget) {
   EXPECT_NE(result["edges"][0]["texts"][0], result["edges"][0]["texts"][1]);
 }
 
-// An Uno's millis() may lag by one tick, so an Uno prints "even" when a Blue Pill prints "odd". A run on the
-// host that is delayed by a fraction of a millisecond prints what the Blue Pill prints. `robosim compare`
-// must not blame a target for these differences, and must find later ones.
+// An Uno's millis() may lag by one tick, so an Uno prints "even" when a Blue Pill prints "odd". If a run on
+// the host is delayed by a fraction of a millisecond, it prints the same as the Blue Pill. `robosim compare`
+// must not blame a target for these differences, and must find later differences.
 TEST_F(CliCompare, WhatHangsOnATickOfTheClockBlamesNoTarget) {
   const Ended ended = compare("DiffersAtTick", "host,stm32");
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;

@@ -199,7 +199,7 @@ TEST(CliFleet, ARecordingHasRowsOfAllAndAPictureShowsAll) {
   const Ended plain = robosim_command(two_with({"--json"}));
   const Ended run =
       robosim_command(two_with({"--json", "--record", "r.csv", "--plot", "p.svg"}), folder.path());
-  EXPECT_EQ(run.out, plain.out) << "recorded or not";
+  EXPECT_EQ(run.out, plain.out) << "a recording changes nothing";
   const std::string csv = read_file(folder / "r.csv");
   EXPECT_THAT(csv, StartsWith("t_us,robot,x_mm,y_mm,yaw_rad,speed_mm_s,cross_track_mm,left,right,S1,"));
   EXPECT_THAT(csv, AllOf(HasSubstr("\n10000,A,"), HasSubstr("\n10000,B,")));
@@ -212,7 +212,8 @@ TEST(CliFleet, APageIsReplayedHeldAgainstAnotherAndWrittenAsATrace) {
   const Folder folder;
   const Ended plain = robosim_command(two_with({}));
   const Ended run = robosim_command(two_with({"--record", "r.html"}), folder.path());
-  EXPECT_EQ(run.out, plain.out + "r.html is written; open it in a browser\n") << "recorded or not";
+  EXPECT_EQ(run.out, plain.out + "r.html is written; open it in a browser\n")
+      << "a recording changes nothing";
   ASSERT_EQ(robosim_command(two_with({"--record", "s.rec", "--seed", "2"}), folder.path()).status, 0);
   const Ended replay =
       robosim_command({"replay", "r.html", "--over", "s.rec", "--record", "r.perfetto.json"}, folder.path());

@@ -146,7 +146,7 @@ TEST_P(CliGdb, TheWorldStandsStillWithTheFirmware) {
 
   const auto times = lines_with(session.gdb, "s simulated, cycle ");
   ASSERT_EQ(times.size(), 2u);
-  EXPECT_EQ(times[0], times[1]) << "no time passed while the firmware was halted and looked at";
+  EXPECT_EQ(times[0], times[1]) << "no time passes while the firmware is halted";
   const auto millis = lines_with(session.gdb, "$");
   ASSERT_GE(millis.size(), 3u);
   EXPECT_EQ(millis[1].substr(5), millis[2].substr(5)) << "millis()";
@@ -170,7 +170,7 @@ TEST_P(CliGdb, GoesBack) {
   EXPECT_EQ(values[3], "$4 = 0");
   EXPECT_EQ(values[4], "$5 = 3");
   EXPECT_THAT(session.gdb, HasSubstr("Hardware watchpoint 2: passes\n\nOld value = 1\nNew value = 0\n"));
-  EXPECT_THAT(session.gdb, HasSubstr("#0  0x")) << "in the middle of the line that has written it";
+  EXPECT_THAT(session.gdb, HasSubstr("#0  0x")) << "halts in the middle of the line that wrote `passes`";
   EXPECT_THAT(session.gdb, HasSubstr("in loop () at My.ino:10"));
   // gdb 13 and gdb 16 word the start of the run differently.
   EXPECT_THAT(session.gdb, AnyOf(HasSubstr("No more reverse-execution history"),

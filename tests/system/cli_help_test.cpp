@@ -1,4 +1,4 @@
-// Tests the output of `robosim completion` and `robosim man` in the shells and in man.
+// Tests the output of `robosim completion` in bash, and of `robosim man` in groff.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

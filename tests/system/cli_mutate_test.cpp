@@ -1,4 +1,4 @@
-// Tests `robosim mutate`, as users run it, with a sketch that has few places for bugs and runs of 50 ms.
+// Tests `robosim mutate`, as users run it, in runs of 50 ms. The sketch has few places for bugs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -20,7 +20,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 /// Writes a follower in several files: sources in folders, a library with src/, a library with include/, and
-/// a header of the project that both include.
+/// a header of the project that both libraries include.
 void write_platformio(const Folder& folder) {
   folder.write("platformio.ini",
                "[env:uno]\nplatform = atmelavr\nboard = uno\nframework = arduino\n"

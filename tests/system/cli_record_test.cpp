@@ -140,7 +140,7 @@ TEST(Record, APlotIsAPictureOrIsRefused) {
 TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {
   const build::Image image = build::build({build::find_sketch("PidFollower"), *find_board("uno")});
   if (image.compiler != kCompiler)
-    GTEST_SKIP() << "drawn with " << kCompiler << ", this is " << image.compiler;
+    GTEST_SKIP() << "drawn with " << kCompiler << ", but this is " << image.compiler;
   const Folder folder;
   struct Drawn {
     const char* picture;
@@ -173,7 +173,7 @@ TEST(Record, PicturesInTheDocsAreWhatTheCommandDraws) {
     const std::string drawn = read_file(folder / one.picture);
     if (::getenv("ROBOSIM_WRITE_DOCS")) write_file(picture, drawn);
     EXPECT_TRUE(drawn == read_file(picture))
-        << "regenerate " << picture << ": ROBOSIM_WRITE_DOCS=1 with this test";
+        << "regenerate " << picture << ": run this test with ROBOSIM_WRITE_DOCS=1";
   }
 }
 

@@ -161,7 +161,7 @@ TEST(Cli, AStockRobotsOwnTextIsFine) {
     const Ended checked = robosim_command({"robot", "check", "robot.toml"}, folder.path());
     EXPECT_EQ(checked.status, 0) << checked.err;
     EXPECT_THAT(checked.out, HasSubstr("robot.toml is fine"));
-    EXPECT_THAT(checked.out, HasSubstr(" (P")) << "pins have the board's name and the chip's";
+    EXPECT_THAT(checked.out, HasSubstr(" (P")) << "each pin has the board's name and the chip's name";
   }
 }
 

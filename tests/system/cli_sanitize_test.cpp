@@ -44,8 +44,8 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "equal output each time";
 }
 
-// The sketch replaces core functions and looks for the end of RAM. FreeRTOS does so to place the stacks of
-// its tasks.
+// The sketch replaces the core's initVariant() and looks for the end of RAM. FreeRTOS does the same to place
+// the stacks of its tasks.
 TEST(CliSanitize, OnTheChipASketchMayTakeTheCoresPlaceAndFindsWhereRamEnds) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -79,8 +79,8 @@ TEST(CliSanitize, OnTheChipItKnowsHowMuchAnIntHolds) {
   EXPECT_THAT(build.out, HasSubstr("with checks"));
 }
 
-// The emulated chip has more RAM for an image with checks. The verdict is that of the flashed image, which
-// has no checks.
+// The emulated chip has additional RAM for an image with checks. The verdict must be that of the flashed
+// image, which has no checks.
 TEST(CliSanitize, OnTheChipASketchWithoutRoomForItsStackHasNotPassed) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -101,7 +101,7 @@ TEST(CliSanitize, OnTheChipASketchWithoutRoomForItsStackHasNotPassed) {
                     HasSubstr("stack overflow")));
 }
 
-// avr-gcc emits only one type description, the array's, for two checks: the bounds and the overflow.
+// For both the bounds check and the overflow check, avr-gcc emits only the type description of the array.
 TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -115,7 +115,7 @@ TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
   EXPECT_THAT(run.out, HasSubstr("* 100 does not fit an int, which holds"));
 }
 
-// A failure on the chip is re-run with checks automatically.
+// After a failure on the chip, Robosim automatically runs the sketch again with checks.
 TEST(CliSanitize, ASketchThatFailsOnTheChipRunsAgainWithChecksThatNameTheLine) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const std::string sum = sketch_folder("ChipSum").string() + "/";
@@ -125,7 +125,7 @@ TEST(CliSanitize, ASketchThatFailsOnTheChipRunsAgainWithChecksThatNameTheLine) {
   EXPECT_THAT(screen.out,
               AllOf(HasSubstr("\nlost: "), HasSubstr("ChipSum.ino:9"), HasSubstr("1000L * analogRead(A1)")));
   EXPECT_THAT(screen.out, testing::AnyOf(HasSubstr("\nnext: 1000 * "), HasSubstr(" * 1000 does not fit")))
-      << "the compiler chooses the order";
+      << "the compiler chooses the order of the factors";
   words.push_back("--json");
   const nlohmann::json result = json_of(robosim_command(words));
   EXPECT_EQ(result["verdict"], "lost");

@@ -90,7 +90,7 @@ TEST(CliSweep, ASketchThatDoesNotCompileIsLeftOutAndNamed) {
             HasSubstr("robosim: Needy does not compile, and is left out: Needy.ino:1:10: no such")));
   EXPECT_THAT(ended.out, AllOf(HasSubstr("Good "), Not(HasSubstr("Wrong"))));
   EXPECT_THAT(sweep({"Wrong", "Needy"}).err, HasSubstr("Needy.ino:1:10: no such header Gears.h"))
-      << "without any sketch to run";
+      << "no sketch compiles";
 }
 
 TEST(CliSweep, AFailingSeedComesWithTheCommandThatMakesItAgain) {
@@ -252,7 +252,7 @@ TEST(CliSweep, JsonIsALineOfTheRunSchemaForEachRun) {
 TEST(CliSweep, CtrlCKeepsWhatIsFinishedAndResumeGoesOn) {
   const Folder folder;
   const std::string file = (folder / "a.csv").string();
-  // Seed 1 crashes immediately, seed 2 drives forever.
+  // With seed 1 the sketch crashes immediately; with seed 2 it drives forever.
   const Words words{"sweep", kFailsByChance, "--map",    "oval",  "--robot", "uno5",    "--goal",
                     "none",  "--for",        "1000000h", "--csv", file,      "--seeds", "1..2"};
   Words json = words;
@@ -308,7 +308,7 @@ TEST(Report, MakesTheWorstRunAgainAndLinksItsReplay) {
   const auto replay = record::Recording::read(folder / "report-runs/PidFollower-oval-uno5-host-2.html");
   EXPECT_EQ(replay.header().result.verdict, "timeout");
 
-  // A table of an older Robosim lacks the commands, and needs the sweep's options.
+  // A table by an older Robosim lacks the runs' commands, so `report` needs the sweep's options.
   std::string older =
       std::regex_replace(read_file(folder / "runs.csv"), std::regex("robosim run [^,]*,"), "");
   folder.write("older.csv", older.replace(older.find("command,"), 8, ""));

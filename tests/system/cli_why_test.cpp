@@ -1,4 +1,4 @@
-// Tests `robosim why`: from a verdict back to the lines of the sketch.
+// Tests `robosim why`, which traces a verdict back to the lines of the sketch.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -110,7 +110,7 @@ constexpr const char* kTurnsLater = R"(void setup() {
 void loop() {
   int seen = analogRead(A2);
   digitalWrite(7, HIGH);
-  digitalWrite(10, HIGH);                            // line 9: should be 9
+  digitalWrite(10, HIGH);                            // line 9: the pin should be 9
   analogWrite(5, 80);
   analogWrite(6, seen > 0 ? 80 : 81);
 }
@@ -256,7 +256,7 @@ TEST_F(CliWhy, IsOfTheAvrOnly) {
   request.why = true;
   try {
     runner_of("host").run(request);
-    FAIL() << "the host cannot tell";
+    FAIL() << "the host accepted a request with `why`";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("requires a sketch on the target avr"));
   }

@@ -12,7 +12,7 @@ namespace cli_wire_test {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// Uses two digital sensors next to the line, LOW over black, and an L298N whose EN pins are jumpered.
+// Uses two digital sensors next to the line, which are LOW over black, and an L298N with jumpered EN pins.
 constexpr const char* kTwoEyes = R"(#define LS 2
 #define RS 3
 #define LM1 5
@@ -70,7 +70,7 @@ TEST(CliWire, FindsTheStockRobotsPinsFromTheStockSketchAlone) {
                                HasSubstr("drives a lap of the map oval")));
 }
 
-// The sketch names its motors A and B, but A is at the right. Its comments are not read.
+// The sketch names its motors A and B, but A is at the right. No comment in the sketch says so.
 TEST(CliWire, TriesTheSidesThatNamesLeaveOpenAndSaysWhatCameOfIt) {
   const Folder folder;
   folder.write("Sides/Sides.ino", R"(const int ENA = 10, IN1 = 7, IN2 = 6, ENB = 9, IN3 = 5, IN4 = 4;

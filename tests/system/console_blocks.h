@@ -1,8 +1,8 @@
-// Commands in a Markdown page, with the output that the page promises.
+// Reads the commands of a Markdown page, and the output that the page promises.
 //
 //   ```console                  runs commands one after another, in one shell for each page
 //   $ robosim new demo          a command
-//   1 sketch                    the output, including standard error; without any, only the status counts
+//   1 sketch                    the output, with standard error; if none is shown, only the status counts
 //   …                           any number of lines; within a line, any text
 //   ```
 //   ```console status 1         the last command of the block ends with status 1

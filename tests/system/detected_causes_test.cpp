@@ -23,13 +23,13 @@ struct Case {
 
 void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
 
-/// A timer's setting for a servo, as the Servo library does it.
+/// Code that sets a timer for a servo, as the Servo library does.
 constexpr const char* kServo =
     "static void attachServo() {\n  TCCR1A = 0;\n  TCCR1B = _BV(CS11);\n  OCR1A = 60;\n  TIMSK1 = "
     "_BV(OCIE1A);\n}\n"
     "ISR(TIMER1_COMPA_vect) { OCR1A += 4000; }\n";
 
-/// A follower for uno5, whose function `steer` sets the motors by the line's place, -2000 to 2000.
+/// A follower for uno5. Its function `steer` sets the motors by the line's position, -2000 to 2000.
 constexpr const char* kFollower =
     "static int lineAt() {\n  static int last = 0;\n  long sum = 0, moment = 0;\n"
     "  for (int i = 0; i < 5; i++) {\n    int v = analogRead(A0 + i) - 150;\n    if (v < 0) v = 0;\n"

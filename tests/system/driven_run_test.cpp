@@ -86,7 +86,7 @@ TEST(DrivenRunTest, StopsWhereItWasAskedTo) {
   EXPECT_EQ(run.state().stop, 2) << "earlier text does not count; pins are watched inside a tick";
   ASSERT_TRUE(run.go_on(60 * kS, {Stop::visited("2")}));
   EXPECT_EQ(run.state().sample.at_station, "2");
-  ASSERT_TRUE(run.go_on(90 * kS, {Stop::reading("LED2", true)})) << "the LED that says: at a station";
+  ASSERT_TRUE(run.go_on(90 * kS, {Stop::reading("LED2", true)})) << "LED2 is on at a station";
   EXPECT_EQ(run.state().stop, 0);
   ASSERT_TRUE(run.go_on(240 * kS, {Stop::rest(300 * kMs)}));
   EXPECT_EQ(run.state().stop, 0);

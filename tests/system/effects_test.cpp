@@ -1,6 +1,6 @@
 // Tests effects of light, paint, sensors, ADC, gyroscope, battery, line width and a door on a sketch. Most
 // tests compare runs without and with an effect. They expect the value that docs/explanation/models.md gives,
-// or that only one of two ways to read sensors succeeds.
+// or they expect that only one of two ways to read sensors succeeds.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -78,7 +78,7 @@ std::string loop(const std::string& paint, const std::string& more = "") {
          " },\n{ radius = \"300 mm\", angle = \"180 deg\" }]\n" + more + "+++\n";
 }
 
-// Returns five white spots, as of dust, over the line on one straight of the oval.
+// Returns five white spots, like dust, over the line on one straight side of the oval.
 std::string dirt() {
   std::string all;
   for (int i = 0; i < 5; ++i)
@@ -88,7 +88,7 @@ std::string dirt() {
   return all;
 }
 
-constexpr double kBlack = 4.4, kWhite = 0.4;  // V, of uno5
+constexpr double kBlack = 4.4, kWhite = 0.4;  // V, readings of uno5
 
 int code(double volts) { return static_cast<int>(volts / 5.0 * 1024.0); }
 
@@ -150,7 +150,7 @@ TEST_F(Effects, OfAGyroscopeWithABias) {
   EXPECT_FALSE(reaches("15 deg/s", 'n'));
 }
 
-// Measuring a divider against a reference that drops with the battery hides the drop.
+// If the ADC's reference drops with the battery, a measurement of the battery does not show the drop.
 TEST_F(Effects, OfAReferenceThatSinksHideAWeakBattery) {
   const auto notices = [&](const std::string& robot) {
     return run(robot, "", "ideal", 'v', 1, 4.0, "at 2s fault power sag 5.8V\n").serial.find("low") !=

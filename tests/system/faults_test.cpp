@@ -96,7 +96,7 @@ TEST_P(Faults, AreTheSameInEveryRun) {
 /// Tests that a drifting clock makes millis() run fast or slow, on every target.
 class ClockFaults : public Faults {
  protected:
-  /// Returns millis() 1.1 s after power-on. For 1 s the clock runs too fast by `drift`.
+  /// Returns the value of millis() 1.1 s after power-on. For 1 s the clock runs too fast by `drift`.
   int millis_after(const char* drift) {
     const std::string text =
         diary(std::string("at 100ms fault clock drift ") + drift + "\nat 1.1s send \"t\"\n", 1.2);

@@ -34,7 +34,7 @@ class Served : public testing::Test {
     place_.write("served/Mine/Mine.ino", kSketch);
   }
 
-  /// Runs a command as serve does: the restriction applies to the command, not to this process.
+  /// Runs a command as `robosim serve` does: the restriction applies to the command, not to this process.
   Ended run(const std::string& words) const {
     const std::string variable = file_scope_variable(
         {fs::canonical(place_ / "served"), fs::canonical(place_.path()) / "pages", build::cache_folder()});

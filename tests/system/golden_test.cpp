@@ -26,7 +26,7 @@ TEST_P(GoldenSketch, RunsBitForBitAsPinned) {
   const char* const hash = compiler == "gcc 12.2.0 x86_64-linux-gnu"   ? pinned.by_gcc_12
                            : compiler == "gcc 14.2.0 x86_64-linux-gnu" ? pinned.by_gcc_14
                                                                        : nullptr;
-  if (!hash) GTEST_SKIP() << "pinned for the compilers of Debian 12 and 13, this is " << compiler;
+  if (!hash) GTEST_SKIP() << "pinned for the compilers of Debian 12 and 13, but this is " << compiler;
   const result::RunResult r =
       run({.sketch = pinned.sketch, .map = pinned.map, .robot = pinned.robot, .for_s = 20.0});
   EXPECT_EQ(r.trace_hash, hash) << r.why;

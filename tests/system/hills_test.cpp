@@ -1,5 +1,5 @@
 // Tests effects of hills and wet floors on a sketch. A pair of runs, one with the effect and one without,
-// shows that a value changes as docs/explanation/models.md describes. Where a variant of the sketch fails
+// shows that a value changes as docs/explanation/models.md describes. If one variant of the sketch fails
 // because of the effect, another variant succeeds.
 #include <fstream>
 
@@ -120,8 +120,8 @@ TEST_F(Hills, ThrowOverARobotWhoseMassIsHighAndBehind) {
   EXPECT_THAT(tips.why, testing::HasSubstr("The robot tipped over near column "));
 }
 
-// The floor is flat. The robot tips over if it accelerates by more than g d / h. Its centre of mass is d = 10
-// mm ahead of the axle.
+// The floor is flat. The robot tips over if its acceleration exceeds g d / h. Its centre of mass is d = 10 mm
+// ahead of the axle, at the height h.
 TEST_F(Hills, AreNotNeededToThrowOverARobotThatStartsAtOnce) {
   const std::string low = robot("caster = \"50 mm\"\n");
   EXPECT_EQ(run("TurnsBack", "", "h", 1.2, 1, "ideal", low).verdict, "reached");

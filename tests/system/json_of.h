@@ -1,4 +1,4 @@
-// Parses a command's output with --json.
+// Parses the output of commands that ran with `--json`.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
-// lacking landlock|walls|seccomp|sandbox PROGRAM WORDS…: runs a program as on a kernel without that feature.
-// The feature's system calls fail as unknown calls do. "walls" stands for Landlock and namespaces, "sandbox"
-// for everything.
+// lacking landlock|walls|seccomp|sandbox PROGRAM WORDS…: runs a program as if the kernel lacked that feature.
+// The feature's system calls fail as they do on such a kernel. "walls" stands for Landlock and namespaces.
+// "sandbox" stands for all these features.
 #include <seccomp.h>
 #include <sys/prctl.h>
 #include <unistd.h>

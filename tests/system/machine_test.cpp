@@ -74,7 +74,7 @@ TEST_F(Machine, WithoutDevNullIsToldSo) {
     const Ended ended = after(without, run_);
     EXPECT_EQ(ended.status, 5);
     EXPECT_THAT(ended.err, HasSubstr("/dev/null is missing or cannot be opened"));
-    EXPECT_EQ(after("", run_).status, 0) << "it is built now";
+    EXPECT_EQ(after("", run_).status, 0) << "this run builds the image for the next round";
   }
 }
 

@@ -10,7 +10,7 @@ namespace power_test {
 
 class Power : public testing::Test {
  protected:
-  /// Runs TurnsBack on a line of 1.2 m, on an uno5 with this [battery].
+  /// Runs TurnsBack on a line of 1.2 m, on an uno5 with these keys of `[battery]`.
   result::RunResult run(const std::string& letter, const std::string& battery, double seconds,
                         const std::string& target = "host") {
     const std::filesystem::path map = folder_.path() / "strip.map", robot = folder_.path() / "fed.toml";

@@ -96,7 +96,7 @@ TEST_P(RecordVcd, AReaderThatIsNotOursFindsPinsVoltsDutyAndBytes) {
 
   std::vector<double> duties, volts;
   for (const Change& change : waves.at("D5_duty")) duties.push_back(std::stod(change.value));
-  EXPECT_THAT(duties, Contains(64.0 / 255).Times(0)) << "Timer0 counts 0 to 255: 65 of 256 steps";
+  EXPECT_THAT(duties, Contains(64.0 / 255).Times(0)) << "the pin is high in 65 of Timer0's 256 steps";
   EXPECT_THAT(duties, Contains(65.0 / 256));
   EXPECT_THAT(duties, Contains(129.0 / 256));
   for (const Change& change : waves.at("A0_volts")) volts.push_back(std::stod(change.value));

@@ -44,7 +44,7 @@ class Sandbox : public testing::Test {
 struct Refused {
   const char* declaration;
   const char* call;
-  const char* subject;  ///< as the verdict names the call
+  const char* subject;  ///< how the verdict names the call
 };
 
 constexpr Refused kRefused[] = {
@@ -419,7 +419,7 @@ TEST_F(Sandbox, EndsASketchThatSaysAgainAndAgainThatItHasNotBegun) {
 }
 
 TEST_F(Sandbox, LooksUpNoLineForLongerThanItMay) {
-  // A name that expands to gigabytes of text: nested pairs.
+  // The mangled name of nested pairs, which expands to gigabytes of text.
   std::string name = "_Z1f1PI1AS0_E";
   for (int i = 1; i < 33; ++i) {
     const std::string digit(1, static_cast<char>(i < 10 ? '0' + i : 'A' + i - 10));
@@ -430,7 +430,7 @@ TEST_F(Sandbox, LooksUpNoLineForLongerThanItMay) {
                           "void setup() { crash(); delay(1); }\nvoid loop() {}\n");
   EXPECT_EQ(r.verdict, "crashed");
   EXPECT_THAT(r.why, HasSubstr("write of address 0x8"));
-  EXPECT_FALSE(r.crash && r.crash->where.line > 0) << "it was looked up";
+  EXPECT_FALSE(r.crash && r.crash->where.line > 0) << "the line was looked up";
 }
 
 bool kernel_allows_fixed_addresses() {

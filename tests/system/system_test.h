@@ -103,8 +103,9 @@ inline std::string name_of(const testing::TestParamInfo<Trial>& trial) {
   return std::string(trial.param.target) + "_" + trial.param.map;
 }
 
-/// Returns all maps on the host. The chips take hundreds of times as long, so only `quick` runs on them
-/// unless ROBOSIM_TEST_SEEDS is set. A slow build runs only the first four maps on the host, and no STM32.
+/// Returns a trial of each map on the host, and of the map `quick` on each chip. The chips take hundreds of
+/// times as long, so they try the other maps only if ROBOSIM_TEST_SEEDS is set. In a slow build, the host
+/// tries only the first four maps, and the STM32 tries none.
 inline std::vector<Trial> trials(const std::vector<const char*>& maps, const char* quick) {
   std::vector<Trial> all;
   const std::size_t hosts = kSlow ? std::min<std::size_t>(maps.size(), 4) : maps.size();

@@ -126,8 +126,8 @@ TEST_P(OnEveryTarget, AnInterruptAttachedOverBlackMeetsNoEdge) {
   EXPECT_EQ(r.serial, "0\r\n");
 }
 
-// R = base / tan(angle); a servo's 180 degrees are 544 to 2400 us. digitalWrite() and the core's interrupts
-// lengthen a pulse by up to 12 us. The radius is then 6 % smaller.
+// The radius is base / tan(angle). Pulses of 544 to 2400 us turn a servo to 0 to 180 degrees. digitalWrite()
+// and the core's interrupts lengthen a pulse by up to 12 us. The radius is then 6 % smaller.
 TEST_P(OnEveryTarget, CarsAndTricyclesDriveOnTheRadiusThatTheirServosPulsesSay) {
   constexpr double kDegrees = 180.0 * 250.0 / (2400.0 - 544.0);
   const double expected = 95.0 / std::tan(kDegrees * std::numbers::pi / 180.0);
@@ -180,7 +180,7 @@ TEST_F(OnTheChip, AFollowersRunIsPinned) {
   const char* const hash = compiler == "gcc 5.4.0 avr"    ? "1:9fbebd1df5d48061"
                            : compiler == "gcc 14.2.0 avr" ? "1:215c323c1f694d28"
                                                           : nullptr;
-  if (!hash) GTEST_SKIP() << "pinned for the compilers of Debian 12 and 13, this is " << compiler;
+  if (!hash) GTEST_SKIP() << "pinned for the compilers of Debian 12 and 13, but this is " << compiler;
   const result::RunResult r = run({.sketch = "PidFollower", .goal = "none", .for_s = 5.0, .target = "avr"});
   EXPECT_EQ(r.trace_hash, hash) << r.why;
 }

@@ -1,5 +1,5 @@
-// Tests --untrusted: sketches of other people run where this machine can confine them, and are graded on a
-// chip. docs/explanation/security.md lists the confined actions.
+// Tests `--untrusted`: a sketch by another author runs only if this machine can confine it, and is graded on
+// a chip. docs/explanation/security.md lists the confined actions.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
@@ -68,7 +68,7 @@ class Untrusted : public testing::Test {
   Ended robosim(std::vector<std::string> words) const {
     return robosim_command(std::move(words), folder_.path());
   }
-  /// Runs a command as on a kernel that lacks `what` (lacking.cpp).
+  /// Runs a command as if the kernel lacked `what` (lacking.cpp).
   Ended without(const std::string& what, std::vector<std::string> words) const {
     words.insert(words.begin(), {what, ROBOSIM_COMMAND});
     return robosim_command(std::move(words), folder_.path(), nullptr, "/dev/null", ROBOSIM_LACKING);

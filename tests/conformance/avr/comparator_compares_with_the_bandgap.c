@@ -1,4 +1,4 @@
-// With ACBG, AIN1 is compared with the bandgap's 1.1 V: low level is below it, and high level above it.
+// With ACBG, AIN1 is compared with the bandgap's 1.1 V: a low level is below it, a high level above it.
 // Source: DS40002061B, 23.3.1
 // Expect: 60 40
 #include "report.h"

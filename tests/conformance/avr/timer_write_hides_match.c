@@ -1,5 +1,4 @@
-// A write to TCNT0 blocks a match at the next clock, and its clear. This holds even if the timer was
-// stopped.
+// A write to TCNT0 blocks a match, and a clear on match, at the next clock, even if the timer was stopped.
 // Source: DS40002061B, 15.5.3
 // Expect: 00 02 00 42
 // Chips: atmega328p atmega2560 atmega32u4

@@ -1,5 +1,5 @@
-// Channel 12 is the bandgap, channel 13 ground. The references are VCC (5 V), 1.1 V and, with REFS2, 2.56 V,
-// where the bandgap reads 440 of 1024.
+// Channel 12 is the bandgap, channel 13 ground. With the references VCC (5 V), 1.1 V and 2.56 V (REFS2), the
+// bandgap reads 225, 1023 and 440.
 // Source: 2586Q, 17.13.1, tables 17-3 and 17-4
 // Expect: 00 e1 00 00 03 ff 01 b8 01 b8
 // Chips: attiny85

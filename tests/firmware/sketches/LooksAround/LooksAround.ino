@@ -1,4 +1,4 @@
-// Drives around a room. A distance sensor on a servo points ahead, and to both sides near an obstacle.
+// Drives around a room. A distance sensor on a servo points ahead. Near an obstacle, it points to both sides.
 const int LEFT_EN = 5, LEFT_IN1 = 7, LEFT_IN2 = 8;
 const int RIGHT_EN = 6, RIGHT_IN1 = 9, RIGHT_IN2 = 10;
 const int PAN = 11, TRIG = 12, ECHO = 13;

@@ -1,4 +1,4 @@
-// A phone drives the robot by Bluetooth: f forward, s stop; anything else is refused.
+// A phone drives the robot by Bluetooth: `f` drives forward, and `s` stops. Other bytes are refused.
 #include <SoftwareSerial.h>
 
 SoftwareSerial phone(2, 3);

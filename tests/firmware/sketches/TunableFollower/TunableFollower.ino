@@ -3,7 +3,7 @@
 //
 //   button            starts and stops the robot
 //   Serial, 115200    one command per line:
-//                       go, go SECONDS, stop     drives, for SECONDS
+//                       go, go SECONDS, stop     drives, drives for SECONDS, stops
 //                       speed 60..255            PWM on straight lines
 //                       gain 10..200             how hard the robot steers
 //                       calibrate                measures the sensors' range: turns left and right for 2 s

@@ -1,4 +1,4 @@
-// Prints uninitialised memory: values that earlier calls left on the stack, in other places on each target.
+// Prints uninitialised memory: values that earlier calls left on the stack. Their places differ by target.
 void __attribute__((noinline)) leaveNumbers() {
   volatile int left[8];
   for (int i = 0; i < 8; ++i) left[i] = 1000 * i;
