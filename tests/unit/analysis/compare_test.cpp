@@ -44,7 +44,7 @@ History lines(std::vector<TimedText> marks) {
 
 std::optional<Kind> kind(const History& a, const History& b) {
   const auto forth = compare(a, b).first, back = compare(b, a).first;
-  EXPECT_EQ(forth.has_value(), back.has_value()) << "the same from the other side";
+  EXPECT_EQ(forth.has_value(), back.has_value()) << "the order of the two runs does not matter";
   if (!forth) return std::nullopt;
   if (back) {
     EXPECT_EQ(forth->kind, back->kind);
@@ -82,7 +82,7 @@ TEST(Compare, APlaceThatOnlyOneComesToIsADifferenceIfTheOtherHadTheTime) {
   History b = places({{0, "station 1"}});
   EXPECT_EQ(kind(a, b), Kind::place);
   b.end_ns = 5 * kS;
-  EXPECT_EQ(kind(a, b), std::nullopt) << "the second run ended before";
+  EXPECT_EQ(kind(a, b), std::nullopt) << "the second run ended too early";
 }
 
 TEST(Compare, AWayThatTakesMuchLongerIsADifferenceOfTime) {
@@ -237,7 +237,7 @@ TEST(Compare, ManoeuvresAreFoundThoughTheRobotIsLateByMoreThanASecond) {
   EXPECT_EQ(kind(a, b), Kind::motors);
   a.places = {{0, "station 1"}, {5 * kS, "junction 1"}, {9 * kS, "junction 2"}};
   b.places = {{0, "station 1"}, {6 * kS, "junction 1"}, {11 * kS, "junction 2"}};
-  EXPECT_EQ(kind(a, b), std::nullopt) << "late at all places";
+  EXPECT_EQ(kind(a, b), std::nullopt) << "the robot is late at every place";
 }
 
 TEST(Compare, ManoeuvresMayBeFurtherApartTheLongerAgoTheLastCommonEventWas) {
@@ -249,11 +249,11 @@ TEST(Compare, ManoeuvresMayBeFurtherApartTheLongerAgoTheLastCommonEventWas) {
                    {turns_at + 700 * kMs, 600 * kS, Manoeuvre::ahead, 0.5, 0.5}};
     return h;
   };
-  EXPECT_EQ(kind(long_run(300 * kS), long_run(303 * kS)), std::nullopt) << "1 % of five minutes are 3 s";
+  EXPECT_EQ(kind(long_run(300 * kS), long_run(303 * kS)), std::nullopt) << "1 % of five minutes is 3 s";
   EXPECT_EQ(kind(long_run(300 * kS), long_run(306 * kS)), Kind::motors);
   History a = long_run(300 * kS), b = long_run(303 * kS);
   a.places = b.places = {{0, "station 1"}, {299 * kS, "junction 1"}};
-  EXPECT_EQ(kind(a, b), Kind::motors) << "both were at the same place a second before";
+  EXPECT_EQ(kind(a, b), Kind::motors) << "both robots were at the same place a second before";
 }
 
 TEST(Compare, WhatARobotDoesOffTheLineDoesNotCount) {

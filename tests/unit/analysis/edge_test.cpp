@@ -1,5 +1,5 @@
-// Tests how robosim compare decides whether a difference between two targets is chance: whether one target,
-// with a slightly wrong clock, behaves like the other. The runs are fictitious.
+// Tests how `robosim compare` decides whether a difference between two targets is due to chance. It is due to
+// chance if one target, with a slightly wrong clock, behaves like the other. The runs are fictitious.
 
 #include "sim/campaign/analysis/edge.h"
 
@@ -81,7 +81,7 @@ TEST(Edge, TheSameTwoManoeuvresAreTheSameWaysWhicheverComesFirst) {
   EXPECT_FALSE(is_alike(turns(Kind::speed, "drives ahead", "turns right on the spot for 2 s"), found));
   found.t_ns = {kElsewhere_ns + kSecond_ns, kElsewhere_ns + kSecond_ns};
   EXPECT_TRUE(is_alike(turns(Kind::motors, "drives ahead", "turns left on the spot for 2 s"), found))
-      << "at about that time";
+      << "the difference is at about the same time";
 }
 
 TEST(Edge, OneOfTheSameTwoTimesAtAPlaceOfTheSameSortIsTheSameWay) {
@@ -140,13 +140,14 @@ TEST_F(RobotOnTheEdge, GoesOneOfTwoWaysByHowItEnds) {
 TEST(Edge, TargetsAreAlikeThatGoBothWaysAboutAsOften) {
   EXPECT_EQ(alikeness({29, 14}, {29, 21}), Alikeness::alike);
   EXPECT_EQ(alikeness({29, 14}, {29, 22}), Alikeness::alike);
-  EXPECT_EQ(alikeness({29, 14}, {29, 23}), Alikeness::apart) << "once in 35 pairs of targets that are alike";
+  EXPECT_EQ(alikeness({29, 14}, {29, 23}), Alikeness::apart)
+      << "one in 35 pairs of similar targets differs so much";
   EXPECT_EQ(alikeness({29, 29}, {29, 0}), Alikeness::apart) << "a fault of one target";
 }
 
 TEST(Edge, ATargetThatNeverGoesTheOthersWayIsApart) {
-  EXPECT_EQ(alikeness({29, 27}, {29, 29}), Alikeness::rare) << "more runs may tell";
-  EXPECT_EQ(alikeness({153, 148}, {153, 153}), Alikeness::apart) << "a race that comes and goes";
+  EXPECT_EQ(alikeness({29, 27}, {29, 29}), Alikeness::rare) << "more runs may decide";
+  EXPECT_EQ(alikeness({153, 148}, {153, 153}), Alikeness::apart) << "a race that occurs in some runs only";
   EXPECT_EQ(alikeness({153, 148}, {153, 152}), Alikeness::alike);
   EXPECT_EQ(alikeness({153, 152}, {153, 153}), Alikeness::alike)
       << "only the run with the exact clock differs";

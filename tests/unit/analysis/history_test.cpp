@@ -61,7 +61,8 @@ TEST(HistoryTest, ALineThatTheEndOfTheRunCutsOffIsNotALine) {
     recorder.add(wire::Event(wire::SerialText{.t_ns = 2'000'000'000, .text = "one\nready>"}));
     result::RunResult result;
     result.time_s = end_s;
-    EXPECT_EQ(recorder.finish(result).lines.size(), static_cast<std::size_t>(lines)) << "a prompt stays";
+    EXPECT_EQ(recorder.finish(result).lines.size(), static_cast<std::size_t>(lines))
+        << "a prompt is a line unless the run ends right after it";
   }
 }
 
@@ -73,7 +74,7 @@ TEST(HistoryTest, LinesEndAtLineFeedsOrCarriageReturnsAndTheLastMayBeUnfinished)
   recorder.add(wire::Event(wire::SerialText{.t_ns = 2, .text = "o\nthr"}));
   const History history = recorder.finish(result);
   EXPECT_THAT(texts(history.lines), ElementsAre("one", "two", "thr"));
-  EXPECT_EQ(history.lines[1].t_ns, 2) << "when it was complete";
+  EXPECT_EQ(history.lines[1].t_ns, 2) << "the time at which the line was complete";
 }
 
 }  // namespace history_test

@@ -63,7 +63,7 @@ TEST_F(ComparatorTest, ComparesWithAnAnalogInputWhileTheConverterIsOff) {
   write(reg::kAdmux, 0xC3);
   EXPECT_TRUE(read(kAcsr) & kOutput);
   write(reg::kAdcsra, 0x80);
-  EXPECT_FALSE(read(kAcsr) & kOutput) << "AIN1 again";
+  EXPECT_FALSE(read(kAcsr) & kOutput) << "compares with AIN1 again";
 }
 
 TEST_F(ComparatorTest, LooksByItselfWhileItMayInterrupt) {

@@ -1,4 +1,4 @@
-// Tests external interrupts, and on which pins the chip asks its environment to report edges.
+// Tests external interrupts. Also tests for which pins the chip asks its environment to report edges.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"

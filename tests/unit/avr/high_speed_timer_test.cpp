@@ -1,4 +1,4 @@
-// Tests timer 4 of an ATmega32U4. Data sheet 7766J, chapter 15.
+// Tests timer 4 of an ATmega32U4 (data sheet 7766J, chapter 15).
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega32u4.h"
@@ -36,7 +36,7 @@ class HighSpeedTimerTest : public testing::Test, protected IdleChip {
   }
 };
 
-// Table 15-6 and 15.8.1: with PWM4x = 0 the timer counts to OCR4C and overflows there. Writes to OCR4x take
+// If PWM4x = 0, the timer counts to OCR4C and overflows there (table 15-6, 15.8.1). Writes to OCR4x take
 // effect immediately.
 TEST_F(HighSpeedTimerTest, CountsUpToOcr4cAndOverflowsThere) {
   write_wide(kOcr4c, 0x2FF);
@@ -73,7 +73,7 @@ TEST_F(HighSpeedTimerTest, InterruptsAndAFlagSetBeforeIsServed) {
   write(kTcnt4, 200);
   let_interrupts();
   run(40);
-  EXPECT_EQ(vector(), kOverflow) << "not yet";
+  EXPECT_EQ(vector(), kOverflow) << "the match is not due yet";
   run(40);
   EXPECT_EQ(vector(), kMatchA);
 }

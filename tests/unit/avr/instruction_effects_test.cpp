@@ -48,7 +48,8 @@ class InstructionEffectsTest : public testing::Test {
     cpu_.set_pc(pc);
   }
   /// Calls visit(pc, instruction, state, effects) before each instruction, with the chip in a random state.
-  /// Skips instructions with `effects.elsewhere`, and instructions that access data memory outside RAM.
+  /// Skips instructions whose `effects.elsewhere` is true, and instructions that access data memory outside
+  /// RAM.
   template <typename Visit>
   void each_instruction(Visit visit) {
     for (std::uint32_t pc = 2; pc < kAllWords && !HasFatalFailure(); ++pc) {

@@ -1,4 +1,4 @@
-// Generates AVR machine code for tests: word by word, or random instructions.
+// Generates AVR machine code for tests, either word by word or as random instructions.
 #pragma once
 
 #include <cstdint>

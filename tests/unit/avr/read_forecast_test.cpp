@@ -13,8 +13,8 @@ constexpr Address kTifr0 = 0x35, kTifr1 = 0x36, kTifr2 = 0x37, kTcnt0 = 0x46, kT
 
 class OutlookTest : public testing::Test, protected IdleChip {
  protected:
-  /// Skips to `cycle` without another access, reads the register there, and restores the chip's state before
-  /// the call. Returns the value.
+  /// Skips to `cycle` without another access, and reads the register there. Then restores the state that the
+  /// chip had before the call. Returns the value.
   std::uint8_t read_at(Address address, Cycle cycle) {
     const auto before = bench.chip.save();
     bench.chip.cpu().skip_to(cycle);

@@ -1,4 +1,4 @@
-// Tests effects of timers that no program can observe: duty cycles, number of events, external edges.
+// Tests those effects of timers that no program can observe: duty cycles, number of events, external edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@ TEST_F(TimerTest, TellsADutyThatChangesWithTheBufferedRegister) {
   EXPECT_EQ(drive('D', 6).duty, 1.0 / 256);
   run(64 * 100);
   write(kOcr0a, 127);
-  EXPECT_EQ(drive('D', 6).duty, 1.0 / 256) << "not before BOTTOM";
+  EXPECT_EQ(drive('D', 6).duty, 1.0 / 256) << "the new value takes effect at BOTTOM";
   run(64 * 256);
   EXPECT_EQ(drive('D', 6).duty, 0.5);
 }
@@ -92,7 +92,7 @@ TEST_F(TimerTest, TellsTheLevelsOfAPinThatIsToggledTooSlowlyForATone) {
   }
 }
 
-// 16.9.2: a counter above TOP counts up to MAX, and can match OCR1A before it reaches MAX.
+// A counter above TOP counts up to MAX, and can match OCR1A before it reaches MAX (16.9.2).
 TEST_F(TimerTest, TogglesAboveTop) {
   constexpr Address kOcr1a = 0x88;
   write(kDdrb, 1 << 1);
@@ -167,7 +167,7 @@ TEST_F(TimerTest, WantsEdgesOfItsPinsOnlyWhileItCountsOrCapturesThem) {
   EXPECT_FALSE(bench.listens_to[clock]);
   EXPECT_TRUE(bench.listens_to[capture]);
   write(kTccr1b, 0x59);
-  EXPECT_FALSE(bench.listens_to[capture]) << "ICR1 is TOP";
+  EXPECT_FALSE(bench.listens_to[capture]) << "ICR1 holds TOP, so it captures nothing";
 }
 
 TEST_F(TimerTest, CountsAndCapturesEdgesFromOutside) {

@@ -16,7 +16,7 @@ namespace waiting_loops_test {
 using conformance::Bench;
 
 constexpr unsigned kTcnt0 = 0x46, kTcnt2 = 0xB2, kAdcsra = 0x7A, kEecr = 0x3F;
-constexpr unsigned kCount = 0x100, kMemory = 0x110;  // addresses: overflows, arbitrary data
+constexpr unsigned kCount = 0x100, kMemory = 0x110;  // addresses of a counter and of arbitrary data
 
 /// Programs with all kinds of wait loops, including loops that no compiler would generate.
 class RandomProgram : public RandomCode {

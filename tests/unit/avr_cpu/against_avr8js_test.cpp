@@ -1,9 +1,9 @@
 // Runs random instructions on the processor and on avr8js, each from the same random state. Then compares
 // program counter, cycles, status, stack pointer, registers and memory.
 //
-// Skips the instructions that avr8js 0.21 executes unlike the manual (docs/evidence/conformance.md lists
-// them). Also skips accesses at the ends of flash and memory, which avr8js does not support. Needs node, and
-// a folder in which `npm install avr8js` has been run. ROBOSIM_AVR8JS names this folder.
+// Skips the instructions that avr8js 0.21 does not execute as the manual says (docs/evidence/conformance.md
+// lists them). Also skips accesses at the ends of flash and memory, which avr8js does not support. Needs
+// node, and a folder in which `npm install avr8js` has been run. ROBOSIM_AVR8JS names this folder.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -45,7 +45,7 @@ class Avr8js : public testing::TestWithParam<bool> {};
 
 TEST_P(Avr8js, DoesWithRandomInstructionsWhatTheProcessorDoes) {
   const char* const folder = std::getenv("ROBOSIM_AVR8JS");
-  if (!folder) GTEST_SKIP() << "ROBOSIM_AVR8JS names no folder with avr8js";
+  if (!folder) GTEST_SKIP() << "ROBOSIM_AVR8JS does not name a folder with avr8js";
   const bool long_pc = GetParam();
   std::mt19937 random(long_pc ? 23 : 17);
   Pair pair(random, long_pc);

@@ -1,7 +1,7 @@
 // Runs the stock sketches in lockstep on the emulated chip and on libsimavr's processor. Compares program
 // counter, cycles, status, stack pointer and registers after each instruction. Occasionally compares all RAM.
 //
-// libsimavr's peripherals are not used: the test sets the values of I/O registers and the times of
+// The test does not use libsimavr's peripherals, but sets the values of I/O registers and the times of
 // interrupts. tests/conformance compares the chip's peripherals with libsimavr.
 //
 // ROBOSIM_LOCKSTEP=50000000 compares 50,000,000 instructions of each sketch; the default is small.

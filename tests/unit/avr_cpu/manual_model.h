@@ -1,5 +1,5 @@
-// A model of the processor, written only from the AVR Instruction Set Manual, DS40002198B: opcode patterns,
-// Boolean formulas of flags, and cycles of AVRe and AVRe+. It is slow, and shares no code with sim/mcu/avr.
+// A model of the processor. Its opcode patterns, Boolean formulas of flags, and cycles of AVRe and AVRe+ come
+// only from the AVR Instruction Set Manual, DS40002198B. It is slow, and shares no code with sim/mcu/avr.
 // Tests compare the processor of sim/mcu/avr with this model.
 //
 // All data memory is one array of 64 KB, which includes SREG, SP, RAMPZ and EIND. There are no peripherals
@@ -26,7 +26,7 @@ class ManualModel {
  public:
   static constexpr std::uint16_t kRampz = 0x5B, kEind = 0x5C, kSp = 0x5D, kSreg = 0x5F;
 
-  /// The number of words in `flash` is a power of two. With `long_pc` the program counter has 22 bits.
+  /// The number of words in `flash` is a power of two. If `long_pc` is true, the program counter has 22 bits.
   ManualModel(std::vector<std::uint16_t> flash, bool long_pc);
 
   /// Runs one instruction. Returns false, and does nothing, if the opcode is reserved, or the program counter

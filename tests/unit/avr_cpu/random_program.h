@@ -19,21 +19,23 @@ struct Start {
   std::uint32_t pc = 0;
 };
 
-/// Returns the content of a flash: random instructions that the manual defines. The targets of JMP and CALL
-/// are in flash.
+/// Fills a flash with random instructions that the manual defines, and returns its content. The targets of
+/// JMP and CALL are in flash.
 std::vector<std::uint16_t> random_flash(std::mt19937& random, bool long_pc);
 
 /// The processor, and the model with which it is compared. The data memory of each has 64 KB: I/O registers
 /// without peripherals, followed by RAM.
 class Pair {
  public:
-  /// With `long_pc`, the program counter has 22 bits and the flash 256 KB; otherwise 16 bits and 128 KB.
+  /// If `long_pc` is true, the program counter has 22 bits and the flash has 256 KB. Otherwise, they have 16
+  /// bits and 128 KB.
   Pair(std::mt19937& random, bool long_pc);
 
   Start random_start(std::mt19937& random) const;
   void begin(const Start& start);
   /// Runs the model for at most `instructions`, and then runs the processor to the same cycle. Returns false
-  /// if the program cannot continue: the next instruction is reserved, undefined, or outside of flash.
+  /// if the program cannot continue, because the next instruction is reserved, undefined, or outside of
+  /// flash.
   bool run(int instructions);
   /// Describes the differences between processor and model, or returns "".
   std::string difference() const;

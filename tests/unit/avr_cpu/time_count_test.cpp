@@ -1,5 +1,5 @@
-// Tests that the processor may execute the Arduino core's timer 0 handler in one step: the result equals that
-// of single instructions. Also tests this for the code with which millis() reads the time.
+// Tests that the processor may execute the Arduino core's timer 0 handler in one step. The result must equal
+// that of single instructions. Also tests this for the code with which millis() reads the time.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -11,8 +11,8 @@
 namespace robosim::avr {
 namespace time_count_test {
 
-// The timer 0 handler of the Arduino core (wiring.c). Addresses of its variables: milliseconds 0x105, their
-// fraction 0x104, overflows 0x100. The handler returns to the preceding `sei; rjmp .-4`.
+// The timer 0 handler of the Arduino core (wiring.c). Its variables are the milliseconds at 0x105, their
+// fraction at 0x104, and the overflows at 0x100. The handler returns to the preceding `sei; rjmp .-4`.
 constexpr std::uint16_t kTimeProgram[] = {
     0x9478, 0xCFFE, 0x921F, 0x920F, 0xB60F, 0x920F, 0x2411, 0x932F, 0x933F, 0x938F, 0x939F, 0x93AF, 0x93BF,
     0x9180, 0x0105, 0x9190, 0x0106, 0x91A0, 0x0107, 0x91B0, 0x0108, 0x9130, 0x0104, 0xE023, 0x0F23, 0x372D,
@@ -41,8 +41,8 @@ class CountsTime : public testing::Test {
   }
   std::uint8_t byte() { return static_cast<std::uint8_t>(random_()); }
 
-  /// Sets the program counter to the start of the handler, and the rest of the state to random values.
-  /// Mostly, the state is that after an interrupt.
+  /// Sets the program counter to the start of the handler, and the rest of the state to random values. In
+  /// most cases, interrupts are off and one handler is running, as after an interrupt.
   void shuffle(Cpu& one) {
     for (std::uint8_t& data : one.data) data = random_() % 3 == 0 ? 0xFF : byte();
     one.data[0x104] = static_cast<std::uint8_t>(random_() % 128);
@@ -106,7 +106,7 @@ TEST_F(CountsTime, AndStopsAtAMarkInTheMiddle) {
   }
 }
 
-// The handler after a loop and an interrupt vector: sei; rjmp .-4; nop; nop; jmp 6.
+// A loop (sei; rjmp .-4), two nops, an interrupt vector (jmp 6), and the handler.
 const std::vector<std::uint16_t> kVectorProgram = [] {
   std::vector<std::uint16_t> words{0x9478, 0xCFFE, 0, 0, 0x940C, 6};
   words.insert(words.end(), std::begin(kTimeProgram) + kTimeHandler, std::end(kTimeProgram));

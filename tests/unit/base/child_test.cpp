@@ -90,7 +90,7 @@ TEST(Child, ACopyOfThisProcessNeverGoesOnAsThisProcess) {
   try {
     EXPECT_EQ(Child([]() -> int { throw std::runtime_error("in the copy"); }).wait().signal, SIGABRT);
   } catch (const std::runtime_error&) {
-    ::_exit(0);  // ends the forked process: only the parent may continue
+    ::_exit(0);  // ends the forked process, because only the parent may continue
   }
 }
 

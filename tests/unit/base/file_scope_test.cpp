@@ -29,7 +29,8 @@ class FileScope : public testing::Test {
     write_file(inside_ / "team/robot.toml", "robot");
     write_file(outside_ / "secret", "secret");
   }
-  /// Returns the text that a handle on `inside_` reads from this path, or "" if the path leads outside.
+  /// Returns the text of the file `name`, opened through a handle on `inside_`. Returns "" if the path leads
+  /// outside.
   std::string read(const std::string& name) const {
     const HeldFolder folder(inside_);
     const Descriptor file = folder.open(name, O_RDONLY);

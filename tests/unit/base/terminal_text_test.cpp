@@ -15,11 +15,11 @@ TEST(TerminalText, ShowsWhatATerminalWouldCarryOut) {
   EXPECT_EQ(for_terminal("\xC2\x9B"
                          "31m"),
             "\\x9b31m")
-      << "the eight-bit form of ESC [";
+      << "the eight-bit form of `ESC [`";
   EXPECT_EQ(for_terminal("\x9B"
                          "31m"),
             "\\x9b31m")
-      << "the same in Latin-1";
+      << "the eight-bit form in Latin-1";
   EXPECT_EQ(for_terminal("\u202Etxt.oni\u2069"), "\\u202etxt.oni\\u2069");
   EXPECT_EQ(for_terminal(std::string("a\0b", 3)), "a\\x00b");
 }

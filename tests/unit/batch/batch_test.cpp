@@ -1,4 +1,4 @@
-// Compares a batch of robots with single robots: equal commands must give bit-identical runs.
+// Compares a batch of robots with single robots. Equal commands must give bit-identical runs.
 #include "sim/robot/batch/robots.h"
 
 #include <gtest/gtest.h>
@@ -59,8 +59,8 @@ struct Single {
     world.vary_floor(NoiseStream(7, 0, "floor", "test"), profile == Profile::ideal ? 0.0 : 0.05);
   }
 
-  // Drives one wheel with the duty cycle `share`, from -1 (backward) to 1; 2 brakes. Returns the command that
-  // the motor driver gives to the wheel.
+  // Drives one wheel with the duty cycle `share`, from -1 (backward) to 1. A `share` of 2 brakes the wheel.
+  // Returns the command that the motor driver gives to the wheel.
   world::WheelCommand drive(world::Side side, double share, SimTime t) {
     const Pin en = side == left ? 5 : 6;
     const Pin in1 = side == left ? 7 : 9, in2 = side == left ? 8 : 10;

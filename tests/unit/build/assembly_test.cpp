@@ -77,8 +77,8 @@ TEST(Divisions, HaveLabelsOfTheirOwn) {
   EXPECT_EQ(labels.size(), 3 * 3u + 2);
 }
 
-// A macro must not be named like an instruction: binutils 2.44, unlike 2.40, also expands the name within the
-// macro.
+// A macro must not have the name of an instruction, because binutils 2.44, unlike 2.40, also expands this
+// name within the macro.
 TEST(Divisions, NeedNoMacroOfTheAssembler) {
   EXPECT_THAT(changed("\tidivl\t%ecx\n\tsdiv\tw0, w0, w1\n"), Not(HasSubstr(".macro")));
 }

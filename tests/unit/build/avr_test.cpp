@@ -1,5 +1,5 @@
-// Tests compiling sketches for target avr. The tests are skipped if the AVR compiler is missing: see
-// require_target.h.
+// Tests compiling sketches for target avr. The tests are skipped if the AVR compiler is missing (see
+// require_target.h).
 #include <gmock/gmock.h>
 
 #include <atomic>
@@ -152,7 +152,7 @@ TEST_F(AvrTest, FlashHoldsTheVariablesInitialValuesAndNeitherCountsTheEeprom) {
         "eeprom_read_byte(kept)); }\nvoid loop() { zero[random(9)]++; one[random(9)]++; }\n");
   const Image empty = build_avr_here("Empty");
   const Image image = build_avr_here("Sizes");
-  EXPECT_EQ(empty.data_bytes, 9u) << "what Arduino says of an empty sketch";
+  EXPECT_EQ(empty.data_bytes, 9u) << "Arduino prints this value for an empty sketch";
   EXPECT_GE(image.data_bytes, empty.data_bytes + 150);
   EXPECT_LT(image.data_bytes, empty.data_bytes + 170);
   EXPECT_THAT(image.libraries, ElementsAre("EEPROM"));

@@ -171,7 +171,7 @@ TEST_F(SketchTest, ASecondBuildComesFromTheCacheUntilAFileThatWasReadChanges) {
   write("Cached/more.cpp", "int more;\n");
   EXPECT_FALSE(build_here("Cached", libraries).from_cache);
   write("Cached/libraries/Motor/Motor.h", "#define MOTOR 2\n");
-  EXPECT_FALSE(build_here("Cached", libraries).from_cache) << "a library that takes precedence";
+  EXPECT_FALSE(build_here("Cached", libraries).from_cache) << "this library takes precedence";
 }
 
 TEST_F(SketchTest, AnImageThatWasDamagedInTheCacheIsMadeAnew) {

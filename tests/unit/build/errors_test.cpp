@@ -73,7 +73,7 @@ TEST_F(SketchTest, PartsOfTheChipThatTheHostHasNotAreToldApartToo) {
   write("Boot/Boot.ino", "asm(\"wdr\");\n" + kEmptySketch);
   EXPECT_THAT(error_of("Boot"),
               AllOf(StartsWith("asm() contains assembler of the chip ("), HasSubstr(" `wdr'")))
-      << "gcc notes no line for it";
+      << "gcc notes no line for asm() outside of a function";
 }
 
 TEST_F(SketchTest, AChangeOfOursThatTheAssemblerRefusesIsNotTheSketchsFault) {
@@ -128,7 +128,8 @@ TEST_F(SketchTest, AHeaderWithOtherCapitalLettersIsNamed) {
   EXPECT_THAT(error_of("Small"),
               StartsWith("Small.ino:1:10: no such header arduino.h: write Arduino.h, because Linux"));
   write("Small/Small.ino", "#include <AVR/io.h>\n" + kEmptySketch);
-  EXPECT_THAT(error_of("Small"), HasSubstr("no such header AVR/io.h")) << "folders are not compared";
+  EXPECT_THAT(error_of("Small"), HasSubstr("no such header AVR/io.h"))
+      << "only file names are compared without case";
   write("Small/Small.ino", "#include \"MOTORS.H\"\n" + kEmptySketch);
   write("Small/motors.h", "");
   EXPECT_THAT(error_of("Small"), HasSubstr("no such header MOTORS.H: write motors.h, because Linux"));

@@ -48,7 +48,8 @@ TEST(Hints, ASketchForAnotherVersionOfALibraryIsToldWhich) {
               EndsWith("lib install QTRSensors@4.0.0"));
   EXPECT_THAT(hint_for("a.ino:4:1: error: 'QTRSensors' does not name a type"),
               HasSubstr("#include <QTRSensors.h>"));
-  EXPECT_EQ(hint_for("a.ino:4:1: error: 'QTRSensorsRC' does not name a type"), "") << "includes no version";
+  EXPECT_EQ(hint_for("a.ino:4:1: error: 'QTRSensorsRC' does not name a type"), "")
+      << "the sketch includes no version of the library";
 }
 
 TEST(Hints, OtherBoardsProgramsAreToldWhatIsSimulated) {

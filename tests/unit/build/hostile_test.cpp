@@ -81,7 +81,7 @@ TEST_F(HostileTest, ANameInAnyFolderAndOfAnyLanguageIsRefused) {
     fs::remove(folder_ / "Pupil" / name);
   }
   write("Pupil/@dir/x.h", "");
-  EXPECT_EQ(error_of("Pupil"), "no error") << "a header is in no command line";
+  EXPECT_EQ(error_of("Pupil"), "no error") << "no command line contains a header";
 }
 
 TEST_F(HostileTest, ALibrarysSourcesAreNoOptionsEither) {
@@ -337,7 +337,7 @@ TEST_F(HostileTest, APrecompiledHeaderIsNotLoaded) {
 
 TEST_F(HostileTest, AWorkingPrecompiledHeaderIsNotLoadedEither) {
   // gcc loads a precompiled header only if all options equal those that compiled the header. Here only the
-  // option -include differs.
+  // option `-include` differs.
   const auto compiles_with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words = {find_program("g++").string(), "-c", "-o", (folder_ / "x.o").string()};
     words.insert(words.end(), more.begin(), more.end());
@@ -404,7 +404,7 @@ TEST_F(HostileTest, AProjectOpensNoOtherFolderToCompilers) {
   fs::create_directories(folder_ / "project/.git");
   write("elsewhere/main.cpp", kEmptySketch);
   request.rules.sources = folder_ / "elsewhere";
-  EXPECT_THROW(build(request), InputError) << "outside of the checkout";
+  EXPECT_THROW(build(request), InputError) << "the folder is outside of the checkout";
 }
 
 TEST_F(HostileTest, AProjectsMacrosMakeTheCoreReadNoFile) {
@@ -514,7 +514,7 @@ TEST_F(HostileTest, ASketchOfManyMegabytesIsRefused) {
     fs::resize_file(folder_ / name, 100'000'000);
     EXPECT_THAT(error_of("Pupil"), refusal(96));
     fs::resize_file(folder_ / name, 8 << 20);
-    EXPECT_THAT(error_of("Pupil"), refusal(9)) << "a part of a megabyte counts";
+    EXPECT_THAT(error_of("Pupil"), refusal(9)) << "a part of a megabyte counts as one";
     fs::remove(folder_ / name);
   }
 }

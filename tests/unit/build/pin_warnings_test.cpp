@@ -62,7 +62,7 @@ TEST(PinWarnings, SayThatSerialIsNeverBegun) {
   EXPECT_EQ(of("uno", prints + "void setup() { Serial.begin(9600); }"), "");
   EXPECT_EQ(of("uno", prints, "void start() { Serial.begin(9600); }\n"), "");
   EXPECT_EQ(of("uno", prints + "void setup() { start(Serial); }"), "");
-  EXPECT_EQ(of("leonardo", prints), "") << "its Serial is a USB";
+  EXPECT_EQ(of("leonardo", prints), "") << "its Serial is a USB port";
   EXPECT_EQ(of("uno", "void loop() { if (Serial.read() == 1) stop(); }"), "");
 }
 
@@ -135,7 +135,8 @@ TEST(PinWarnings, AcceptTheNumbersOfTheBoardsInterrupts) {
   EXPECT_EQ(on("uno", "attachInterrupt(0, left, RISING); attachInterrupt(1, right, RISING);"), "");
   EXPECT_EQ(on("mega", "attachInterrupt(2, left, RISING); attachInterrupt(5, right, RISING);"), "");
   EXPECT_EQ(on("leonardo", "attachInterrupt(4, left, RISING);"), "");
-  EXPECT_EQ(on("bluepill", "attachInterrupt(22, left, RISING);"), "") << "the number is the pin";
+  EXPECT_EQ(on("bluepill", "attachInterrupt(22, left, RISING);"), "")
+      << "this board's interrupts have the pins' numbers";
   EXPECT_EQ(on("uno", "int n = 2; n = number_of(pin); attachInterrupt(n, left, RISING);"), "");
 }
 

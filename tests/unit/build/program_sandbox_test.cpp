@@ -1,5 +1,5 @@
-// Tests the compiler's sandbox: an untrusted sketch cannot make the compiler read files outside of the
-// sketch's folder.
+// Tests the compiler's sandbox, in which an untrusted sketch cannot make the compiler read files outside of
+// the sketch's folder.
 #include "sim/base/program_sandbox.h"
 
 #include <gmock/gmock.h>
@@ -63,7 +63,8 @@ TEST_F(WallsTest, OfNamespacesLeaveNothingToRootToOpenThemWith) {
         .status;
   };
   EXPECT_EQ(status_of("test -x /usr/bin/env"), 0);
-  EXPECT_EQ(status_of("/usr/sbin/chroot / /bin/true 2>/dev/null"), 125) << "it has a capability";
+  EXPECT_EQ(status_of("/usr/sbin/chroot / /bin/true 2>/dev/null"), 125)
+      << "without a capability, chroot fails";
 }
 
 TEST_F(WallsTest, LimitTimeAndMemoryOfCompilers) {

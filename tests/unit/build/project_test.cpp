@@ -43,7 +43,7 @@ class ProjectTest : public SketchTest {
 TEST_F(ProjectTest, LetsASketchIncludeWhatItSharesWithSketchesBesideIt) {
   EXPECT_EQ(error_of("club/Robot"), "no error");
   write("club/common/kp.h", "#error changed\n");
-  EXPECT_THAT(error_of("club/Robot"), HasSubstr("changed")) << "a change there is noticed";
+  EXPECT_THAT(error_of("club/Robot"), HasSubstr("changed")) << "a change of the shared file is noticed";
 }
 
 TEST_F(ProjectTest, LetsASketchIncludeWhatItSharesWithItsCheckout) {
@@ -64,7 +64,7 @@ TEST_F(ProjectTest, EndsAtTheFolderThatTheSketchStandsInAndBeforeTheHomeOfItsUse
   ::setenv("HOME", (folder_ / "club").c_str(), 1);
   EXPECT_THAT(shared("club/Robot"), IsEmpty());
   write("club/Robot/.git/HEAD", "ref: refs/heads/main\n");
-  EXPECT_THAT(shared("club/Robot"), IsEmpty()) << "a sketch that is a checkout of its own";
+  EXPECT_THAT(shared("club/Robot"), IsEmpty()) << "the sketch is a checkout of its own";
 }
 
 TEST_F(ProjectTest, SharesNothingThatIsNoSource) {
@@ -81,7 +81,7 @@ TEST_F(ProjectTest, SharesNothingWithASketchThatIsSomebodyElses) {
   EXPECT_EQ(error_of("club/Robot"), "no error");
   EXPECT_THAT(untrusted_error_of("club/Robot"),
               StartsWith("Robot.ino:1:10: ../common/gains.h is not a readable file of the sketch"))
-      << "though it was compiled before";
+      << "although the trusted sketch was compiled before";
 }
 
 TEST_F(ProjectTest, FindsALinkThatLeadsOutOfAFolder) {

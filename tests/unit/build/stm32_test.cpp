@@ -1,5 +1,5 @@
-// Tests compiling sketches for the Blue Pill. The tests are skipped if the ARM compiler is missing: see
-// require_target.h.
+// Tests compiling sketches for the Blue Pill. The tests are skipped if the ARM compiler is missing (see
+// require_target.h).
 #include <gmock/gmock.h>
 
 #include "tests/support/require_target.h"
@@ -90,7 +90,8 @@ TEST_F(Stm32Test, TheHeadersOfCHaveTheirNamesForCxx) {
   write("V/V.ino", "#include <vector>\n" + kEmptySketch);
   EXPECT_THAT(stm32_error_of("V"),
               HasSubstr("no such header vector: for the STM32, Robosim has only"));
-  EXPECT_THROW(build({folder_ / "C", *find_board("uno")}), CompileError) << "Arduino's core has none of them";
+  EXPECT_THROW(build({folder_ / "C", *find_board("uno")}), CompileError)
+      << "Arduino's core lacks these headers";
 }
 
 TEST_F(Stm32Test, TheSameSketchInAnotherFolderGivesTheSameBytesWithoutNamesOfThisMachine) {

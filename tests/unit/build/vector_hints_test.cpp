@@ -93,7 +93,7 @@ class VectorHintsOf : public SketchTest {
  protected:
   VectorHintsOf() { std::filesystem::create_directories(folder_ / "libraries"); }
 
-  /// Returns the error of a sketch that does not link, otherwise the warnings.
+  /// Returns the error if the sketch does not link, otherwise the warnings.
   std::string messages_on(const char* target, const std::string& code) const {
     write("My/My.ino", code);
     try {

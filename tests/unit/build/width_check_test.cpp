@@ -15,7 +15,7 @@ using ::testing::StartsWith;
 
 class WidthCheckTest : public SketchTest {
  protected:
-  /// Returns the messages of a sketch for the host.
+  /// Returns the messages of a build for target host.
   std::string on(const char* board, const std::string& code, Warnings warnings = Warnings::standard) const {
     write("My/My.ino", code + "\nvoid loop() {}\n");
     return build({folder_ / "My", *find_board(board), "host", {}, warnings}).messages;

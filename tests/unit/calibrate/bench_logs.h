@@ -73,7 +73,7 @@ inline std::string sweep(const Eye& eye = {}, const std::string& name = "S1", in
   return text;
 }
 
-/// Returns a sweep with encoder counts. Each wheel makes `per_second` counts per second, the left one
+/// Returns a sweep with encoder counts. Each wheel makes `per_second` counts per second. The left wheel turns
 /// backward.
 inline std::string counted_sweep(double per_second) {
   std::string text = "# counts_per_period = 2\nt_us,count_left,count_right,S1\n";

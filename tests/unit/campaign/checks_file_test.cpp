@@ -61,7 +61,7 @@ stop-early = true
   EXPECT_FALSE(check.detect) << "--sanitize changes the timing";
   EXPECT_EQ(sweep.each.request.profile, "ideal");
   EXPECT_EQ(sweep.each.script, in_folder("script.txt"));
-  EXPECT_THAT(sweep.each.send, ElementsAre("a\\n", "say \\\"b\\\"")) << "as scripts write it";
+  EXPECT_THAT(sweep.each.send, ElementsAre("a\\n", "say \\\"b\\\"")) << "the texts are escaped as in scripts";
   EXPECT_THAT(sweep.each.libraries, ElementsAre(in_folder("libs")));
   EXPECT_TRUE(sweep.each.sanitize);
   EXPECT_EQ(sweep.min_rate, 0.9);

@@ -1,4 +1,4 @@
-// Tests how `robosim hunt` draws test cases, and compares the output of two runs.
+// Tests how `robosim hunt` draws test cases, and how it compares the output of two runs.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -339,11 +339,11 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
     EXPECT_NE(test_case.build, *space.host_counterpart) << run;
     for (const Stimulus& stimulus : test_case.stimuli)
       EXPECT_FALSE(test_case.differential == Differential::host && stimulus.kind == kPowerOff)
-          << "a power cut splits a text at another byte";
+          << "a power cut would split the two texts at different bytes";
     const TestCase differential = counterpart_of(test_case, space);
     if (test_case.differential == Differential::clock) {
-      // The counterpart starts with an earlier clock value than the test case, so its clock does not wrap.
-      // This value is still so late that a sketch has finished its one-time actions.
+      // The counterpart starts with an earlier clock value than the test case, so its clock does not wrap. At
+      // this value, a sketch has already finished its one-time actions.
       EXPECT_GE(differential.clock_ms, kPast_ms);
       EXPECT_LT(differential.clock_ms, test_case.clock_ms);
       EXPECT_TRUE(differential.clock_ms == kPast_ms ||

@@ -90,8 +90,8 @@ TEST(AReport, HasARowForEachCombinationAndTheWorstOfEach) {
                                     "runs.csv");
   const auto combinations = combinations_of(runs);
   EXPECT_THAT(combinations, ElementsAre(ElementsAre(0, 1), ElementsAre(2, 3)));
-  EXPECT_EQ(worst_of(runs, combinations[0]), 1u) << "the slowest";
-  EXPECT_EQ(worst_of(runs, combinations[1]), 3u) << "the one that failed";
+  EXPECT_EQ(worst_of(runs, combinations[0]), 1u) << "the slowest run";
+  EXPECT_EQ(worst_of(runs, combinations[1]), 3u) << "the run that failed";
   ReportExtras extras;
   extras.replays[3] = "runs/Bo.html";
   extras.other = 2;
@@ -106,7 +106,7 @@ TEST(AReport, HasARowForEachCombinationAndTheWorstOfEach) {
             HasSubstr("3.00 s"), HasSubstr("slowest, seed 2"), HasSubstr("1 lost"),
             HasSubstr("<a href=\"runs/Bo.html\">lost after 0.0 m, seed 2</a>"), HasSubstr("left, at 1 s")));
   EXPECT_THAT(page, AllOf(HasSubstr("&lt;b&gt;Bo"), Not(HasSubstr("<b>Bo"))));
-  EXPECT_THAT(page, HasSubstr("<circle cx=\"100\" cy=\"300\"")) << "y is down in a picture";
+  EXPECT_THAT(page, HasSubstr("<circle cx=\"100\" cy=\"300\"")) << "y points down in a picture";
   EXPECT_THAT(page, HasSubstr("2 of the runs had another result"));
 }
 
@@ -127,7 +127,7 @@ TEST(AReport, ShowsTheRunThatFailedSoonest) {
   EXPECT_THAT(worst({1, 2, 3}).second, HasSubstr("lost after 3.2 m, 1 lap, seed 2"));
   EXPECT_EQ(worst({0, 1}).first, 1u) << "a failed run is worse, however far it drove";
   EXPECT_EQ(worst({3, 1}).first, 3u) << "driving in circles is no progress";
-  EXPECT_EQ(worst({5, 0}).first, 0u) << "Robosim's own failure has no replay";
+  EXPECT_EQ(worst({5, 0}).first, 0u) << "a failure of Robosim itself has no replay";
 }
 
 TEST(AReport, HasAtMostFiveThousandRowsAndSaysSo) {
@@ -177,7 +177,7 @@ TEST(AReport, SortsAClassByPassedChecksAndThenByTheShortestLap) {
   const std::size_t ada = page.find(">Ada<"), bo = page.find(">Bo<"), cleo = page.find(">Cleo<");
   const std::size_t dan = page.find(">Dan<");
   EXPECT_LT(cleo, ada);
-  EXPECT_LT(ada, dan) << "a lap that is no number is no lap";
+  EXPECT_LT(ada, dan) << "a lap time of nan is not a lap";
   EXPECT_LT(dan, bo);
 }
 

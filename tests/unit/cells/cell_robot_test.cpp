@@ -27,9 +27,9 @@ TEST(CellSense, CountsTheFourCells) {
   EXPECT_EQ(f.sense(0, 1, Direction::east), Sense::straight);
   EXPECT_EQ(f.sense(2, 1, Direction::east), Sense::junction);
   EXPECT_EQ(f.sense(4, 1, Direction::west), Sense::straight);
-  EXPECT_EQ(f.sense(2, 2, Direction::south), Sense::no_path) << "floor ahead";
+  EXPECT_EQ(f.sense(2, 2, Direction::south), Sense::no_path) << "there is floor ahead";
   EXPECT_EQ(f.sense(4, 1, Direction::east), Sense::no_path) << "the map's edge is a dead end like any other";
-  EXPECT_EQ(f.sense(4, 3, Direction::east), Sense::no_path) << "no line anywhere";
+  EXPECT_EQ(f.sense(4, 3, Direction::east), Sense::no_path) << "there is no line nearby";
 }
 
 TEST(CellSense, KnowsBendsByTheirSide) {
@@ -46,7 +46,8 @@ TEST(CellSense, LineOnBothSidesOfACellThatIsNoneDependsOnTheDirection) {
       "010\n"
       "101\n"
       "010\n");
-  EXPECT_EQ(f.sense(1, 1, Direction::north), Sense::junction) << "three: front, right, left";
+  EXPECT_EQ(f.sense(1, 1, Direction::north), Sense::junction)
+      << "there is line in front, to the right and to the left";
   const OnFloor g(
       "000\n"
       "101\n"
@@ -61,9 +62,10 @@ TEST(CellSense, SeesAWallAtADeadEndAsAWayOnAndOneOnTheLineAsNone) {
       "11200112\n"
       "00000000\n"
       "11211000\n");
-  EXPECT_EQ(f.sense(1, 1, Direction::east), Sense::straight) << "v1 steps into it";
+  EXPECT_EQ(f.sense(1, 1, Direction::east), Sense::straight) << "v1 steps into the wall";
   EXPECT_EQ(f.sense(2, 1, Direction::east), Sense::no_path) << "v1 finds no line in the next cell";
-  EXPECT_EQ(f.sense(1, 3, Direction::east), Sense::no_path) << "line right behind it: an obstacle";
+  EXPECT_EQ(f.sense(1, 3, Direction::east), Sense::no_path)
+      << "the wall is an obstacle, because the line goes on right after it";
 }
 
 TEST(CellRobot, StaysWhereItIsAtTheMapsEdgeAndBeforeAnObstacle) {
@@ -73,7 +75,7 @@ TEST(CellRobot, StaysWhereItIsAtTheMapsEdgeAndBeforeAnObstacle) {
   EXPECT_EQ(robot.pose(), (CellPose{{1, 0}, Direction::east}));
   robot.turn_left();
   EXPECT_EQ(robot.pose(), (CellPose{{1, 0}, Direction::north}));
-  EXPECT_EQ(robot.clock(), 4.0) << "time is charged all the same";
+  EXPECT_EQ(robot.clock(), 4.0) << "a blocked move takes time, too";
 }
 
 TEST(CellRobot, TurnsByMovingToTheSideAndChoosesLineWhereThereIsSome) {
@@ -85,7 +87,8 @@ TEST(CellRobot, TurnsByMovingToTheSideAndChoosesLineWhereThereIsSome) {
   robot.choose_right();
   EXPECT_EQ(robot.pose(), (CellPose{{2, 1}, Direction::east}));
   robot.choose_right();
-  EXPECT_EQ(robot.pose(), (CellPose{{2, 1}, Direction::east})) << "no line there: ahead, which is the edge";
+  EXPECT_EQ(robot.pose(), (CellPose{{2, 1}, Direction::east}))
+      << "no line is to the right, and the map ends ahead";
   robot.turn_around();
   EXPECT_EQ(robot.pose(), (CellPose{{2, 1}, Direction::west}));
   robot.turn_left();

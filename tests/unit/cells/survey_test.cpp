@@ -156,7 +156,7 @@ TEST(SurveyTest, AWallOnTheLineBlocksItAndItsFarSideIsReachedAnotherWay) {
   EXPECT_EQ(s.scan().ending, Ending::complete);
   EXPECT_EQ(s.difference(), "");
   ASSERT_EQ(s.graph().junctions.size(), 2u);
-  EXPECT_EQ(s.graph().stations.size(), 2u) << "no station at the wall";
+  EXPECT_EQ(s.graph().stations.size(), 2u) << "there is no station at the wall";
   int blocked = 0;
   for (const map::GraphJunction& junction : s.graph().junctions)
     for (const map::Arm& arm : junction.arms)
@@ -164,7 +164,7 @@ TEST(SurveyTest, AWallOnTheLineBlocksItAndItsFarSideIsReachedAnotherWay) {
         ++blocked;
         EXPECT_EQ(arm.obstacle, (map::CellAt{4, 3}));
       }
-  EXPECT_EQ(blocked, 2) << "seen from both sides";
+  EXPECT_EQ(blocked, 2) << "the obstacle is found from both sides";
   EXPECT_EQ(s.survey.drive(2, "dijkstra").ending, Ending::complete);
 }
 
@@ -220,7 +220,7 @@ TEST(WhereTheOriginalFailed, ALineMayEndAtTheMapsEdge) {
   Surveyed s(drawn("00100\n00100\n11111\n"));
   EXPECT_EQ(s.scan().ending, Ending::complete);
   EXPECT_EQ(s.survey.stations(), 3);
-  EXPECT_EQ(s.scan_.time, 2 * (7 - 1) + 3) << "the time is that of a map with floor beyond";
+  EXPECT_EQ(s.scan_.time, 2 * (7 - 1) + 3) << "the time is the same as with floor after the line's end";
 }
 
 TEST(WhereTheOriginalFailed, ARingHasNoStationsAndEnds) {
@@ -262,7 +262,7 @@ TEST(SurveyTest, WithNoiseItAlwaysEnds) {
     s.robot.set_noise({0.01, 0.005, seed});
     lost += s.scan().ending != Ending::complete || !s.difference().empty();
   }
-  EXPECT_GT(lost, 20) << "one per cent of senses is too much for most scans";
+  EXPECT_GT(lost, 20) << "a fault in one per cent of the sensings spoils many scans";
   EXPECT_LT(lost, 200);
 }
 

@@ -28,7 +28,7 @@ class Tape final : public MoveWatcher {
   std::vector<std::string> moves;
 };
 
-// Returns a map whose lines form a tree. With `walls`, some dead ends touch a wall.
+// Returns a map whose lines form a tree. If `walls` is true, some dead ends touch a wall.
 map::Map tree(int stations, std::uint64_t seed, bool walls) {
   map::Map map = map::generate(map::Family::tree, stations, seed);
   if (!walls) return map;

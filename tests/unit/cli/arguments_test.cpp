@@ -77,7 +77,7 @@ TEST(Arguments, FlashTakesItsWords) {
   const auto plain = parsed<FlashArguments>({"flash", "--port", "/dev/ttyACM0"});
   EXPECT_EQ(plain.sketch, "");
   EXPECT_EQ(plain.port, "/dev/ttyACM0");
-  EXPECT_FALSE(plain.baud) << "the board's";
+  EXPECT_FALSE(plain.baud) << "the board determines the baud rate";
   EXPECT_FALSE(plain.dry_run);
   const auto all = parsed<FlashArguments>({"flash", "My", "--port", "p", "--robot", "r.toml", "--baud",
                                            "57600", "--libraries", "l", "--dry-run"});

@@ -178,7 +178,7 @@ TEST(SweepTable, ASecondSweepDoesNotWriteIntoTheFileOfTheFirst) {
     for (const bool resume : {false, true}) {
       try {
         SweepTable(folder.path() / "." / "a.csv", resume, p, outcomes);
-        ADD_FAILURE() << "two writers";
+        ADD_FAILURE() << "two sweeps write one file";
       } catch (const InputError& error) {
         EXPECT_THAT(error.what(), HasSubstr("a.csv: this file is already being written by another robosim"));
       }

@@ -34,7 +34,7 @@ std::string result(int id, const char* verdict) {
 class RunnerTest : public ::testing::Test {
  protected:
   std::string program(std::string play) {
-    // Joins the lines of each message: a message is one line, but is wrapped in this source file.
+    // Joins the lines of each message, because a message is one line, but is wrapped in this source file.
     std::string::size_type at = 0;
     while ((at = play.find(",\n", at)) != std::string::npos) play.replace(at, 2, ", ");
     const fs::path path = folder_ / "fake";

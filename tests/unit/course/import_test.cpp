@@ -18,7 +18,7 @@ namespace import_test {
 using ::testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
-// The tolerance in metres: the rounding errors of written values add up to a few micrometres over a course.
+// The tolerance in metres. The rounding errors of written values add up to a few micrometres over a course.
 constexpr double kRounding = 1e-5;
 
 map::Map import(const std::string& text) { return import_course(text, "course.txt", "course").map; }

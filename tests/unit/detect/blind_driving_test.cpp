@@ -14,8 +14,8 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::StartsWith;
 
-/// Firmware that drives straight on, and reads a sensor once per `looks_every`. With `plans`, it drives at
-/// half power in the second half of each interval.
+/// Firmware that drives straight on, and reads a sensor once per `looks_every`. If `plans` is true, it drives
+/// at half power in the second half of each interval.
 class Distracted : public exec::Executor {
  public:
   Distracted(SimTime looks_every, bool plans) : looks_every_(looks_every), plans_(plans) {}

@@ -101,8 +101,9 @@ TEST(BoardDetectors, TellOfAPinThatIsReadBeforeItsWeakSourceHasChargedTheConvert
   EXPECT_EQ(found[0].times, 3) << "the last reading is not yet known to be wrong";
   EXPECT_THAT(found_in({{14, 0.3}, {15, 0.0}})[0].what, HasSubstr("A0 was read up to 0.30 V too high"));
   EXPECT_THAT(found_in({{14, 0.0}, {15, -0.3}})[0].what, HasSubstr("A1 was read up to 0.30 V too low"));
-  EXPECT_THAT(found_in({{14, 0.0}, {15, 0.3}, {15, 0.1}, {15, 0.03}}), IsEmpty()) << "read again";
-  EXPECT_THAT(found_in({{14, 0.0}, {15, 0.03}}), IsEmpty()) << "less than 8 steps";
+  EXPECT_THAT(found_in({{14, 0.0}, {15, 0.3}, {15, 0.1}, {15, 0.03}}), IsEmpty())
+      << "the sketch reads the pin again";
+  EXPECT_THAT(found_in({{14, 0.0}, {15, 0.03}}), IsEmpty()) << "the error is less than 8 steps";
 }
 
 TEST(BoardDetectors, CountTheWritesOfEachPowerCycle) {

@@ -16,7 +16,7 @@ constexpr int64_t kTimer1 = 1;
 
 class Actions : public testing::Test {
  protected:
-  /// Passes on an action, in line `line_`, which is one higher each time.
+  /// Increments `line_`, and reports an action in this line.
   void act(Kind kind, int64_t first, int64_t second = 0, int64_t third = 0) {
     ++line_;
     actions_.acted({kind, {first, second, third}}, now_, [&] {
@@ -135,9 +135,9 @@ TEST_F(Actions, ATimerIsKnownByItsNumberOnEachBoard) {
   };
   EXPECT_EQ(pins_without_pwm("uno", 2), "pins 3 and 11");
   EXPECT_EQ(pins_without_pwm("mega", 5), "pins 44, 45 and 46");
-  EXPECT_EQ(pins_without_pwm("leonardo", 3), "pin 5") << "its third timer";
+  EXPECT_EQ(pins_without_pwm("leonardo", 3), "pin 5") << "timer 3 makes this pin's PWM";
   EXPECT_EQ(pins_without_pwm("leonardo", 2), "") << "it has no timer 2";
-  EXPECT_EQ(pins_without_pwm("bluepill", 2), "") << "an AVR's timer in the host's model of it";
+  EXPECT_EQ(pins_without_pwm("bluepill", 2), "") << "the chip has no timers of an AVR";
 }
 
 TEST_F(Actions, AStartOfTheFirmwareForgetsWhichTimersWereTaken) {

@@ -38,7 +38,7 @@ class Told final : public exec::Executor {
 
 class EepromTest : public testing::Test {
  protected:
-  /// Writes a byte as EEPROM.write() does: waits until the previous byte is written.
+  /// Writes a byte as EEPROM.write() does, which waits until the previous byte is written.
   void write(std::uint16_t address, std::uint8_t value) {
     std::uint8_t& cell = cells_.try_emplace(address, 0xFF).first->second;
     now = std::max(now, ready_);

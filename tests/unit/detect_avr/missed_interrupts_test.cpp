@@ -57,7 +57,8 @@ TEST_F(LossesTest, TicksThatComeWhileTwoHandlersRunInTurnAreNotLostToInterruptsT
       "n++; }\n"
       "void setup() { attachInterrupt(0, tick, CHANGE); attachInterrupt(1, tock, CHANGE); }\n"
       "void loop() { for (;;) asm volatile(\"rcall 1f\\nrjmp 2f\\n1: ret\\n2:\"); }\n");
-  // Two edges at each pin: the handlers run in turn for 3.2 ms. Each burst begins a cycle later.
+  // Each pin gets two edges, so the handlers run in turn for 3.2 ms. Each burst begins one cycle later than
+  // before.
   for (int burst = 0; burst < 12; ++burst) {
     const SimTime t = now_ + kMillisecond + 62 * burst;
     for (const Pin pin : {2, 3}) {
@@ -106,7 +107,7 @@ TEST_F(LossesTest, AreNoneWhereInterruptsAreOffForAMoment) {
   EXPECT_THAT(seen("noInterrupts(); unsigned n = count; interrupts(); Serial.println(n);"), IsEmpty());
   EXPECT_THAT(seen("noInterrupts(); delayMicroseconds(600); interrupts(); delayMicroseconds(100);"),
               IsEmpty())
-      << "each handler came before the next edge";
+      << "each handler runs before the next edge";
 }
 
 }  // namespace missed_interrupts_test

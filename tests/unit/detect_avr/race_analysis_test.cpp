@@ -1,4 +1,4 @@
-// Tests the detection of torn reads, torn writes and lost updates. An image that is built with --sanitize
+// Tests the detection of torn reads, torn writes and lost updates. An image that is built with `--sanitize`
 // crashes at these accesses. In the image for the real robot, a detector finds them.
 
 #include <array>
@@ -133,7 +133,7 @@ TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
       {"seen = ticks;", "ready = !ready;"}};
   for (const auto& [line, handler] : right) {
     start(pluralize(line, handler));
-    run(20 * kMillisecond);  // 400 runs of the handler; 60 reveal the torn read above
+    run(20 * kMillisecond);  // the handler runs 400 times; the torn read above is found within 60 runs
     EXPECT_EQ(torn().text, "") << line;
   }
 }
@@ -331,7 +331,7 @@ TEST_P(TearingTest, NamesTheFunctionThatAnInterruptCalls) {
 }
 
 TEST_P(TearingTest, IsReportedOncePerNumberAndLine) {
-  if (sanitize_) return;  // ends at the first
+  if (sanitize_) return;  // a run ends at its first finding
   start("volatile long counts[3]; volatile long other; byte rounds;\n" +
         pluralize("for (byte i = 0; i < 3; ++i) seen += counts[i];\n if (++rounds == 0) seen += other;",
                   "for (byte i = 0; i < 3; ++i) counts[i] += 40;\n other += 40;"));

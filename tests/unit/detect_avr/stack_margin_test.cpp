@@ -74,7 +74,7 @@ TEST_F(StackMarginTest, IsThereWhereTheDeepestHandlerFits) {
       << "only the handler of millis() runs in deep()";
   EXPECT_THAT(seen(1700, "all[2] = 1; deep();"), IsEmpty()) << "the handler runs in deep() and elsewhere";
   EXPECT_THAT(seen(1600, "volatile byte more[100]; more[0] = 1; deep();"), IsEmpty())
-      << "the stack pointer's high byte, written first, has made it lower than it was to be";
+      << "after the write of its high byte, the stack pointer is too low for a moment";
 }
 
 TEST_F(StackMarginTest, IsTheHeapsWhereThatIsNext) {

@@ -52,7 +52,8 @@ TEST_F(WatchdogMarginTest, IsOverrunWhereItBites) {
   EXPECT_EQ(found[0].detector, "watchdog_bite");
   EXPECT_THAT(found[0].what,
               HasSubstr("reset the chip, because it was not reset within its timeout of 256 ms"));
-  EXPECT_THAT(found[0].mend, HasSubstr("Use a longer timeout, or")) << "the code may take any longer time";
+  EXPECT_THAT(found[0].mend, HasSubstr("Use a longer timeout, or"))
+      << "the time that the code needs is unknown";
   EXPECT_EQ(found[0].where.file, "Test.ino");
   EXPECT_EQ(found[0].where.line, 3);
   EXPECT_EQ(found[0].times, 1);

@@ -87,7 +87,7 @@ TEST(ElfFile, ReadsWhatIsLoaded) {
   const ElfFile file(Program().bytes(), "x.elf");
   const auto segments = file.segments();
   ASSERT_EQ(segments.size(), 1u) << "the other segment has no bytes in the file";
-  EXPECT_EQ(segments[0].address, 0x200u) << "where it is flashed, not where it runs";
+  EXPECT_EQ(segments[0].address, 0x200u) << "the physical address, not the virtual one";
   EXPECT_EQ(segments[0].bytes, kCode);
   EXPECT_TRUE(segments[0].code);
 }

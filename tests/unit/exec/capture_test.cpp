@@ -34,7 +34,7 @@ void loop() {
   TIMSK1 = served = 0;
 })");
   run(10 * kMillisecond);
-  // The pin is high for 1 ms, then low for 2 ms: 2000 and 4000 timer ticks of half a microsecond.
+  // The pin is high for 1 ms, then low for 2 ms. These are 2000 and 4000 timer ticks of half a microsecond.
   for (int i = 0; i < 7; ++i)
     board().schedule_edge(8, i % 2 == 0, now_ + (i / 2 * 3 + i % 2) * kMillisecond + 300 * kMicrosecond);
   run(40 * kMillisecond);
@@ -49,7 +49,7 @@ TEST_F(Capture, OwnEdgesAreCapturedAndTheFlagCanBePolled) {
   pinMode(8, OUTPUT);
   TIFR1 = _BV(ICF1);
   digitalWrite(8, HIGH);
-  Serial.println(TIFR1 & _BV(ICF1));  // falling edges are asked for
+  Serial.println(TIFR1 & _BV(ICF1));  // timer 1 captures falling edges
   TCNT1 = 1000;
   digitalWrite(8, LOW);
   Serial.println(TIFR1 & _BV(ICF1));

@@ -69,7 +69,7 @@ TEST_F(CrashTest, AFailedAssertion) {
   expect(crash("#include <assert.h>\nvoid faulty() { assert(n > zero); }"), "assert() failed", "faulty", 3);
 }
 
-#if defined(__x86_64__)  // the instruction is one of this processor
+#if defined(__x86_64__)  // ud2 is an instruction of this processor
 TEST_F(CrashTest, AnInstructionThatDoesNotExist) {
   expect(crash("void faulty() { asm volatile(\"ud2\"); }"), "an instruction that does not exist", "faulty",
          2);

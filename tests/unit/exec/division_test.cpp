@@ -1,4 +1,4 @@
-// Tests divisions by zero and overflows: a sketch on the host continues with the result that its chip would
+// Tests divisions by zero and overflows. A sketch on the host continues with the result that its chip would
 // compute (sim/build/division.h). tests/system/targets_test.cpp compares the results with the emulated AVR.
 #include "tests/unit/exec/fixture.h"
 

@@ -106,7 +106,7 @@ TEST_F(GdbServer, AnswersNothingToWhatItDoesNotKnowAndRefusesWhatIsMalformed) {
 }
 
 TEST_F(GdbServer, PassesMonitorCommandsOn) {
-  EXPECT_THAT(ask({"qRcmd,74696d65"}), ElementsAre("6469642074696d65")) << "did time";
+  EXPECT_THAT(ask({"qRcmd,74696d65"}), ElementsAre("6469642074696d65")) << "“did time” in hexadecimal";
 }
 
 TEST_F(GdbServer, SaysWhyTheProcessorStandsStill) {
@@ -159,7 +159,7 @@ TEST_F(GdbServer, APacketThatGotDamagedIsAskedForAgain) {
 
 TEST_F(GdbServer, DetachingLetsTheRunGoOnAlone) {
   gdb_.say("D");
-  EXPECT_TRUE(server_.attached()) << "until the run continues";
+  EXPECT_TRUE(server_.attached()) << "the debugger stays attached until the run continues";
   EXPECT_EQ(server_.stand_still(processor_, {}), Server::Order::go);
   EXPECT_FALSE(server_.attached());
   EXPECT_EQ(gdb_.reply(), "OK");

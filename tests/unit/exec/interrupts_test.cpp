@@ -66,7 +66,8 @@ void setup() { Serial.begin(115200); attachInterrupt(0, tick, RISING); delay(5);
   EXPECT_THAT(numbers(), ElementsAre(0));
 }
 
-// The chip also remembers the edge: attachInterrupt() does not clear the flag (data sheet, 13.2.3, 13.2.5).
+// The chip also remembers the edge, because attachInterrupt() does not clear the flag (data sheet, 13.2.3,
+// 13.2.5).
 TEST_F(InterruptsTest, AnEdgeBeforeTheInterruptIsEnabledIsRemembered) {
   prepare(R"(volatile int count;
 void tick() { ++count; }

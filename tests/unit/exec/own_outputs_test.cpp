@@ -25,9 +25,9 @@ void setup() {
   Serial.println(high(6));
   analogWrite(9, 64);  // phase correct: 2 * 64 ticks of 4 us
   Serial.println(high(9));
-  TCCR1A |= _BV(COM1A0);  // inverted: the other 2 * 191
+  TCCR1A |= _BV(COM1A0);  // inverted: high for the other 2 * 191 ticks
   Serial.println(high(9));
-  TCCR1A = _BV(COM1A0);  // toggled each 1536 ticks of half a microsecond
+  TCCR1A = _BV(COM1A0);  // toggled after each 1536 ticks of half a microsecond
   TCCR1B = _BV(WGM12) | _BV(CS11);
   OCR1A = 1535;
   Serial.println(high(9));
@@ -80,9 +80,9 @@ void setup() {
   detachInterrupt(0);
   EIFR = 3;
   digitalWrite(2, LOW);
-  Serial.println(EIFR);  // not the edge that is asked for
+  Serial.println(EIFR);  // a falling edge does not set the flag
   digitalWrite(2, HIGH);
-  Serial.println(EIFR);  // the flag is set, enabled or not
+  Serial.println(EIFR);  // a rising edge sets the flag, even if the interrupt is disabled
   attachInterrupt(0, on_low, LOW);
   for (int i = 0; i < 5; ++i) {
     digitalWrite(2, LOW);
@@ -114,7 +114,7 @@ TEST_F(OwnOutputs, OneBitIsSetAloneWhereOnesAreWritten) {
   PINB |= _BV(4);
   Serial.println(PORTB);
   volatile uint8_t mask = _BV(4);
-  PINB |= mask;  // IN, OR, OUT: all that are high
+  PINB |= mask;  // IN, OR, OUT: also toggles all pins that are high
   Serial.println(PORTB);
 }
 void loop() {})");
@@ -138,7 +138,7 @@ void setup() {
   analogWrite(3, 100);
   attachInterrupt(1, edge, RISING);
   Serial.println(in_100_ms());  // 49
-  // A new value holds from the next period on: none gets an edge more, or less.
+  // A new value holds from the next period on, so each period has the same number of edges.
   edges = 0;
   const unsigned long from = millis();
   for (int value = 1; millis() - from < 200; value = value % 254 + 1) {
@@ -198,7 +198,7 @@ void loop() {})");
   run(510 * kMillisecond);
   for (int i = 0; i < 7; ++i) board().schedule_edge(5, i % 2 == 0, now_ + i * kMillisecond);
   run(60 * kMillisecond);
-  EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // `full` is 3: the PWM of init() adds one
+  EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // `full` is 3, because the PWM of init() adds one
 }
 
 }  // namespace own_outputs_test

@@ -1,4 +1,4 @@
-// Tests that skipping the waiting loops of firmware is not observable: skipping changes neither the later
+// Tests that skipping the waiting loops of firmware is not observable. Skipping changes neither the later
 // actions of the firmware nor any report.
 #include <fmt/format.h>
 

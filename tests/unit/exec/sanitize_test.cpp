@@ -1,4 +1,4 @@
-// Tests the findings of a sketch built with --sanitize, and their messages.
+// Tests the findings, and their messages, of a sketch that is built with `--sanitize`.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec {

@@ -9,7 +9,7 @@ using testing::ElementsAre;
 using testing::SizeIs;
 
 struct Step {
-  int tick;  ///< when to execute `statement`: in ticks of 64 us since timer 2 started
+  int tick;  ///< time of `statement`, in ticks of 64 us since timer 2 started
   const char* statement;
 };
 

@@ -30,7 +30,7 @@ void loop() { if (EEPROM.read(0) == 0) for (;;); else wdt_reset(); })");
   EXPECT_EQ(host_->watchdog_resets(), 1);
   host_->power_off(kSecond);
   host_->power_on(kSecond);
-  EXPECT_EQ(host_->watchdog_resets(), 1) << "counts those before the power was off";
+  EXPECT_EQ(host_->watchdog_resets(), 1) << "the count includes resets before the power was off";
 }
 
 TEST_F(WatchdogTest, BitesWithInterruptsOffAndWhereASketchHasGivenUp) {

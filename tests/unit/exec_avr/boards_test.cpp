@@ -207,7 +207,7 @@ TEST_F(Boards, ABootLoaderHidesThatTheWatchdogHasBitten) {
   run(150 * kMillisecond);
   ASSERT_FALSE(avr_->crash()) << avr_->crash()->reason;
   EXPECT_FALSE(board().drive(1).level);
-  EXPECT_GE(changes(0).size(), 5u) << "it has begun again";
+  EXPECT_GE(changes(0).size(), 5u) << "the sketch has started again";
 }
 
 TEST_F(Boards, AnAttiny85HasPwmOnThreePinsOfTwoTimersAndNoSerial) {

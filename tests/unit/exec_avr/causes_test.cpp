@@ -76,12 +76,12 @@ TEST_F(CausesTest, LeadFromThePinToTheReading) {
   const auto lines = lines_behind_pin_5();
   EXPECT_THAT(numbers_of(lines), IsSupersetOf({4, 10, 12, 13, 16}));
   EXPECT_THAT(lines, AllOf(Not(Contains(Key(11))), Not(Contains(Key(15))), Not(Contains(Key(1)))))
-      << "what was overwritten, and what the pin does not depend on";
+      << "lines without an effect on the pin, and lines whose effect was overwritten";
   EXPECT_EQ(lines.at(10).kind, CauseStep::Kind::reads);
   EXPECT_EQ(lines.at(10).pin, kA2);
   EXPECT_EQ(lines.at(12).kind, CauseStep::Kind::decides);
   EXPECT_LT(lines.at(4).far, lines.at(13).far);
-  EXPECT_GT(lines.at(13).t, 5 * kMillisecond) << "the last time";
+  EXPECT_GT(lines.at(13).t, 5 * kMillisecond) << "the last execution of the line";
 }
 
 TEST_F(CausesTest, LeadToAVariableThatHasWhatItBeganWith) {
@@ -187,7 +187,7 @@ void loop() {
   run(8 * kMillisecond);
   const auto lines = lines_behind_pin_5();
   EXPECT_TRUE(lines.contains(6));
-  ASSERT_TRUE(lines.contains(3)) << "no code assigns the variable";
+  ASSERT_TRUE(lines.contains(3)) << "the variable keeps its initial value";
   EXPECT_EQ(lines.at(3).kind, CauseStep::Kind::keeps);
 }
 

@@ -206,7 +206,7 @@ TEST_F(DebugTest, FlashReadsAsItWasFlashedAndCannotBeChanged) {
   const auto texts = replies();
   EXPECT_EQ(texts[0], texts[2]);
   EXPECT_EQ(texts[3], "E01");
-  EXPECT_EQ(texts[4], "ff") << "the last byte, and no more";
+  EXPECT_EQ(texts[4], "ff") << "the flash ends after this byte";
   EXPECT_EQ(texts[5], "E01");
 }
 

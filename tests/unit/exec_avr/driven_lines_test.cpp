@@ -100,9 +100,10 @@ void loop() { other(); })");
   run(300 * kMillisecond);  // below 20 Hz, the executor reports each compare match
   ASSERT_GT(lines_[8].size(), 20u);
   const auto known = [](int line) { return line > 0; };
-  EXPECT_EQ(std::count_if(lines_[8].begin() + 1, lines_[8].end(), known), 0) << "Timer 2's handler";
+  EXPECT_EQ(std::count_if(lines_[8].begin() + 1, lines_[8].end(), known), 0)
+      << "timer 2's handler toggles the pin";
   ASSERT_GT(lines_[9].size(), 3u);
-  for (const int line : lines_[9]) EXPECT_LE(line, 6) << "no line of loop()";
+  for (const int line : lines_[9]) EXPECT_LE(line, 6) << "the line is not in loop()";
   EXPECT_EQ(lines_[9].back(), 0);
 }
 

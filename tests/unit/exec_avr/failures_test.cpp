@@ -35,7 +35,7 @@ class FailuresTest : public AvrTest {
 };
 
 TEST(Demangle, KeepsNamesThatAreNotMangled) {
-  EXPECT_EQ(demangle("n"), "n") << "not the code of the type __int128";
+  EXPECT_EQ(demangle("n"), "n") << "n is not decoded as the type __int128";
   EXPECT_EQ(demangle("i"), "i");
   EXPECT_EQ(demangle("_ZN3Foo3barE"), "Foo::bar");
 }
@@ -187,7 +187,8 @@ void setup() { Serial.begin(115200); sp_a = prepare(stack_a, task_a); sp_b = pre
 void loop() { switch_to(&sp_main, &sp_a); delay(10); })";
 }
 
-// The sketch acts as an RTOS: the timer's handler switches from the interrupted task to another task.
+// The sketch acts as an RTOS, in which the timer's handler switches from the interrupted task to another
+// task.
 TEST_F(FailuresTest, ATaskThatAHandlerHasLetGoOnIsInNoHandler) {
   start(R"(uint8_t stack_b[100];
 uint8_t *sp_main, *sp_b;

@@ -68,7 +68,7 @@ void setup() {
   Serial.println((micros() - began) / 100);
 }
 void loop() {})");
-  EXPECT_THAT(numbers(), ElementsAre(68)) << "the third is still being written";
+  EXPECT_THAT(numbers(), ElementsAre(68)) << "the third byte is still being written";
 }
 
 TEST_F(PowerTest, TheEepromIsTheBoardsAlsoWhileTheSketchRuns) {
@@ -129,7 +129,8 @@ void mark() { *flag() = 42; }
 void loop() {})");
   run(200 * kMillisecond);
   EXPECT_FALSE(avr_->crash());
-  EXPECT_THAT(numbers(), ElementsAre(0, 0)) << "millis() begins anew, RAM is kept, and the watchdog is off";
+  EXPECT_THAT(numbers(), ElementsAre(0, 0))
+      << "millis() starts at 0, RAM keeps its content, and the watchdog is off";
   EXPECT_EQ(changes(13).size(), 3u) << "the pin was an input in between";
 }
 
@@ -145,7 +146,7 @@ void setup() {
 void loop() { sleep_mode(); })");
   run(kSecond);
   EXPECT_THAT(numbers(), ElementsAre(testing::AllOf(testing::Ge(99), testing::Le(102))))
-      << "timer 0 wakes it every 1.024 ms";
+      << "timer 0 wakes the chip every 1.024 ms";
   const auto used = avr_->resources();
   ASSERT_TRUE(used);
   EXPECT_LT(used->cpu_load, 0.02);

@@ -1,4 +1,4 @@
-// Tests the findings, and their messages, of a sketch that is built with --sanitize for target avr.
+// Tests the findings, and their messages, of a sketch that is built with `--sanitize` for target avr.
 
 #include "tests/unit/exec_avr/fixture.h"
 
@@ -67,8 +67,8 @@ TEST_F(CheckTest, TheCallsThatAreOpenBeginInTheSketch) {
   EXPECT_EQ(crash.calls[0].function, "loop");
 }
 
-// The checks of --sanitize enlarge a program, so the emulated chip has more memory. The program of this test
-// has 20 KB of variables and 40 KB of constants.
+// The checks of `--sanitize` enlarge a program, so the emulated chip has more memory. The program of this
+// test has 20 KB of variables and 40 KB of constants.
 TEST_F(CheckTest, ThereIsMoreMemoryThanOnTheChipButNotForOthers) {
   const std::string large =
       "byte table[20000];\nconst PROGMEM byte one[20000] = {1}, two[20000] = {2};\nvolatile unsigned i = "

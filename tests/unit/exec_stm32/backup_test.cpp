@@ -1,5 +1,5 @@
-// Tests the backup domain (RM0008, chapters 5, 6 and 18, and 7.3.9). Also tests the CRC unit (chapter 4) and
-// the cycle counter.
+// Tests the backup domain (RM0008, chapters 5, 6 and 18, and section 7.3.9). Also tests the CRC unit (chapter
+// 4) and the cycle counter.
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
 namespace robosim::exec::stm32 {
@@ -64,13 +64,13 @@ TEST_F(BackupTest, TheClockCountsInterruptsAndGoesOnThroughAReset) {
   EXPECT_EQ(counter(), 1u);
   EXPECT_EQ(load(kRtc + 0x14), 399u);
   store(kRtc, 1);
-  EXPECT_TRUE(takes(kIrqRtc)) << "its flag was set";
+  EXPECT_TRUE(takes(kIrqRtc)) << "the flag of this interrupt was set";
   store(kRtc + 4, 0);
   EXPECT_FALSE(takes(kIrqRtc));
   pass(10 * kMs);
   EXPECT_TRUE(takes(kIrqRtc));
   store(kRtc + 0x1C, 77);
-  EXPECT_EQ(counter(), 2u) << "only while CNF is set";
+  EXPECT_EQ(counter(), 2u) << "the counter can be written only while CNF is set";
   store(kRccBdcr, 1u << 15 | 3u << 8 | 1);
   store(kRccCr, load(kRccCr) | kHseOn);
   pass(kMs);

@@ -42,7 +42,7 @@ TEST_F(SpiTest, AFrameTakesItsTimeAndBringsTheLevelOfMiso) {
     store(kSpi1 + 12, 0);
     pass(32);
   }
-  EXPECT_EQ(status(), kTxeFlag | kRxneFlag | kOvr) << "the first was not read";
+  EXPECT_EQ(status(), kTxeFlag | kRxneFlag | kOvr) << "the first frame was not read";
   EXPECT_EQ(load(kSpi1 + 12), 0xFFFFu);
   status();
   EXPECT_EQ(status(), kTxeFlag);

@@ -78,7 +78,7 @@ TEST_F(DmaTest, AUsartSendsABufferAndReceivesIntoOneThatGoesRound) {
   enable(kIrqUsart1);
   begin(5, kUsartDr, kTable + 0x40, 4, kMinc | kCirc);
   begin(4, kUsartDr, kTable, 7, kMinc | kOut | kTcie);
-  EXPECT_EQ(left(4), 5u) << "one byte is sent, one waits";
+  EXPECT_EQ(left(4), 5u) << "one byte is being sent, and one waits";
   pass(690 * 5 - 1);
   EXPECT_FALSE(takes(irq_of_channel(4)));
   pass(1);
@@ -169,7 +169,7 @@ TEST_F(AdcTest, TheInjectedGroupInterruptsTheRegularOne) {
   pass(2 * kConversion);
   EXPECT_EQ(load(kAdcSr), 1u << 2 | 1u << 3 | kStrt);
   EXPECT_EQ(load(kJdr1), 2000u);
-  EXPECT_EQ(load(kJdr1 + 4), 0xFFFFu) << "less than its offset";
+  EXPECT_EQ(load(kJdr1 + 4), 0xFFFFu) << "the measurement is less than its offset";
   store(kAdcSr, 0);
   EXPECT_TRUE(takes(kIrqAdc));
   pass(252 * 2 - 1);

@@ -88,7 +88,7 @@ void loop() { count(); })");
   EXPECT_EQ(std::set<int>(lines_["D13"].begin(), lines_["D13"].end()), std::set<int>{4});
   ASSERT_GT(lines_["D22"].size(), 50u);
   EXPECT_EQ(std::set<int>(lines_["D22"].begin(), lines_["D22"].end()), std::set<int>{0})
-      << "by the core's handler";
+      << "the core's handler drives the pin";
 }
 
 }  // namespace driven_lines_test

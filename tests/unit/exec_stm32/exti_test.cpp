@@ -57,7 +57,7 @@ TEST_F(ExtiTest, AnOutputOfTheChipsOwnIsHeard) {
   };
   EXPECT_TRUE(drive(1u << 16));
   EXPECT_FALSE(drive(1u << 16));
-  EXPECT_FALSE(drive(1)) << "only falling edges are asked for";
+  EXPECT_FALSE(drive(1)) << "only falling edges are enabled";
   EXPECT_TRUE(drive(1u << 16));
   store(kExtiImr, 0);
   EXPECT_FALSE(drive(1));

@@ -89,7 +89,7 @@ void setup() {
   R(0x40012408) = 0x1E0103, R(0x40012408) = 0x5E0103;
   R(0x40005404) = 36, R(0x4000541C) = 180, R(0x40005400) = 1;  // I2C1
   R(0x40013000) = 0x37C;  // SPI1
-  R(0x40012808) = 1, R(0x40012810) = 0x38;  // ADC2 interrupts at the end of a conversion, now and then
+  R(0x40012808) = 1, R(0x40012810) = 0x38;  // ADC2 occasionally interrupts at the end of a conversion
   R(0x40012804) = 0x20;
   enable(18, converted, 6);
 }
@@ -100,7 +100,7 @@ static void by_dma(unsigned n) {
 }
 static unsigned word_by_word[64];
 void loop() {
-  R(0x40005400) |= 0x100;  // a start, and an address that nobody answers
+  R(0x40005400) |= 0x100;  // a start, and an address that no device answers
   while (!(R(0x40005414) & 1)) ++counts[1];
   R(0x40005410) = 0x46;
   while (!(R(0x40005414) & 0x402)) ++counts[2];
@@ -163,7 +163,7 @@ void loop() {
 })",
      true, 1400},
     {"OwnCode", R"(
-// Code in flash that it writes by itself, and a part of it to zeros. And code in RAM.
+// Runs code that the sketch writes to flash and partly overwrites with zeros. Also runs code in RAM.
 static unsigned short* const code = (unsigned short*)0x0800F000;
 static unsigned short in_ram[4] = {0x3001, 0xEA80, 0x0040, 0x4770};  // adds; eor r0, r0, r0, lsl #1; bx lr
 typedef unsigned (*Function)(unsigned);
@@ -190,7 +190,7 @@ void loop() {
 })",
      true},
     {"Exclusive", R"(
-// Between LDREX and STREX there is a moment, often.
+// Often waits between LDREX and STREX.
 void setup() { Serial.begin(115200); }
 void loop() {
   static unsigned word = 1, other = 2;

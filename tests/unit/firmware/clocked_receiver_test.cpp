@@ -62,7 +62,7 @@ TEST_F(ClockedReceiverTest, CountsBitsSoThatAWrongNumberCanBeRefused) {
   for (int i = 0; i < 300; ++i) bit(false);
   enable(LOW);
   ASSERT_TRUE(radio.available());
-  EXPECT_EQ(radio.bits(), 255) << "a count that wrapped round to 44 would be worse";
+  EXPECT_EQ(radio.bits(), 255) << "the count stops at 255, and does not wrap round to 44";
 }
 
 TEST_F(ClockedReceiverTest, TheNewerOfTwoMessagesCountsAndNoBitOfTheOlder) {

@@ -105,10 +105,10 @@ TEST_F(DriveMotorTest, OfAPairAreToldTogether) {
   motors.begin();
   motors.drive(100, 100);
   motors.stop();
-  for (const std::uint8_t input : {7, 8, 9, 10}) EXPECT_EQ(pin(input).level, HIGH) << "both brake";
+  for (const std::uint8_t input : {7, 8, 9, 10}) EXPECT_EQ(pin(input).level, HIGH) << "both motors brake";
   motors.drive(100, 100);
   motors.coast();
-  for (const std::uint8_t enable : {5, 6}) EXPECT_EQ(pin(enable).duty, -1) << "both run out";
+  for (const std::uint8_t enable : {5, 6}) EXPECT_EQ(pin(enable).duty, -1) << "both motors coast";
   motors.setSmallestDuty(60);
   motors.setReversed(false, true);
   motors.drive(128, 128);

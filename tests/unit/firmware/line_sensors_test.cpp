@@ -51,7 +51,7 @@ TEST_F(LineSensorsTest, ScaleBetweenFloorAndLineWhicheverIsLarger) {
   EXPECT_EQ(LineSensors::scaled(50, 100, 800), 0);
   EXPECT_EQ(LineSensors::scaled(900, 100, 800), 1000);
   EXPECT_EQ(LineSensors::scaled(900, 800, 100), 0);
-  EXPECT_EQ(LineSensors::scaled(500, 300, 300), 0) << "an empty range divides by zero";
+  EXPECT_EQ(LineSensors::scaled(500, 300, 300), 0) << "an empty range must not cause a division by zero";
 }
 
 TEST_F(LineSensorsTest, GiveValuesAndPositionFromAnalogPins) {

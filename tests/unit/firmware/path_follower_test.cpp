@@ -36,7 +36,8 @@ class PathFollowerTest : public ::testing::TestWithParam<Side> {
     return GetParam() == Side::left ? to_the_left : -to_the_left;
   }
   int speed() const { return (path.leftSpeed() + path.rightSpeed()) / 2; }
-  // Updates the follower with the readings `seen` until its state changes. Returns the time in ms.
+  // Updates the follower with the readings `seen` until its state changes. Returns the time that this takes,
+  // in ms.
   int see_until_change(Seen seen, int most_ms = 2000) {
     const State before = path.state();
     int ms = 0;
@@ -65,7 +66,7 @@ TEST_P(PathFollowerTest, TakesABranchOnItsSide) {
   see(kLine, 300);
   see(kBranch, 70);
   EXPECT_EQ(path.state(), State::crossing);
-  EXPECT_EQ(turn(), 0) << "straight on over the branch";
+  EXPECT_EQ(turn(), 0) << "the robot goes straight on over the branch";
   see(kLine, 4);
   EXPECT_EQ(path.state(), State::rolling);
   see_until_change(kLine);
@@ -172,7 +173,7 @@ TEST_P(PathFollowerTest, DoesNotTakeTheBranchItHasJustTurnedIntoForAnother) {
   while (path.state() != State::turning) see(kLine, 2);
   see(kOffTheEdge, 300);
   while (path.state() != State::following) see(kLine, 2);
-  see(kBranch, 100);  // not yet straight on the line
+  see(kBranch, 100);  // the robot is not yet straight on the line
   EXPECT_EQ(path.state(), State::following);
   see(kLine, 20);
   see(kBranch, 20);
@@ -259,13 +260,13 @@ TEST(PathFollower, CountsAStepThatTookLongAsATenthOfASecond) {
   PathFollower path(Side::left);
   path.update(false, true, false, 0);
   path.update(false, false, false, 5000);
-  EXPECT_EQ(path.state(), State::rolling) << "the end of a line, 84 ms";
+  EXPECT_EQ(path.state(), State::rolling) << "100 ms are more than the 84 ms of a line's end";
   PathFollower::Settings settings;
   settings.width_ms = 90;
   PathFollower wider(Side::left, settings);
   wider.update(false, true, false, 0);
   wider.update(false, false, false, 5000);
-  EXPECT_EQ(wider.state(), State::following) << "108 ms";
+  EXPECT_EQ(wider.state(), State::following) << "100 ms are less than the 108 ms of a line's end";
 }
 
 TEST(PathFollower, TakesSettingsOverTheirWholeRange) {

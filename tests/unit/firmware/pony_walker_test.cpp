@@ -94,14 +94,14 @@ TEST(PonyWalkerTest, KnowsHowLongALineOfMoreThanAMinuteIs) {
   const std::uint32_t left_us = fake::board.now_us;
   const nav::Landmark end = ride.walker.follow();
   EXPECT_EQ(end.kind, nav::LandmarkKind::end);
-  EXPECT_GT(fake::board.now_us - left_us, 66'000'000u) << "beyond 16 bits of ms";
+  EXPECT_GT(fake::board.now_us - left_us, 66'000'000u) << "a time in ms does not fit in 16 bits";
   EXPECT_NEAR(end.cost, fake::board.now_us / 20'000, 2) << "the cost includes the duration of begin()";
 }
 
 TEST(PonyWalkerTest, CountsItsHeadingAnewWhereItBeginsAnew) {
   Ride ride({{-300, 0, 300, 0}, {300, -300, 300, 300}});
   ride.go({kToRight});
-  EXPECT_EQ(ride.walker.begin().heading, 0) << "it was 1";
+  EXPECT_EQ(ride.walker.begin().heading, 0) << "the heading was 1 before";
 }
 
 TEST(PonyWalkerTest, TellsTheWaysOfATee) {
@@ -348,7 +348,7 @@ TEST_F(PonyTest, BeginsDarkAndAtRest) {
 TEST_F(PonyTest, PulsesItsMotorsForADutyOfThirty) {
   EXPECT_EQ(steps(0x40, 14, 0), 7);
   EXPECT_EQ(steps(0x20, -14, 0), 7);
-  EXPECT_EQ(steps(0x10, 0, 21), 11) << "21 ms of 30, in steps of two";
+  EXPECT_EQ(steps(0x10, 0, 21), 11) << "21 of 30 ms, in steps of 2 ms";
   EXPECT_EQ(steps(0x08, 0, -7), 4);
   EXPECT_EQ(steps(0x50, 30, 30), 15);
   EXPECT_EQ(steps(0x28, -30, -30), 15);
@@ -412,7 +412,7 @@ TEST_F(PonyTest, LightsStayWhileItDrivesAndBeeps) {
   EXPECT_EQ(bits(0), 0x05);
   EXPECT_EQ(steps(0x05, 30, 0), 15);
   pony.beep(20);
-  EXPECT_EQ(steps(0x85, 0, 0, 30), 10) << "for 20 ms";
+  EXPECT_EQ(steps(0x85, 0, 0, 30), 10) << "the beep lasts for 20 ms";
   pony.light(Pony::kEndLight);
   EXPECT_EQ(bits(0), 0x02);
   pony.light(0xF8);
@@ -426,7 +426,7 @@ TEST_F(PonyTest, WaitsWhileItsBumperIsPressedAndAfterFiveSecondsItIsBlocked) {
   fake::board.on_wait = [&] {
     const bool goes = fake::board.now_us - start > 2'000'000;
     fake::board.pins[kPonyBumper].reads = goes ? HIGH : LOW;
-    EXPECT_TRUE(goes || bits(0) == 0) << "at rest and silent";
+    EXPECT_TRUE(goes || bits(0) == 0) << "the Pony is at rest and silent";
   };
   fake::board.pins[kPonyBumper].reads = LOW;
   pony.step(30, 30);

@@ -56,8 +56,8 @@ class Explain : public ::testing::Test {
     }
   }
   /// Reports that the robot drives circles around the middle of cell 5,2 for 10 s. Each quarter of a circle
-  /// takes 250 ms; `direction` is 1 for anticlockwise. If `crosses`, the robot sees the line once in each
-  /// circle.
+  /// takes 250 ms; `direction` is 1 for anticlockwise. If `crosses` is true, the robot sees the line once in
+  /// each circle.
   void drive_circles(double radius_m, int direction, bool crosses) {
     const Vec2 around[] = {{1.0, 0.0},  {0.7, 0.7},   {0.0, 1.0},  {-0.7, 0.7},
                            {-1.0, 0.0}, {-0.7, -0.7}, {0.0, -1.0}, {0.7, -0.7}};
@@ -330,11 +330,11 @@ TEST_F(Explain, ARobotThatSpinsIsSaidToSpinAndNotToHaveLeftTheLineOrSteeredAway)
               EndsWith("; the robot has been spinning clockwise near column 5, row 2 since 2.00 s."));
   EXPECT_EQ(next(Verdict::timeout), "");
   std::swap(e.left_command, e.right_command);
-  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("spinning"))) << "it turns back";
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("spinning"))) << "the robot turns back";
   std::swap(e.left_command, e.right_command);
   e.t = 40 * kSecond;
   robot_is_at(39900 * kMillisecond, {5, 2}, true, true);
-  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("spinning"))) << "it has turned long ago";
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("spinning"))) << "the robot's last turn was long ago";
 }
 
 TEST_F(Explain, ARobotThatCirclesIsSaidToCircle) {
@@ -517,7 +517,7 @@ TEST_F(Explain, AButtonThatIsWaitedForComesWithTheLineThatPressesIt) {
       EndsWith("the pin that the sketch keeps reading is pin 4 (button \"start\"), which is HIGH: if it "
                "waits for this button, press it with this line in a script: at 1s press start 200ms"));
   EXPECT_EQ(next_step(e).by, NextStep::By::script);
-  EXPECT_THAT(next(Verdict::crashed), Not(HasSubstr("keeps reading is"))) << "it reads nothing any more";
+  EXPECT_THAT(next(Verdict::crashed), Not(HasSubstr("keeps reading is"))) << "a crashed sketch reads nothing";
   e.pin_changed = true;
   EXPECT_THAT(next(Verdict::timeout), EndsWith("which is HIGH")) << "the button has been pressed";
 }
@@ -532,7 +532,7 @@ TEST_F(Explain, ARobotThatTurnedAwayFromTheLineIsToldSo) {
                     HasSubstr("robosim wire"), Not(HasSubstr("16 bits"))));
   e.line_side = -0.018;
   EXPECT_THAT(next(Verdict::lost), HasSubstr("under its right sensors, but it turned left"));
-  e.distance_m = 9.0;  // 1.5 m until 2 s
+  e.distance_m = 9.0;  // 9 m in 12 s are 1.5 m in the first 2 s
   EXPECT_EQ(next(Verdict::lost),
             "it steered away from the line: the line was under its right sensors, but it turned left; it had "
             "driven "
@@ -582,7 +582,8 @@ TEST_F(Explain, ALongDelayIsToldWhereTheLineIsLost) {
       << "a handler reads the sensors during the delay";
   e.sensors_read = kNever;
   e.distance_m = 0.6;
-  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion")) << "2.5 cm in the delay";
+  EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"))
+      << "the robot drives only 2.5 cm during the delay";
   e.distance_m = 1.3;
   for (const char* call : {"delay(5)", "delay()", "delayMicroseconds(500)"}) {
     e.activity.call = call;
@@ -659,7 +660,8 @@ TEST_F(Explain, TheDecisiveMomentOfATimeoutIsWhatEndedTheDrive) {
   EXPECT_EQ(decisive_moment(e).text, "the board lost its power");
   lose_the_line();
   e.at.x += 0.1;
-  EXPECT_EQ(decisive_moment(e).text, "the robot left the line") << "it left the line before";
+  EXPECT_EQ(decisive_moment(e).text, "the robot left the line")
+      << "the robot left the line before the power was off";
   e.power = {};
   robot_is_at(9 * kSecond, {5, 1}, true, true);
   robot_is_at(12 * kSecond, {5, 1}, true, false);
@@ -685,7 +687,7 @@ TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {
   EXPECT_EQ(next(Verdict::crashed), "");
   e.crash = exec::Crash{"2000000000 + 2000000000 does not fit a long, which holds … here", {}};
   e.crash->check = "add_overflow";
-  EXPECT_EQ(next(Verdict::crashed), "") << "it is long already";
+  EXPECT_EQ(next(Verdict::crashed), "") << "the type is long already";
 }
 
 }  // namespace explain_test

@@ -92,8 +92,8 @@ TEST(Goal, LapsCountEitherWayRoundButOnlyInOrder) {
   EXPECT_EQ(clockwise.progress.laps_s().size(), 2u);
 }
 
-/// Drives a robot over the cells of kRing, which are numbered from 0. 0 is the start, and 8 is the start
-/// after a lap.
+/// Drives a robot over the cells of kRing, which are numbered from 0. Cell 0 is the start, and cell 8 is the
+/// start after a lap.
 struct Ring : Course {
   Ring() : Course(kRing, "laps:9") { visit(1, 1); }
   /// Drives to a cell, forwards or backwards. Returns the number of laps so far.
@@ -115,7 +115,7 @@ TEST(Goal, ARobotThatTurnsBackHalfWayOnBothSidesHasNotGoneRound) {
     EXPECT_EQ(to_and_fro.drive(far), 0u);
     EXPECT_EQ(to_and_fro.drive(-far), 0u);
     EXPECT_EQ(to_and_fro.drive(0), 0u)
-        << "it passed all nodes in order, but turned back " << far << " from 0";
+        << "the robot passed all nodes in order, but turned back " << far << " cells from 0";
     EXPECT_EQ(to_and_fro.drive(8), 1u);
   }
 }
@@ -230,7 +230,7 @@ TEST(Goal, TheFirstLapBeginsWhenTheRobotLeavesItsStart) {
        std::vector<std::pair<int, int>>{{2, 1}, {3, 1}, {3, 2}, {3, 3}, {2, 3}, {1, 3}, {1, 2}, {1, 1}})
     c.visit(x, y);
   ASSERT_EQ(c.progress.laps_s().size(), 1u);
-  EXPECT_NEAR(c.progress.laps_s()[0], 0.071, 0.002) << "10 ms at each of 8 places except the last";
+  EXPECT_NEAR(c.progress.laps_s()[0], 0.071, 0.002) << "10 ms at each of the first 7 of 8 places";
 }
 
 TEST(Goal, ARobotThatRestsWhereItJustCoversAStationHasVisitedIt) {

@@ -148,13 +148,13 @@ TEST(Judge, SumsTheTurnsOfARobotInOnePlaceAndAroundIt) {
   d.run(10 * kSecond, [&] { turn(0.004); });
   EXPECT_NEAR(d.judge.turned_during(d.judge.place()), 40.0, 0.1);
   d.run(10 * kSecond, [&] { turn(-0.004); });
-  EXPECT_NEAR(d.judge.turned_during(d.judge.place()), 0.0, 0.1) << "turns back and forth cancel";
+  EXPECT_NEAR(d.judge.turned_during(d.judge.place()), 0.0, 0.1) << "turns back and forth cancel each other";
   d.run(10 * kSecond, [&] {  // a circle of 0.6 m
     turn(0.002);
     d.pose.position = d.pose.position + d.pose.heading * 0.0006;
   });
   EXPECT_LT(d.judge.place().since, d.now.t);
-  EXPECT_LT(std::abs(d.judge.turned_during(d.judge.place())), 1.0) << "it has left each place";
+  EXPECT_LT(std::abs(d.judge.turned_during(d.judge.place())), 1.0) << "the robot has left each place";
   EXPECT_NEAR(d.judge.turned_during(d.judge.surroundings()), 20.0, 0.1);
   EXPECT_EQ(d.judge.surroundings().since, 0);
 }

@@ -45,7 +45,7 @@ sanitize = true
   EXPECT_EQ(fleet.members[0].launch.sketch, "PidFollower");
   EXPECT_EQ(fleet.members[0].place.line, 3);
   const Member& b = fleet.members[1];
-  EXPECT_EQ(b.launch.sketch, in_folder("Mine")) << "paths begin at the file's folder";
+  EXPECT_EQ(b.launch.sketch, in_folder("Mine")) << "paths are relative to the file's folder";
   EXPECT_EQ(b.launch.robot, in_folder("robot.toml"));
   EXPECT_EQ(b.launch.target, "avr");
   EXPECT_EQ(b.launch.request.start, "2,2,E");

@@ -50,7 +50,7 @@ class LaunchTest : public ::testing::Test {
 
 TEST_F(LaunchTest, ChoosesWhatIsNotNamedAndTellsIt) {
   const Prepared run = prepare(launch_of("uno.elf"));
-  EXPECT_EQ(run.target, "avr") << "what the image is for";
+  EXPECT_EQ(run.target, "avr") << "the target that the image is for";
   EXPECT_EQ(run.map.name, "oval");
   EXPECT_EQ(run.robot.name, "uno5");
   EXPECT_THAT(told_, ElementsAre(HasSubstr("the map is oval"), HasSubstr("the robot is uno5")));

@@ -290,7 +290,7 @@ TEST(RefusedMap, AbsurdSizesEndSoon) {
 TEST(RefusedMap, ADenseGridWrittenInDigitsIsNoSwap) {
   EXPECT_EQ(complaint("11111\n12121\n11111\n"), "accepted");
   EXPECT_EQ(complaint("....\n....\n"), "accepted");
-  EXPECT_EQ(complaint("\xEF\xBB\xBF....\n....\n"), "accepted") << "an editor of Windows wrote the file";
+  EXPECT_EQ(complaint("\xEF\xBB\xBF....\n....\n"), "accepted") << "a Windows editor wrote the file";
   EXPECT_EQ(complaint("\xEF\xBB\xBF+++\nname = \"m\"\n+++\n....\n"), "accepted");
 }
 

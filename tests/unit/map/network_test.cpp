@@ -215,7 +215,7 @@ TEST(Network, ALoopWithAnObstacleOrAForkIsNoLoop) {
   EXPECT_THAT(trace(parse_map("...\n._.\n...\n.__\n", "m.map"), "0,1").loop, IsEmpty());
 }
 
-// Tests random maps of all densities: the walk ends, and every dead end is either numbered or unreachable.
+// Tests random maps of all densities. The walk must end, and every dead end must be numbered or unreachable.
 TEST(Network, EveryDeadEndIsNumberedOrUnreachable) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     const NoiseStream noise(seed, 0, "map", "test");

@@ -45,7 +45,7 @@ TEST(Paint, IsAddedOnceForAllThatHaveTheSame) {
   EXPECT_FALSE(is_plain(map));
   EXPECT_TRUE(
       is_plain(parse_map(text_with("", "segments = [{ length = \"1 m\", width = \"20 mm\" }]"), "m.map")))
-      << "as wide as the others";
+      << "the segment is as wide as the map's line";
 }
 
 TEST(Paint, IsWrittenAsItWasRead) {

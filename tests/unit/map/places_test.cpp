@@ -58,7 +58,7 @@ TEST(Places, TheDistanceIsThatToTheLine) {
   const Places places(tee(), default_start(tee()));
   EXPECT_NEAR(places.cells_off({0.35, 0.45}), 0.0, 1e-9);
   EXPECT_NEAR(places.cells_off({0.33, 0.52}), 0.7, 1e-9);
-  EXPECT_NEAR(places.cells_off({0.02, 0.45}), 1.3, 1e-9) << "before the line's end";
+  EXPECT_NEAR(places.cells_off({0.02, 0.45}), 1.3, 1e-9) << "the point is 1.3 cells from the line's end";
 }
 
 TEST(Places, ARingHasNone) {

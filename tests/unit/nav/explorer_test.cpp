@@ -240,7 +240,7 @@ TEST(Explorer, DoesNotGoBackToAnObstacleThatItMetBeforeItsFirstNode) {
   }
   EXPECT_EQ(explorer.state(), ScanState::complete);
   EXPECT_EQ(map.size(), 3);
-  EXPECT_EQ(walker.follows, 6) << "to the obstacle, to the junction, and to each station and back";
+  EXPECT_EQ(walker.follows, 6) << "once to the obstacle, once to the junction, and twice for each station";
 }
 
 /// A walker that ignores its commands, and returns landmarks from a list.

@@ -255,8 +255,8 @@ TEST(Record, WithAnyByteDamagedIsRefusedAndLeavesNothing) {
   EXPECT_TRUE(load(loaded, whole));
 }
 
-/// Expects that a network that was loaded from arbitrary bytes is harmless: every id is valid, and every
-/// function returns.
+/// Expects that a network that was loaded from arbitrary bytes is harmless. Every id must be valid, and every
+/// function must return.
 template <class Network>
 void expectHarmless(const Network& network) {
   nav::FixedPath<200> path;

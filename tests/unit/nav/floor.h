@@ -50,8 +50,8 @@ class Floor {
   std::vector<Line> lines;
 };
 
-/// The start of a robot: on the arm's node, with the arm's heading. With `on_line`, the robot has already
-/// left the node through the arm, and is on the line.
+/// The start of a robot: on the arm's node, with the arm's heading. If `on_line` is true, the robot has
+/// already left the node through the arm, and is on the line.
 struct Stand {
   Arm arm;
   bool on_line = false;
@@ -72,7 +72,7 @@ class FloorWalker {
   bool onNode() const { return line_ < 0; }
   Arm at() const { return at_; }
 
-  /// The number of times that the robot started along a line, by line and by the end of the start.
+  /// The number of times that the robot started along each line, from each of the line's ends.
   std::vector<std::array<int, 2>> runs;
   int follows = 0;
   /// Number of invalid commands: to follow a missing line, to turn where turning is impossible, or to

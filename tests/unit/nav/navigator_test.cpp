@@ -124,7 +124,7 @@ TEST(Navigator, TakesTheCheapestWay) {
     Dice dice(seed);
     Floor floor = randomNet(dice, 2 + dice.below(20), 10);
     for (Floor::Line& line : floor.lines)
-      if (floor.isStation(line.a.node) || floor.isStation(line.b.node)) line.cost = 1;  // as networks do
+      if (floor.isStation(line.a.node) || floor.isStation(line.b.node)) line.cost = 1;  // networks assume 1
     Scanned<SeeingWalker, Map> robot(floor, randomStand(dice, floor));
     nav::Navigator<SeeingWalker, Map, nav::TreeOrDijkstra<>> navigator(robot.walker, robot.network);
     navigator.start(0, robot.heading);
@@ -309,9 +309,9 @@ TEST(Navigator, SaysWhenItIsTrappedOrLost) {
       << "back at the junction with the heading unchanged";
   EXPECT_EQ(scripted({end}), NavState::lost) << "a station instead of the junction";
   EXPECT_EQ(scripted({{LandmarkKind::junction, 0b0111, 1, {100, 0}, 10}, end}), NavState::lost)
-      << "facing wrongly";
+      << "at the junction, but with a wrong heading";
   EXPECT_EQ(scripted({{LandmarkKind::junction, 0b0111, 0, {170, 0}, 10}, end}), NavState::lost)
-      << "elsewhere";
+      << "a junction at another place";
   EXPECT_EQ(scripted({}), NavState::lost);
 }
 

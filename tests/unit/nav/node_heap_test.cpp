@@ -10,7 +10,7 @@
 namespace nav_test {
 namespace node_heap_test {
 
-// Tests the heap without a network, because a disordered heap rarely causes a wrong path: one time in a
+// Tests the heap without a network, because a disordered heap causes a wrong path only one time in a
 // thousand.
 TEST(NodeHeap, GivesTheNearestFirstAlsoWhenOthersHaveComeNearer) {
   constexpr uint8_t kNodes = 40;
@@ -38,7 +38,7 @@ TEST(NodeHeap, GivesTheNearestFirstAlsoWhenOthersHaveComeNearer) {
         const uint8_t node = heap.removeNearest();
         ASSERT_EQ(distance[node], least);
         const auto at = std::find(inside.begin(), inside.end(), node);
-        ASSERT_NE(at, inside.end()) << "it was removed before";
+        ASSERT_NE(at, inside.end()) << "the node was removed before";
         inside.erase(at);
       }
       ASSERT_EQ(heap.size(), inside.size());

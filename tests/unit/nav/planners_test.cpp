@@ -74,7 +74,8 @@ std::vector<int> distances(const Network& network, int from, bool by_cost) {
   return far;
 }
 
-/// Returns the number of lines in `way`, or with `by_cost` their cost. Returns -1 if `way` is not a path.
+/// Returns the number of lines in `way`. If `by_cost` is true, returns their cost instead. Returns -1 if
+/// `way` is not a path.
 template <class Network>
 int length(const Network& network, const Way& way, bool by_cost) {
   int sum = 0;
@@ -119,7 +120,7 @@ void expectWay(const char* name, const Network& network, const Planned& planned,
   EXPECT_EQ(std::set<int>(planned.way.begin(), planned.way.end()).size(), planned.way.size());
 }
 
-/// Starts at `from`, and moves from node to node: next(node) returns the next node. Returns the cost of the
+/// Starts at `from`, and moves from each node to the node that `next` returns for it. Returns the cost of the
 /// way to `to`, or a negative number if `next` does not lead to `to`.
 template <class Network>
 int drive(const Network& network, int from, int to, const std::function<int(int)>& next) {
@@ -133,7 +134,7 @@ int drive(const Network& network, int from, int to, const std::function<int(int)
   return length(network, way, true);
 }
 
-/// Checks the planners that work on any network: each plans a path from node `from` to node `to`.
+/// Checks the planners that work on any network. Each of them plans a path from node `from` to node `to`.
 template <class Network>
 void expectSearches(const Network& network, int from, int to, const std::vector<int>& lines,
                     const std::vector<int>& costs) {
@@ -399,7 +400,7 @@ TEST(DijkstraNext, TakesTheShorterOfTwoWaysOfManyMinutes) {
   map.addJunction(1, 1, 0b0111, 0, {200, 0}, 8000);
   ASSERT_TRUE(map.join(2, 1, 0, 2, 24000));
   nav::DijkstraNext<64> dijkstra;
-  EXPECT_EQ(dijkstra.next(map, 0, 2), 1) << "over one more junction, in two thirds of the time";
+  EXPECT_EQ(dijkstra.next(map, 0, 2), 1) << "the way over one more junction takes two thirds of the time";
 }
 
 TEST(DijkstraNext, HalvesCostsThatAreTooLongForSixteenBits) {

@@ -20,8 +20,8 @@ class Dice {
   std::mt19937 engine_;
 };
 
-/// Returns a tree of stations and junctions, with `nodes` nodes or slightly fewer. Junctions have three arms;
-/// with `four_way`, some have four.
+/// Returns a tree of stations and junctions, with `nodes` nodes or slightly fewer. Junctions have three arms.
+/// If `four_way` is true, some have four.
 Floor randomTree(Dice& dice, int nodes, bool four_way);
 
 /// Returns a connected network of junctions whose arms are joined at random. It has cycles, parallel lines,

@@ -22,8 +22,8 @@ constexpr const char* kMap =
     "#_...__#\n"
     "########\n";
 
-/// A console whose user presses the given keys, followed by the end of input. With `live`, it shows every
-/// frame.
+/// A console whose user presses the given keys, followed by the end of input. If `live` is true, it shows
+/// every frame.
 class FakeConsole final : public terminal::Console {
  public:
   explicit FakeConsole(const std::string& keys, bool live = false) : live_(live) {

@@ -96,7 +96,7 @@ TEST(Print, TheBarOnEachSheetIs100MillimetresLong) {
   }
 }
 
-// The second sheet's piece begins at the floor's x = 267 mm, and 15 mm from the sheet's edge.
+// The part of the floor on the second sheet begins at x = 267 mm. It begins 15 mm from the sheet's edge.
 TEST(Print, ALineGoesOnAtTheSamePlaceOnTheNextSheet) {
   const auto pages = pages_of(printed(path_map("{ length = \"600 mm\" }")).pdf);
   const auto ends_of = [&](std::size_t page) {

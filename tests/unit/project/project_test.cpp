@@ -76,7 +76,8 @@ TEST(BoardNames, AnFqbnOfAnotherChipNamesNone) {
 TEST(BoardNames, AnotherBoardWithTheChipAndTheClockStandsIn) {
   EXPECT_EQ(board(board_with_chip("atmega328p", "MiniCore:avr:328:bootloader=uart0,clock=16MHz_external")),
             "uno");
-  EXPECT_EQ(board(board_with_chip("atmega328", "MiniCore:avr:328")), "uno") << "the same registers";
+  EXPECT_EQ(board(board_with_chip("atmega328", "MiniCore:avr:328")), "uno")
+      << "this chip has the same registers";
   EXPECT_EQ(board(board_with_chip("atmega328p", "MiniCore:avr:328:clock=8MHz_internal")), "promini8");
   EXPECT_EQ(board(board_with_chip("atmega328p", "MiniCore:avr:328:clock=20MHz_external")), "none");
   EXPECT_EQ(board(board_with_chip("atmega2560", "MegaCore:avr:2560:clock=16MHz_external")), "mega");
@@ -309,7 +310,7 @@ TEST_F(ProjectTest, WhatArduinoCliOrPlatformioHaveBuiltKnowsItsBoardAndItsSketch
   write("tmp/build.options.json",
         R"({"fqbn": "arduino:avr:leonardo", "sketchLocation": ")" + (folder_ / "My").string() + "\"}");
   EXPECT_EQ(board(project_of_image(folder_ / "tmp/My.ino.elf").board), "leonardo");
-  EXPECT_EQ(sketch_of_image(folder_ / "tmp/My.ino.elf"), "") << "it is gone";
+  EXPECT_EQ(sketch_of_image(folder_ / "tmp/My.ino.elf"), "") << "the sketch is gone";
   platformio("[env:n]\nboard = nanoatmega328\n");
   EXPECT_EQ(board(project_of_image(folder_ / ".pio/build/n/firmware.elf").board), "nano");
   EXPECT_EQ(sketch_of_image(folder_ / ".pio/build/n/firmware.elf"), folder_);

@@ -52,7 +52,7 @@ TEST_F(Picture, ShowsTheFloorTheTrailAndHowItEnded) {
   result.time_s = 3.0;
   const std::string svg = drawn(result);
   EXPECT_THAT(svg, HasSubstr(R"(d="M400.0 100.0h100.0v-100.0h-100.0z" fill="#b9b4a8")"))
-      << "the wall, top right";
+      << "the wall is at the top right";
   EXPECT_THAT(svg,
               HasSubstr(R"(d="M150.0 150.0 L350.0 150.0" fill="none" stroke="#1f1f1f" stroke-width="20.0")"));
   EXPECT_THAT(svg, HasSubstr("M150.0 150.0L250.0 150.0\" stroke=\"" + speed_colour(8) + "\""));
@@ -71,7 +71,7 @@ TEST_F(Picture, ShowsMarksInTheirOwnColour) {
   recorder.add(wire::Started{});
   const std::string svg = drawn();
   EXPECT_THAT(svg, HasSubstr(R"(fill="#c8322b")"));
-  EXPECT_THAT(svg, HasSubstr("400.0 350.0")) << "the other one";
+  EXPECT_THAT(svg, HasSubstr("400.0 350.0")) << "the other mark";
 }
 
 TEST_F(Picture, ShowsHillsDarkerWhereTheyAreHigher) {

@@ -74,7 +74,7 @@ TEST_F(ATrace, HasABarForAPinThatIsHighOrPulses) {
   EXPECT_EQ(bars[0]["ts"], 2000.5) << "microseconds";
   EXPECT_EQ(bars[0]["dur"], 999.5);
   EXPECT_EQ(bars[1]["name"], "PWM 25 %");
-  EXPECT_EQ(bars[1]["dur"], 2e6 - 3000.0) << "until the end";
+  EXPECT_EQ(bars[1]["dur"], 2e6 - 3000.0) << "the pulses last until the run's end";
 }
 
 TEST_F(ATrace, HasWhatHappenedAndWhatWasSent) {

@@ -221,7 +221,7 @@ TEST_F(ARecording, KeepsOnlyTheLastChangePerSpanBeyondTheLimit) {
   EXPECT_EQ(recording.header().thinned_ns, Gatherer::kThinned_ns);
   const auto volts = recording.stream("volts A0");
   EXPECT_THAT(volts[0], SizeIs(kChanges / 200));
-  EXPECT_EQ(volts[0][0], 199 * 100'000) << "the last of the first 20 ms";
+  EXPECT_EQ(volts[0][0], 199 * 100'000) << "the last change in the first 20 ms";
   EXPECT_DOUBLE_EQ(volts[1][0], 0.001 * (199 * 7919 % 5000));
 }
 

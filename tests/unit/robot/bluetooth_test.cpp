@@ -80,7 +80,7 @@ TEST(Bluetooth, ItsEdgesReachInterrupts) {
   const SimTime began = bench.now;
   bench.robot.begin_tick(bench.now);
   bench.ticks(3);
-  ASSERT_EQ(bench.board.edges.size(), 10u) << "a U changes at every bit";
+  ASSERT_EQ(bench.board.edges.size(), 10u) << "the level changes at every bit of a U";
   for (std::size_t i = 0; i < 10; ++i)
     EXPECT_EQ(bench.board.edges[i].at, began + static_cast<SimTime>(i) * kBit);
 }

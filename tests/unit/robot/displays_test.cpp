@@ -83,7 +83,7 @@ TEST(LcdPart, TellsWhatItShowsWhenThatHasStayed) {
   lcd.print("world");
   EXPECT_THAT(told(lcd.bench, 80), IsEmpty()) << "repeated text is not reported";
   lcd.write(false, 0x08);
-  EXPECT_THAT(told(lcd.bench, 80), ElementsAre(" ")) << "switched off";
+  EXPECT_THAT(told(lcd.bench, 80), ElementsAre(" ")) << "the display is switched off";
 }
 
 TEST(LcdPart, ScrollsAndShowsItsWindow) {

@@ -179,9 +179,9 @@ TEST(HcSr04, ErrsByMillimetresInTheTypicalProfile) {
 TEST(IrDistance, FollowsTheDataSheetsCurve) {
   EXPECT_DOUBLE_EQ(ir_volts(0.1), 2.3);
   EXPECT_DOUBLE_EQ(ir_volts(0.8), 0.4);
-  EXPECT_NEAR(ir_volts(0.1) - ir_volts(0.8), 1.9, 1e-9) << "typical, by its table";
+  EXPECT_NEAR(ir_volts(0.1) - ir_volts(0.8), 1.9, 1e-9) << "the typical value in the data sheet's table";
   EXPECT_NEAR(ir_volts(0.125), 0.5 * (2.3 + 1.65), 1e-9);
-  EXPECT_LT(ir_volts(0.03), ir_volts(0.06)) << "it folds back";
+  EXPECT_LT(ir_volts(0.03), ir_volts(0.06)) << "at short distances, the voltage falls again";
   EXPECT_NEAR(ir_volts(1.6), 0.2, 1e-9);
   for (double d = 0.06; d < 2.0; d += 0.01) EXPECT_GT(ir_volts(d), ir_volts(d + 0.01)) << d;
 }
@@ -194,7 +194,7 @@ type = "ir-distance"
 pin = "A0"
 at = ["60 mm", "0 mm"]
 )");
-  EXPECT_EQ(bench.volts(14), 0.0) << "before its first measurement";
+  EXPECT_EQ(bench.volts(14), 0.0) << "the sensor has not measured yet";
   bench.ticks(38);
   EXPECT_NEAR(bench.volts(14), ir_volts(to_edge(bench) - 0.06), 1e-9);
   bench.world.add_obstacle(bench.line() + Vec2{0.293, 0.0}, 0.033);
@@ -216,7 +216,7 @@ at = ["60 mm", "0 mm"]
 range = "10 cm"
 )");
   bench.board.want_edges(4, bench.now);
-  EXPECT_TRUE(bench.level(4)) << "low = something is there";
+  EXPECT_TRUE(bench.level(4)) << "high: nothing is near";
   const int can = bench.world.add_obstacle(bench.line() + Vec2{0.06 + 0.033 + 0.095, 0.0}, 0.033);
   bench.tick();
   EXPECT_FALSE(bench.level(4));

@@ -1,6 +1,6 @@
 // Compares the models with published measurements. The results are the table of docs/explanation/fidelity.md
-// between `<!-- ledger -->` and `<!-- end of ledger -->`. To regenerate the table, run ROBOSIM_WRITE_DOCS=1
-// robot_test --gtest_filter='Fidelity.*'.
+// between `<!-- ledger -->` and `<!-- end of ledger -->`. To regenerate the table, run `ROBOSIM_WRITE_DOCS=1
+// robot_test --gtest_filter='Fidelity.*'`.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -228,7 +228,8 @@ double creep(Profile profile, std::uint64_t seed, double slow, double fast) {
   return more < 1e-9 ? 0.0 : more;  // rounding error
 }
 
-// Returns the distance in m that the robot rolls from 0.5 m/s. The motors are open, or with `brakes` shorted.
+// Returns the distance in m that the robot rolls from 0.5 m/s. The motors are shorted if `brakes` is true,
+// otherwise open.
 double stops_within(Profile profile, std::uint64_t seed, bool brakes) {
   Drive drive(profile, seed, 0.6);
   while (drive.body().speed() < 0.5) drive.step();

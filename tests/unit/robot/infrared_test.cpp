@@ -48,7 +48,7 @@ TEST(IrReceiver, GivesAKeysMessageByTheNecProtocol) {
   EXPECT_NEAR(static_cast<double>(lengths[1]), 4500, 1);
   for (std::size_t i = 2; i < lengths.size(); i += 2) EXPECT_NEAR(static_cast<double>(lengths[i]), 562.5, 1);
   EXPECT_EQ(decoded(lengths), 0xBA45FB04u)
-      << "address, its inverse, command, its inverse, from the lowest bit";
+      << "from the lowest bit: the address, its inverse, the command, its inverse";
 }
 
 TEST(IrReceiver, RepeatsWhileAKeyIsHeld) {

@@ -13,8 +13,8 @@ using testing::HasSubstr;
 constexpr const char* kPad =
     "[[part]]\nname = \"pad\"\ntype = \"keypad\"\nrows = [2, 3, 4, 5]\ncolumns = [6, 7, 8]\n";
 
-// Scans the keypad as the Keypad library does: enables pull-ups on the rows, and drives one column after
-// another low. Returns the pressed keys.
+// Scans the keypad as the Keypad library does: enables pull-ups on the rows, and drives the columns low one
+// after another. Returns the pressed keys.
 std::string scan(BenchRobot& bench) {
   const std::vector<std::string> keys{"123", "456", "789", "*0#"};
   std::string found;

@@ -151,7 +151,7 @@ TEST(AnalogReflectance, TheEmitterPinTurnsTheLightOff) {
   BenchRobot bench(reflectance_sensor("emitter = 3\n"));
   place_beside_line(bench, 0.03);
   const double lit = bench.volts(kA0);
-  EXPECT_LT(lit, 1.0) << "the pin is not driven: the emitter is on";
+  EXPECT_LT(lit, 1.0) << "the emitter is on while its pin is not driven";
   bench.board.output(3, false, 0);
   EXPECT_GT(bench.volts(kA0), 4.0);
   bench.board.output(3, true, 0);
@@ -283,7 +283,7 @@ TEST(ReflectanceFaults, UnknownWordsSayWhatThereIs) {
   EXPECT_THAT(message("eye", "dead", {"3"}), ::testing::HasSubstr("expected nothing after it"));
   EXPECT_EQ(message("eye", "stuck", {"512"}), "accepted");
   place_beside_line(bench, 0.03);
-  EXPECT_LT(bench.volts(kA0), 1.0) << "the checks have no effect";
+  EXPECT_LT(bench.volts(kA0), 1.0) << "read_fault() does not cause the fault";
 }
 
 TEST(Reflectance, WhatIsShownDoesNotDependOnWhetherTheLineWasSoughtBefore) {

@@ -59,14 +59,14 @@ TEST(Servo, FollowsPwmOfATimerWhosePulsesAreOfItsKind) {
   pwm(20000, 544);
   EXPECT_NEAR(reading(bench, "pan"), 0.0, 0.01);
   pwm(2040, 100);
-  EXPECT_NEAR(reading(bench, "pan"), 0.0, 0.01) << "too short for a pulse";
+  EXPECT_NEAR(reading(bench, "pan"), 0.0, 0.01) << "100 us are too short for a servo's pulse";
 }
 
 TEST(Servo, TakesItsTimeToGetThere) {
   BenchRobot bench(kPan);
   pulse(bench, 9, 2400, 3);  // the pulse ends after 2.4 ms
   const double before = reading(bench, "pan");
-  EXPECT_NEAR(before, 90.0 + 0.5 * 0.6, 1e-6) << "500 degrees a second";
+  EXPECT_NEAR(before, 90.0 + 0.5 * 0.6, 1e-6) << "the servo turns by 500 degrees a second";
   bench.ticks(120);
   EXPECT_NEAR(reading(bench, "pan") - before, 60.0, 1e-6);
 }
@@ -123,7 +123,7 @@ TEST(WheelServo, TurnsFasterTheMoreItsPulsesDifferFromThoseForStandingStill) {
   EXPECT_EQ(bench.robot.right_command(), 0.0);
   both(bench, 2000, 1300);
   EXPECT_EQ(bench.robot.left_command(), 1.0);
-  EXPECT_EQ(bench.robot.right_command(), 1.0) << "the right one is mounted the other way round";
+  EXPECT_EQ(bench.robot.right_command(), 1.0) << "the right servo is mounted the other way round";
   both(bench, 1000, 1700);
   EXPECT_EQ(bench.robot.left_command(), -1.0);
   EXPECT_EQ(bench.robot.right_command(), -1.0);
@@ -132,7 +132,8 @@ TEST(WheelServo, TurnsFasterTheMoreItsPulsesDifferFromThoseForStandingStill) {
   EXPECT_NEAR(bench.robot.right_command(), 0.5, 1e-9);
   both(bench, 1540, 1472);
   EXPECT_EQ(bench.robot.left_command(), 0.0) << "within the dead band";
-  EXPECT_NEAR(bench.robot.right_command(), 0.14, 1e-9) << "Servo.write(90) is 1472 us: it creeps";
+  EXPECT_NEAR(bench.robot.right_command(), 0.14, 1e-9)
+      << "Servo.write(90) sends 1472 us, so the servo creeps";
 }
 
 TEST(WheelServo, DrivesTheRobot) {

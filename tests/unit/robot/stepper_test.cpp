@@ -45,7 +45,7 @@ TEST_F(Stepper, TurnsAnEighthOfAPeriodForEachHalfStepAndTwoForAFullOne) {
   coils(0b1100, 4);
   for (int i = 0; i < 16; ++i)
     for (const unsigned on : {0b1001u, 0b0011u, 0b0110u, 0b1100u}) coils(on, 4);
-  EXPECT_NEAR(degrees(), kHalfStep, 1e-6) << "and back";
+  EXPECT_NEAR(degrees(), kHalfStep, 1e-6) << "the motor has turned back";
 }
 
 TEST_F(Stepper, LosesStepsWhereTheyComeTooFast) {

@@ -34,7 +34,7 @@ class TwoWireBench : public BenchRobot {
   std::uint8_t get(std::uint8_t address, int reg) {
     return static_cast<std::uint8_t>(get16(address, reg) >> 8);
   }
-  /// Returns a 16-bit value: its high byte is register `reg`, and its low byte is the next register.
+  /// Returns the 16-bit value in register `reg` (high byte) and the next register (low byte).
   int get16(std::uint8_t address, int reg) {
     send(address, {reg});
     board.two_wire_address(static_cast<std::uint8_t>(address << 1 | 1), now);

@@ -158,7 +158,7 @@ TEST_F(AgentsTest, AreDifferentIndividualsWithTheirOwnNoise) {
   const judge::Outcome first = run({agent(driver_, "none")}, kSecond).front();
   const std::vector<judge::Outcome> both =
       run({agent(parked_, "none", "20,2,E", "at 0s lift\n"), agent(other_, "none")}, kSecond);
-  EXPECT_NE(both[1].trace_hash, first.trace_hash) << "robot 1 of a seed is not robot 0";
+  EXPECT_NE(both[1].trace_hash, first.trace_hash) << "robots 0 and 1 of one seed differ";
 }
 
 TEST_F(AgentsTest, MeetInTheSameWayWhoeverIsNamedFirst) {

@@ -1,4 +1,4 @@
-// Tests a run that a StepController advances step by step: the conditions at which each step ends.
+// Tests the conditions that end a step, in runs that a StepController advances step by step.
 
 #include <gmock/gmock.h>
 
@@ -33,7 +33,7 @@ class Talker final : public exec::Executor {
   test::BuiltInDriver driver_;
 };
 
-/// Continues the run once: until a stop condition of `leg` is met, or until `leg.until`. Then ends the run.
+/// Continues the run once, until a stop condition of `leg` is met, or until `leg.until`. Then ends the run.
 struct OneLeg final : StepController {
   Leg next(Standstill& standstill) override {
     if (went_on) {
@@ -115,7 +115,7 @@ TEST_F(StopConditionsTest, APatternTakesNoMoreTimeThanThereIsTextWhateverItIs) {
                   "42\r\n")
                 .met,
             0)
-      << "bytes";
+      << "patterns match bytes";
   EXPECT_THAT(drive({{.kind = Stop::Kind::line, .text = "(a)\\1"}}).refused,
               HasSubstr("expected one that runs in linear time"));
 }

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 class Budgets : public testing::Test {
  protected:
   void SetUp() override { ROBOSIM_NEEDS_TARGET("avr"); }
-  /// Returns the outcome of PidFollower for 2 s, with a robot of this budget.
+  /// Runs PidFollower for 2 s on a robot with this budget. Returns the outcome.
   static judge::Outcome outcome(const robot::Budget& budget) {
     const StockRun follower{"PidFollower", "uno5", "oval", 2 * kSecond};
     const map::Map map = map::read_map(map::find_map(follower.map));

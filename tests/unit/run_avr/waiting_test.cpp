@@ -1,4 +1,4 @@
-// Tests runs on target avr: skipping busy-wait loops changes neither the chip's state at any tick nor the
+// Tests that skipping busy-wait loops on target avr changes neither the chip's state at any tick nor the
 // trace.
 #include <gtest/gtest.h>
 

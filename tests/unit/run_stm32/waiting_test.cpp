@@ -1,4 +1,4 @@
-// Tests runs on target stm32: skipping busy-wait loops changes neither the chip's state at any tick nor the
+// Tests that skipping busy-wait loops on target stm32 changes neither the chip's state at any tick nor the
 // trace.
 #include <gtest/gtest.h>
 

@@ -34,7 +34,7 @@ class Watching : public testing::Test {
 };
 
 TEST_F(Watching, LimitsTheLoadingOfFirmwareAndNotWhatIsReadBefore) {
-  EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "a large map";
+  EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "reading a large map may take long";
   come_to(-1);
   EXPECT_EQ(look_for(4.5, 1.0), Found::nothing);
   EXPECT_EQ(look_for(1, 1.0), Found::loops);
@@ -101,7 +101,7 @@ TEST_F(Watching, BelievesNoRunThatSaysAgainThatItHasNotBegun) {
 }
 
 TEST_F(Watching, LimitsARunWhoseFirmwareNeverLetsItSayThatItHasBegun) {
-  EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "a large map";
+  EXPECT_EQ(look_for(200, 1.0), Found::nothing) << "reading a large map may take long";
   // The child acts as a run's process. It records that firmware runs next, and firmware cannot undo this
   // record.
   Child([&] {

@@ -607,7 +607,8 @@ TEST_F(DrivenSessionTest, RefusesWhatMakesNoSenseAndStandsWhereItStood) {
 TEST_F(DrivenSessionTest, HandsOutTheWholeEeprom) {
   begin();
   const auto eeprom = ask<wire::Eeprom>(wire::ReadEeprom{});
-  EXPECT_EQ(eeprom.bytes, std::vector<std::uint8_t>(1024, 0xff)) << "an Uno's, as it comes from the factory";
+  EXPECT_EQ(eeprom.bytes, std::vector<std::uint8_t>(1024, 0xff))
+      << "an Uno's EEPROM as it comes from the factory";
 }
 
 TEST_F(DrivenSessionTest, EndsWithItsClientAndAnswersNothing) {

@@ -84,7 +84,7 @@ TEST_F(Scripts, HoldAButtonUntilTheLastFingerLeavesIt) {
     });
   };
   EXPECT_EQ(held("at 10ms press start 20ms\n"), 20);
-  EXPECT_EQ(held("at 10ms press start 20ms\nat 20ms press start 40ms\n"), 50) << "until the later end";
+  EXPECT_EQ(held("at 10ms press start 20ms\nat 20ms press start 40ms\n"), 50) << "the later end counts";
   EXPECT_EQ(held("at 10ms press start 50ms\nat 20ms press start 10ms\n"), 50)
       << "the shorter press does not end the longer one";
   EXPECT_EQ(held("at 10ms press start 20ms\nat 10ms press start 20ms\n"), 20);
@@ -165,7 +165,7 @@ TEST_F(Scripts, HoldTheRobotUpAndTiltItForATime) {
   play("at 1s tilt 30deg back in 200ms for 1s", 3);
   EXPECT_NEAR(length(seen.at(1.9).pose.position - seen.at(1.0).pose.position), 0.0, 0.001);
   EXPECT_EQ(s1(1.5), 1.0) << "its sensors see no floor";
-  EXPECT_GT(length(seen.at(2.9).pose.position - seen.at(2.0).pose.position), 0.01) << "it drives on";
+  EXPECT_GT(length(seen.at(2.9).pose.position - seen.at(2.0).pose.position), 0.01) << "the robot drives on";
   EXPECT_THAT(seen.happenings, ElementsAre(HasSubstr("tilt"), HasSubstr("lower")));
 }
 
@@ -181,7 +181,7 @@ TEST_F(Scripts, OfASweepAreEndedByPuttingTheRobotElsewhere) {
   EXPECT_NEAR(seen.at(1.351).pose.position.x, 0.7, 0.002);
   EXPECT_NEAR(seen.at(1.351).pose.position.y, 0.4, 0.002);
   EXPECT_NEAR(seen.at(1.351).pose.heading.x, 0.7071, 0.001);
-  EXPECT_GT(length(seen.at(1.9).pose.position - seen.at(1.351).pose.position), 0.01) << "it drives on";
+  EXPECT_GT(length(seen.at(1.9).pose.position - seen.at(1.351).pose.position), 0.01) << "the robot drives on";
 }
 
 TEST_F(Scripts, PutAnObstacleOnTheLineAndTakeItAway) {

@@ -105,12 +105,13 @@ TEST_F(ChangingWorld, EachSeedDrawsWhenAndWhereWithinTheSpreadAndIdealNothing) {
   profile = Profile::typical;
   for (seed = 1; seed <= 20; ++seed) {
     told.insert(play_it(script));
-    EXPECT_EQ(play_it("# a line above\n" + script), play_it(script)) << "equal seeds draw equal figures";
+    EXPECT_EQ(play_it("# a line above\n" + script), play_it(script)) << "equal seeds draw equal values";
   }
   EXPECT_GT(told.size(), 8u);
   for (const std::string& one : told)
     EXPECT_THAT(one, testing::MatchesRegex("[2-8] script_acted verb=obstacle argument=[234],16 .*"));
-  EXPECT_THAT(error_of("at 5ms obstacle 24+-1,3"), HasSubstr("25,3")) << "whatever the seed";
+  EXPECT_THAT(error_of("at 5ms obstacle 24+-1,3"), HasSubstr("25,3"))
+      << "this error does not depend on the seed";
 }
 
 TEST_F(ChangingWorld, ALineThatIsErasedIsNoLongerSeen) {

@@ -1,4 +1,4 @@
-// Tests that a test exists for each detector: some test file contains the detector's name.
+// Tests that each detector has a test: some test file must contain the detector's name.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -118,8 +118,8 @@ std::vector<std::string> broken_rules(const IncludeTable& table, const Files& fi
 
 std::vector<std::string> foreign_namespaces(const IncludeTable& table, const Files& files) {
   static const std::regex opening(R"(^namespace robosim::([a-z_]+)\b)");
-  std::map<std::string, std::map<std::string, int>> openings;  // by namespace: number of files by folder
-  std::map<std::string, std::set<std::string>> opened;         // by file
+  std::map<std::string, std::map<std::string, int>> openings;  // number of files, by namespace and folder
+  std::map<std::string, std::set<std::string>> opened;         // namespaces, by file
   for (const auto& [file, content] : files) {
     const auto* row = row_of(file, table);
     if (!row || !file.starts_with("sim/")) continue;

@@ -14,14 +14,15 @@ using Files = std::map<std::string, std::string>;
 struct IncludeTable {
   std::vector<std::string> search;                        ///< folders, in the order of the search
   std::map<std::string, std::vector<std::string>> rows;   ///< folders that each folder may include
-  std::map<std::string, std::vector<std::string>> alone;  ///< by prefix of headers: folders that may include
-                                                          ///< such headers
+  std::map<std::string, std::vector<std::string>> alone;  ///< folders that may include the headers with a
+                                                          ///< prefix, by prefix
 };
 
 /// Reads the table. Throws InputError at a line that is not a row.
 IncludeTable read_include_table(const std::string& file, std::string_view text);
 
-/// Returns a message for each include that the table does not allow: file, line, and the allowed folders.
+/// Returns a message for each include that the table does not allow. The message names the file, the line and
+/// the allowed folders.
 std::vector<std::string> broken_rules(const IncludeTable& table, const Files& files);
 
 /// Returns a message for each file that declares or defines something in a foreign namespace. A namespace

@@ -18,7 +18,7 @@ constexpr std::size_t kLongestLine = 100;
 /// The longest subject of a commit, in characters.
 constexpr std::size_t kLongestSubject = 72;
 
-/// Returns a message for each phrase with a plainer form: `again` replaces `anew`.
+/// Returns a message for each phrase that has a plainer form, such as `again` for `anew`.
 std::vector<std::string> odd_words(const Passage& passage);
 
 /// Returns a message for each sentence of more than kLongestSentence words. A colon or semicolon also ends a
@@ -35,8 +35,8 @@ std::vector<std::string> odd_messages(const Passage& passage);
 /// without a space at which they could be broken.
 std::vector<std::string> long_lines(const std::string& file, std::string_view markdown);
 
-/// Returns a message if the name of a C++ file does not describe its content: a bare preposition or
-/// adjective, or a metaphor. `path` is relative to the checkout.
+/// Returns a message if the name of a C++ file does not describe its content. Such a name is a bare
+/// preposition, an adjective or a metaphor. `path` is relative to the checkout.
 std::vector<std::string> odd_name(const std::string& path);
 
 /// Returns a message for each fault of a commit's subject. Its form must be `area: Imperative summary`.

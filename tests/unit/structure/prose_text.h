@@ -33,8 +33,8 @@ constexpr std::string_view kCode = "_";
 
 std::vector<Passage> passages_of_document(const std::string& file, std::string_view markdown);
 
-/// Returns comments of C++, and with `with_messages` also string literals. Joins adjacent literals. Skips raw
-/// literals, and comments that disable lints.
+/// Returns the comments of a C++ source. If `with_messages` is true, also returns string literals. Joins
+/// adjacent literals. Skips raw literals, and comments that disable lints.
 std::vector<Passage> passages_of_source(const std::string& file, std::string_view source, bool with_messages);
 
 /// Returns the comments of a script, which begin with `#`.

@@ -1,5 +1,5 @@
 // Tests that snapshots contain all members that change during a run. Each class stores such members in one
-// State, which snapshots copy as a whole. snapshot_members.txt lists the exceptions.
+// `State`, which snapshots copy as a whole. snapshot_members.txt lists the exceptions.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -45,8 +45,8 @@ MembersTable read_members_table(const std::string& text) {
   return table;
 }
 
-/// Returns whether a member of this type never changes: the type is const, a reference, or the id of a chip's
-/// event.
+/// Returns whether a member of this type never changes. Such a type is const, a reference, or the id of a
+/// chip's event.
 bool never_changes(const std::string& type) {
   return (type.starts_with("const ") && !type.ends_with("*")) || type.ends_with("&") ||
          type.ends_with("* const") || type.ends_with("Events::Id");

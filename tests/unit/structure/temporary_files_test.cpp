@@ -1,4 +1,4 @@
-// Tests that tests share no files. Tests run in parallel: with a common file, one reads what another wrote.
+// Tests that tests share no files. Tests run in parallel, so a test could read what another test wrote.
 #include <gtest/gtest.h>
 
 #include "tests/unit/structure/include_table.h"
@@ -16,8 +16,7 @@ TEST(TemporaryFiles, AreInFoldersOfTheTestsThemselves) {
                                "mkd"
                                "temp"})
       EXPECT_EQ(text.find(shared), text.npos)
-          << file
-          << ": takes a place that all tests share; TemporaryFolder (tests/support) is the test's own";
+          << file << ": uses a folder that all tests share; use TemporaryFolder (tests/support) instead";
   }
 }
 

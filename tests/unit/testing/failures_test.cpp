@@ -135,7 +135,8 @@ TEST_F(FailedTests, KeepWhatIsNeededToUnderstandThem) {
   EXPECT_EQ(read_file(kept / "script.txt"), "at 1ms cover S3 50ms\n");
   EXPECT_EQ(read_file(kept / "serial.txt"), "go\r\n");
   EXPECT_THAT(read_file(kept / "run.csv"), HasSubstr("\n5000000,"));
-  EXPECT_FALSE(fs::exists(path("kept/Forgetful.VisitsTheStations/script.txt"))) << "nothing was done";
+  EXPECT_FALSE(fs::exists(path("kept/Forgetful.VisitsTheStations/script.txt")))
+      << "the test does nothing to the robot";
   EXPECT_THAT(text("out.txt"), Not(HasSubstr("a fault of Robosim")));
 }
 

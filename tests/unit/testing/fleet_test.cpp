@@ -1,4 +1,4 @@
-// Tests fleets of several robots: which fleets are rejected, and that the printed command repeats the run.
+// Tests which fleets of several robots are rejected, and that the printed command repeats the run.
 #include <gmock/gmock.h>
 #include <robosim/testing.h>
 

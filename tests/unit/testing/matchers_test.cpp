@@ -88,7 +88,7 @@ TEST(EndsAs, DoesNotHoldWhileTheRunGoesOn) {
   EXPECT_THAT(robot.run_for(100_ms), Not(EndsAs("lost")));
 }
 
-/// Returns a graph of two junctions, which three lines join. With `twisted`, two of the lines cross.
+/// Returns a graph of two junctions, which three lines join. If `twisted` is true, two of the lines cross.
 Graph three_lines(bool twisted) {
   const auto arms_to = [&](int node) {
     return std::vector<Graph::End>{{node, 0}, {node, twisted ? 1 : 2}, {node, twisted ? 2 : 1}};
@@ -121,7 +121,7 @@ TEST(Score, IsWhatTheRulesOfACompetitionGive) {
       "mm\"]\nsegments = [{ length = \"1.2 m\" }]\n[rescue]\ncheckpoints = [\"600 mm\"]\n+++\n";
   Simulation robot({.sketch = "PidFollower", .map = map, .goal = "rescue-line", .limit = 3_s});
   const Drive start = robot.run_for(100_ms);
-  EXPECT_FALSE(start.score()) << "it goes on";
+  EXPECT_FALSE(start.score()) << "the run goes on";
   EXPECT_THAT(explanation(ScoresAtLeast(0), start), HasSubstr("the run goes on"));
   const Drive drive = robot.run_to_the_end();
   ASSERT_TRUE(drive.score());

@@ -99,7 +99,7 @@ TEST(Batches, GoOnInAnotherMemory) {
   EXPECT_EQ(add_all(writer), meant);
   for (BatchMemory* memory : {&one, &other}) {
     BatchReader reader(of_all());
-    EXPECT_EQ(told(reader, BatchWriter(memory).take().bytes), meant) << "each can be read by itself";
+    EXPECT_EQ(told(reader, BatchWriter(memory).take().bytes), meant) << "each memory can be read by itself";
   }
 }
 
@@ -160,7 +160,7 @@ TEST(Batches, MakeTheColumnsThatTheRunWouldMake) {
   std::vector<Columns> made;
   const auto keep = [&](const Event& event) { made.push_back(std::get<Columns>(event)); };
   reader.read(writer.take().bytes, keep);
-  EXPECT_THAT(made, SizeIs(0)) << "not yet";
+  EXPECT_THAT(made, SizeIs(0)) << "no columns are due yet";
   for (const std::int64_t t_us : {1'990'000, 1'995'000, 2'000'000}) {
     Sample sample;
     sample.t_us = t_us;

@@ -1,4 +1,4 @@
-// Tests both ends of the runner protocol within one process: each end reads everything that the other end can
+// Tests both ends of the runner protocol within one process. Each end reads everything that the other end can
 // write.
 #include <gtest/gtest.h>
 

@@ -47,7 +47,7 @@ TEST(Columns, ThatAreLongerOrShorterThanPromisedAreNotRead) {
   EXPECT_TRUE(ColumnReader(1).read({"\x02\x02", 2}, 2));
   EXPECT_FALSE(ColumnReader(1).read({"\x02\x02", 2}, 1));
   EXPECT_FALSE(ColumnReader(1).read({"\x02\x02", 2}, 3));
-  EXPECT_FALSE(ColumnReader(1).read({"\x02\x82", 2}, 2)) << "cut off";
+  EXPECT_FALSE(ColumnReader(1).read({"\x02\x82", 2}, 2)) << "the number is cut off";
   EXPECT_FALSE(ColumnReader(1).read(std::string(20, '\x80'), 1)) << "no number is so long";
 }
 

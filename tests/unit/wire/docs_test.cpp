@@ -1,6 +1,6 @@
 // Tests that the tables of keys in docs/ equal the messages' descriptions. A table is between `<!-- keys of
-// NAME -->` and `<!-- end of keys -->`. To regenerate the tables, run ROBOSIM_WRITE_DOCS=1 wire_test
-// --gtest_filter='Docs.*'.
+// NAME -->` and `<!-- end of keys -->`. To regenerate the tables, run `ROBOSIM_WRITE_DOCS=1 wire_test
+// --gtest_filter='Docs.*'`.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

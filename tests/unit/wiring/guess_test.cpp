@@ -17,7 +17,7 @@ using testing::Not;
 
 const BoardSpec& uno() { return *find_board("uno"); }
 
-// A run: a list of events at pins, to which each function adds one event.
+// A run, which is a list of events at pins. Each function adds one event.
 struct Seen {
   PinHistory history{uno()};
 
@@ -219,7 +219,8 @@ TEST(Guess, MotorsOnTheMotorShieldR3HaveFixedPins) {
   EXPECT_THAT(text, HasSubstr("pins = { en = 3, phase = 12 }\n"));
   EXPECT_THAT(text, HasSubstr("pins = { en = 11, phase = 13 }\nreversed = true"));
   EXPECT_THAT(text, HasSubstr("# ? pin 9 is the brake of channel A"));
-  EXPECT_THAT(guessed("", run.output("D7", true)), Not(HasSubstr("brake"))) << "pin 7 is not of the shield";
+  EXPECT_THAT(guessed("", run.output("D7", true)), Not(HasSubstr("brake")))
+      << "the shield does not use pin 7";
 }
 
 TEST(Guess, AToshibaDriverOnThePinsOfTheMotorShieldIsNoShield) {

@@ -7,7 +7,7 @@
 namespace robosim::wiring {
 namespace line_level_test {
 
-// Returns "HIGH", "LOW" or "" for the level over black that a source states.
+// Returns the level over black that a source states, as "HIGH", "LOW" or "".
 std::string level(const std::string& source) {
   const auto stated = names_in_text(source, "a.ino", *find_board("uno")).level;
   return !stated ? "" : stated->is_high ? "HIGH" : "LOW";
@@ -33,7 +33,7 @@ TEST(LineLevel, VariablesAndFunctionsNamedAfterAColourAreSetByAComparison) {
       level("Colour see(int pin) { switch (digitalRead(pin)) { case HIGH: return kWhite; case LOW: return "
             "kBlack; } }\n"),
       "LOW");
-  EXPECT_EQ(level("void loop() { int lineLeft = digitalRead(2); }\n"), "") << "only a name";
+  EXPECT_EQ(level("void loop() { int lineLeft = digitalRead(2); }\n"), "") << "a name alone states no level";
 }
 
 TEST(LineLevel, CommentsStateTheLevelInSeveralLanguages) {

@@ -110,7 +110,7 @@ TEST(Order, OfTheMotorsFollowsFromTurns) {
                                      "void direita() { frente1(); tras2(); }\n"),
                       kLeft, kRight, 1, 1),
       1)
-      << "through calls";
+      << "the turn calls other functions";
 }
 
 }  // namespace pin_blocks_test

@@ -37,7 +37,7 @@ class BodyTest : public testing::Test {
   std::unique_ptr<World> world_;
 };
 
-// Returns parameters with nominal_volts at the motors' terminals, and with friction only in the motors.
+// Returns parameters with `nominal_volts` at the motors' terminals, and with friction only in the motors.
 BodyParams at_nominal_volts() {
   BodyParams p = default_body_params();
   p.driver_drop_volts = p.driver_ohms = 0.0;

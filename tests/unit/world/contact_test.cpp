@@ -49,7 +49,7 @@ BodyParams shaped(BodyParams p, Shape shape) {
   return p;
 }
 
-// Samples points of the body's outline. Returns how deep the deepest of them is inside walls or obstacles.
+// Returns the depth of the body's outline inside walls or obstacles, at the deepest of many points.
 double inside_walls(const map::Map& map, const Body& body) {
   const BodyParams& p = body.params();
   double deepest = 0.0;
@@ -281,7 +281,8 @@ TEST(Contact, PutIntoAWallItStaysUntilItIsLiftedOut) {
   EXPECT_FALSE(body.in_contact());
 }
 
-// Tests the lower bound of the distance to walls, by which most ticks skip the search for contacts.
+// Tests the lower bound of the distance to walls. Because of this bound, most ticks need no search for
+// contacts.
 TEST(Walls, ClearanceNeverPromisesTooMuch) {
   unsigned random = 5;
   for (int round = 0; round < 30; ++round) {

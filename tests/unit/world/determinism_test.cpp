@@ -22,9 +22,9 @@ struct Bits {
   }
 };
 
-// Two bodies drive into walls, each other and an obstacle, slip and brake. The test also reads the floor. If
-// the hash changes, old runs can no longer be reproduced, so the change must be announced. The hash is the
-// same for gcc and clang at any optimisation.
+// Two bodies drive into walls, into each other and into an obstacle. They also slip and brake. The test also
+// reads the floor. If the hash changes, old runs can no longer be reproduced, so the change must be
+// announced. The hash is the same for gcc and clang at any optimisation.
 TEST(Determinism, TheBitsOfAMixedRunArePinned) {
   map::Map map =
       map_of({"##############", "#            #", "# .......... #", "# .   #    . #", "# .  oo..  x #",

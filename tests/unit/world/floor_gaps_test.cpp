@@ -63,8 +63,8 @@ class JointsTest : public testing::Test {
     run(3000);
     return body.speed();
   }
-  /// Returns the share of lost() by the closed form. At an impact, rotating masses keep their speed, and then
-  /// return a part of this speed to the robot.
+  /// Returns the result of lost() according to the closed form. At an impact, rotating masses keep their
+  /// speed, and then return a part of this speed to the robot.
   double expected(double gap, double speed, int gaps) const {
     const WheelParams& w = params_.wheel[left];
     const double turns = 2.0 * (w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio) /
@@ -124,11 +124,11 @@ TEST_F(JointsTest, ABallSinksDeeperTheObliquerAWheelTheLess) {
   };
   const double a = 0.0025 - 0.003 * 0.5, reach = 0.016 * std::sqrt(0.75);
   EXPECT_NEAR(depth(30.0), 0.016 * (1.0 - std::sqrt(1.0 - a * a / (reach * reach))), 1e-12);
-  EXPECT_EQ(depth(60.0), 0.0) << "its tread is wider than the gap";
+  EXPECT_EQ(depth(60.0), 0.0) << "the wheel's tread is wider than the gap";
   EXPECT_EQ(depth(90.0), 0.0);
   EXPECT_NEAR(joints.sunk({10.0, 10.0}, {0.002, {}, 0.1}).depth, 0.002 * (1.0 - std::sqrt(1.0 - 0.98 * 0.98)),
               1e-12)
-      << "a ball that falls through";
+      << "the ball falls through";
 }
 
 TEST_F(JointsTest, CostWhatTheImpactOnTheFarEdgeDoes) {

@@ -217,7 +217,7 @@ TEST_F(GroundTest, ATooStrongMotorLiftsItsCasterAndThrowsItOver) {
   const Pose lies = body.pose();
   run(1.0);
   EXPECT_EQ(body.pose().position, lies.position);
-  EXPECT_GT(body.wheel_rate(left), 1.0) << "in the air";
+  EXPECT_GT(body.wheel_rate(left), 1.0) << "the wheel turns in the air";
   body.place({{10.0, 10.0}, {1.0, 0.0}});
   EXPECT_EQ(body.toppled(), Toppled::no);
 }

@@ -43,7 +43,7 @@ TEST(NearBodies, HoldEveryPairThatMeets) {
         EXPECT_TRUE(holds(found, i, j)) << i << " and " << j;
       }
     EXPECT_TRUE(count <= 9 || meet > 0);
-    EXPECT_EQ(near.pairs(bodies), found) << "a repeated query";
+    EXPECT_EQ(near.pairs(bodies), found) << "a repeated query finds the same pairs";
   }
 }
 
@@ -76,7 +76,7 @@ TEST(World, WhereManyTouchAtOnceTheOrderOfTheirNumbersDoesNotShow) {
       EXPECT_EQ(forwards[i].x, backwards[i].x) << i << " of " << count;
       EXPECT_EQ(forwards[i].y, backwards[i].y) << i << " of " << count;
     }
-    EXPECT_NE(forwards[0].x, places[0]->pose().position.x) << "pushed away";
+    EXPECT_NE(forwards[0].x, places[0]->pose().position.x) << "the bodies push each other away";
   }
 }
 
@@ -97,12 +97,12 @@ TEST(RadioChannel, CarriesBytesToAllOthersOfTheChannelByTheirTimes) {
   const std::size_t a = air.add_radio(1), b = air.add_radio(1), c = air.add_radio(2), d = air.add_radio(1);
   air.send(a, 'x', 20);
   air.send(d, 'y', 10);
-  EXPECT_FALSE(air.take(a, 10)) << "not before its time";
+  EXPECT_FALSE(air.take(a, 10)) << "the byte is not received before its time";
   EXPECT_EQ(air.take(a, 100)->byte, 'y');
   EXPECT_FALSE(air.take(a, 100)) << "a radio does not receive its own byte";
   EXPECT_EQ(air.take(b, 100)->byte, 'y');
   EXPECT_EQ(air.take(b, 100)->at, 20);
-  EXPECT_FALSE(air.take(c, 100)) << "another channel";
+  EXPECT_FALSE(air.take(c, 100)) << "c is on another channel";
   const RadioChannel::State before = air.save();
   EXPECT_TRUE(air.take(d, 100));
   air.restore(before);

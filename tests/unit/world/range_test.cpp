@@ -70,7 +70,7 @@ TEST(Range, OfABeamIsItsNearestPoint) {
   const Vec2 half = direction_of(0.2);
   EXPECT_DOUBLE_EQ(world.range_in_beam(0, {0.45, 0.25}, kEast, half, kMost), 0.55);
   // The first obstacle is inside the beam, but not at its middle. Only the beam's edge reaches the second
-  // one.
+  // obstacle.
   world.add_obstacle({0.85, 0.30}, 0.02);
   EXPECT_NEAR(world.range_in_beam(0, {0.45, 0.25}, kEast, half, kMost), std::hypot(0.4, 0.05) - 0.02, 1e-12);
   world.add_obstacle({0.85, 0.15}, 0.025);
