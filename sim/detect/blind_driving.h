@@ -6,8 +6,8 @@
 // wait for room in Serial's buffer of 64 bytes. Blind time on a straight goes unnoticed. A finding is the
 // drive from one reading of a floor sensor to the next reading, with these properties:
 //
-//   - the robot drove further than the distance from its axle to its sensors plus the width of the line. Its
-//     wheels then stand where no sensor was read, and the robot may already have passed a bend;
+//   - the robot drove further than the distance from its axle to its sensors plus the width of the line. No
+//     sensor was read over the floor under its wheels then, and the robot may already have passed a bend;
 //   - at the first reading, a sensor was over the line. At the end of the drive, no sensor was over the line;
 //   - the motor commands did not change during the drive.
 //
@@ -18,7 +18,7 @@
 // faster Serial. Give pulseIn() a timeout, and read the sensors in each loop that waits.
 //
 // Not detected: sketches that read their sensors and ignore the readings; blind time on straights only;
-// sensors on a shift register; sensors that interrupts read.
+// sensors on a shift register; sensors that are read by interrupt handlers.
 #pragma once
 
 #include <vector>

@@ -29,7 +29,8 @@ constexpr const char* kServo =
     "_BV(OCIE1A);\n}\n"
     "ISR(TIMER1_COMPA_vect) { OCR1A += 4000; }\n";
 
-/// A follower for uno5. Its function `steer` sets the motors by the line's position, -2000 to 2000.
+/// The common part of followers for uno5. lineAt() returns the line's position, -2000 to 2000, and power()
+/// sets the motors.
 constexpr const char* kFollower =
     "static int lineAt() {\n  static int last = 0;\n  long sum = 0, moment = 0;\n"
     "  for (int i = 0; i < 5; i++) {\n    int v = analogRead(A0 + i) - 150;\n    if (v < 0) v = 0;\n"

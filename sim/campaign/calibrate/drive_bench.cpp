@@ -20,7 +20,7 @@ constexpr double kMostDriving = 120.0;  // s, maximum total of all drives
 constexpr double kCell = 50.0;          // m, side of a cell: no wall is near the robot
 const Pose kStart{{20.0 * kCell, 20.0 * kCell}, {1.0, 0.0}};
 
-/// Returns the robot without spreads, as in typical@2.
+/// Returns the robot with the parameters of the profile typical@2, without their spread.
 robot::Description nominal(robot::Description robot) {
   robot::Chassis& c = robot.chassis;
   robot::Motors& m = robot.motors;

@@ -1,6 +1,6 @@
-// Drives a simulated body as in a log, with variable parameters, and compares its wheels' angles with the
-// encoder counts. The top of drive_fit.h lists the parameters, and the measurements that determine them. The
-// motors' commands in each tick are computed once. All drives, for any number of parameter sets, are then
+// Repeats a log's motor commands with a simulated body of variable parameters, and compares the angles of its
+// wheels with the log's encoder counts. The top of drive_fit.h lists the parameters, and the measurements
+// that determine them. The motors' commands in each tick are computed once. All drives, for any number of parameter sets, are then
 // simulated in parallel, as bodies of one batch (sim/world/batch/bodies.h).
 #pragma once
 
@@ -33,7 +33,8 @@ using Factors = std::array<double, kFactors>;
 
 class Bench {
  public:
-  /// `volts` is the battery's voltage; 0 = as in the file. The robot has no spreads, as in typical@2.
+  /// `volts` is the battery's voltage; 0 = as in the file. The robot has the parameters of the
+  /// profile typical@2, without their spread.
   Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, const robot::Description& robot,
         double volts);
 

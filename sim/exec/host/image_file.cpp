@@ -259,8 +259,8 @@ SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const 
     if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};
-  // Skips instructions without a source line. Their folder is unknown, too. The folder would show whether the
-  // code belongs to the user.
+  // Skips instructions without a source line: their folder is unknown, too, so that they may not be the
+  // user's code.
   for (const SourceLine& frame : frames_of(offsets))
     if (frame.line > 0 && !is_own_file(frame.file)) return frame;
   return {};
