@@ -24,7 +24,7 @@ std::string mend_for(const std::string& call) {
     return "Give pulseIn() a timeout, its third argument, no longer than the echo of the greatest distance "
            "of interest.";
   if (is("write") || is("print") || is("flush") || is("Serial")) return kPrintLess;
-  return "Read the sensors in there as well, or return from loop() in between.";
+  return "Read the sensors in this code as well, or return from loop() in between.";
 }
 
 }  // namespace

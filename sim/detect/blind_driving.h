@@ -6,8 +6,9 @@
 // wait for room in Serial's buffer of 64 bytes. Blind time on a straight goes unnoticed. A finding is the
 // drive from one reading of a floor sensor to the next reading, with these properties:
 //
-//   - the robot drove further than the distance from its axle to its sensors plus the width of the line. No
-//     sensor was read over the floor under its wheels then, and the robot may already have passed a bend;
+//   - the robot drove further than the distance from its axle to its sensors plus the width of the line. At
+//     the end of the drive, the wheels are on floor over which no sensor was read. The robot may already have
+//     passed a bend;
 //   - at the first reading, a sensor was over the line. At the end of the drive, no sensor was over the line;
 //   - the motor commands did not change during the drive.
 //

@@ -42,7 +42,7 @@ std::string place_of(const exec::SourceLine& where) {
   return where.function.empty() ? " in " + line : fmt::format(" in {}, {}", where.function, line);
 }
 
-/// Returns the key of a timer's finding, which differs from all pins and other arguments.
+/// Returns the key of a timer's finding. The key differs from all pins and other arguments.
 int64_t key_of(int64_t timer) { return -1 - timer; }
 
 double seconds(SimTime t) { return 1e-9 * static_cast<double>(t); }

@@ -21,9 +21,9 @@
 //   A negative number becomes a delay of 24 to 49 days.
 //
 // Conditions for timers: a timer leaves its PWM modes while an output has PWM. Or the sketch writes a duty
-// cycle (OCRnx of a connected output) to a timer outside of PWM modes. The timer then stays outside of them
-// for at least 10 ms. Shorter times occur while a sketch sets up a timer. Duty cycles that are written while
-// the timer is stopped are not reported.
+// cycle (OCRnx of a connected output) to a timer outside of PWM modes. The timer then stays outside of PWM
+// modes for at least 10 ms. Shorter times occur while a sketch sets up a timer. Duty cycles that are written
+// while the timer is stopped are not reported.
 //
 // On the host, the firmware itself reports these actions. On an AVR, FirmwareActions finds them
 // (avr/firmware_actions.h).
@@ -61,7 +61,7 @@ class DoubtfulActions {
   struct TakenTimer {
     int64_t timer = 0;  ///< TimerSpec::number
     Moment taken;
-    std::optional<Moment> wrote;  ///< the first write of a duty cycle since then
+    std::optional<Moment> wrote;  ///< the first write of a duty cycle since `taken`
     bool had_pwm = false;         ///< an output had PWM when the timer was taken
   };
 

@@ -2,9 +2,9 @@
 //
 //   for (int pin = 2; pin <= 10; pin++) pinMode(pin, OUTPUT);      // the start button is at pin 4
 //
-// The chip and the part then drive against each other. The sketch reads its own level, not the part's. A
-// pressed button that connects the pin to ground shorts the pin while it is HIGH. The absolute maximum is
-// 40 mA for each pin (ATmega328P, DS40002061B, 28.1).
+// The chip and the part then drive against each other. The sketch reads the level that it outputs, not the
+// part's level. A pressed button that connects the pin to ground shorts the pin while the pin is HIGH. The
+// absolute maximum is 40 mA for each pin (ATmega328P, DS40002061B, 28.1).
 //
 // A finding is a pin that was an output for 0.1 s or more without a break. Pins through which a sketch
 // charges a sensor are outputs for microseconds only. Only pins of these parts are examined: button, bumper,

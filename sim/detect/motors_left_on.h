@@ -8,8 +8,8 @@
 // must not be waiting in a call, because BlindDriving reports such waits. To fix a finding, stop or brake the
 // motors wherever the sketch stops steering.
 //
-// Not detected: sensors on a shift register; sensors that interrupts read; a robot that meets a line by
-// chance.
+// Not detected: sensors on a shift register; sensors that are read by interrupt handlers; a robot that
+// meets a line by chance.
 #pragma once
 
 #include <vector>

@@ -9,8 +9,8 @@
 //   - the motor commands changed at regular times, at least four times in a row. Each interval is a multiple
 //     of the shortest one, within 5 % or 2 ms. The shortest interval is 20 ms or longer;
 //   - in each interval, the sketch read floor sensors in four ticks or more;
-//   - a sensor was over the line between two changes that are 20 mm or more apart, and none was over it at
-//     the second change. The robot did not find the line again, or lost it three times in this way.
+//   - a sensor was over the line between two changes that are 20 mm or more apart, and no sensor was over the
+//     line at the second change. The robot did not find the line again, or lost it three times in this way.
 //
 // To fix a finding, compute more often: SetSampleTime(5) in PID libraries. Not detected: irregular intervals.
 #pragma once

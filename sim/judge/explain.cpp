@@ -43,7 +43,8 @@ std::string pin_name(const Evidence& e, Pin pin) {
 bool is_at(const exec::Activity& a, std::string_view function) { return a.call.rfind(function, 0) == 0; }
 
 // Returns the pin for which the sketch seems to wait: the only input that it has read lately. A sketch may
-// read one input while the robot drives. If the robot has moved, the sketch must therefore be at that read.
+// read one input while the robot drives. If the robot has moved or drives, the sketch must therefore be in
+// digitalRead().
 Pin awaited_pin(const Evidence& e) {
   if (is_at(e.activity, "pulseIn"))
     return e.t - e.activity.last_call < kSilentAfter ? e.activity.pin : kNoPin;
@@ -57,7 +58,7 @@ bool drives_long(const Evidence& e, const Judge::Stay& stay) {
   return drives(e) && e.t - e.judge->drives_since(stay) >= kInOnePlaceAfter;
 }
 
-// Returns the mean turn rate of a robot that drives during a stay, rad/s; above 0 = anticlockwise.
+// Returns the robot's mean turn rate while it drives within a stay, rad/s; above 0 = anticlockwise.
 double turn_rate(const Evidence& e, const Judge::Stay& stay) {
   return e.judge->turned_during(stay) / (1e-9 * static_cast<double>(e.t - e.judge->drives_since(stay)));
 }
@@ -342,7 +343,8 @@ std::string sleeping_driver(const Evidence& e) {
     return turns_wheel(wired) && static_cast<std::size_t>(wired.pin) < e.went_high.size() &&
            e.went_high[wired.pin];
   };
-  // A sketch that waits at its beginning has not used the motors' pins either.
+  // If no motor pin was ever HIGH, the standby pin may not be the reason: the sketch may wait at its
+  // beginning.
   if (std::none_of(e.wiring.begin(), e.wiring.end(), is_high)) return "";
   for (const robot::WiredPin& wired : e.wiring) {
     const auto pin = static_cast<std::size_t>(wired.pin);
@@ -398,8 +400,8 @@ int long_delay(const Evidence& e) {
   return mean_speed(e) * ms * 1e-3 >= kLong_m ? ms : 0;
 }
 
-// Returns whether motors are driven, although no floor sensor has been read just now. An interrupt handler
-// may read sensors during a delay.
+// Returns whether motors are driven, although no floor sensor has been read just now. A delay alone does not
+// show this, because an interrupt handler may read sensors during the delay.
 bool is_driven_blindly(const Evidence& e) {
   constexpr SimTime kJustNow = 50 * kMillisecond;
   const bool has_power = e.left_command != 0.0 || e.right_command != 0.0;

@@ -55,8 +55,8 @@ struct Evidence {
   SupplySummary power;
 };
 
-/// Returns whether a sensor last saw the line half a second or longer before `t`, and at another place. The
-/// place must differ, because a script may remove the line under a robot that stands still.
+/// Returns whether a sensor last saw the line half a second or longer before `t`, and the robot has moved
+/// since. The robot must have moved, because a script may remove the line under a robot that stands still.
 bool left_line_before(const Evidence& evidence, SimTime t);
 /// Returns one sentence that explains why the run ended.
 std::string explain(const Evidence& evidence);

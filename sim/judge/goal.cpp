@@ -127,7 +127,7 @@ Progress::Progress(const Goal& goal, const map::Map& map, const map::Stripes& st
   }
   if (goal.kind == Goal::Kind::laps && loop_.empty())
     throw InputError({map.file},
-                     fmt::format("the goal {} requires a line that is one closed loop, but this one has {} "
+                     fmt::format("the goal {} requires a line that is one closed loop, but this line has {} "
                                  "stations and {} junctions; try the goal tour",
                                  to_string(goal), stations_.size(), junctions_.size()));
 }
@@ -159,7 +159,7 @@ void Progress::begin_at(Vec2 position) {
   if (2 * node_ > static_cast<std::int64_t>(loop_.size())) node_ -= static_cast<std::int64_t>(loop_.size());
 }
 
-/// Updates node_. Must be called whenever the body has moved by a part of the distance between two nodes.
+/// Updates node_. Must be called whenever the body has moved by a fraction of the distance between two nodes.
 void Progress::follow_loop(Vec2 position) {
   const auto count = static_cast<std::int64_t>(loop_.size());
   // Begins another lap if the body went round without passing all nodes in order.

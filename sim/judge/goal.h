@@ -21,7 +21,7 @@ struct Goal {
     tour,         ///< all reachable stations visited, then the start's centre covered again
     laps,         ///< `laps` times round the loop in either direction, with every node passed in order
     station,      ///< `station` visited, and at rest there for 0.5 s
-    robotrace,    ///< from the start line to the goal line of the map's [race], then at rest between them
+    robotrace,    ///< from the start line to the goal line of the map's [race], then at rest between the two
     ukmars,       ///< like robotrace, but without the rest
     drag_race,    ///< along a straight, and to a stop after the goal line
     rescue_line,  ///< over the tiles of the map's [rescue]
@@ -52,7 +52,7 @@ struct Waypoint {
 };
 
 /// Watches a body and reports when the goal is reached. A station is visited once the body's outline has
-/// covered its centre.
+/// covered the station's centre.
 class Progress {
  public:
   /// Throws InputError if the goal is impossible on this map: laps without a loop, an unknown station.

@@ -51,8 +51,8 @@ class Judge {
   /// `senses` is true if the robot has reflectance sensors. A robot without such sensors cannot be lost.
   explicit Judge(bool senses) : senses_(senses) {}
 
-  /// Returns toppled, lost, stuck, hung or ended; nullopt in a normal state. A sketch that is silent but may
-  /// continue is in a normal state. The function is inline, because each tick calls it.
+  /// Returns toppled, lost, stuck, hung or ended; nullopt in a normal state. A sketch that now calls no
+  /// function, but may continue, is in a normal state. The function is inline, because each tick calls it.
   [[gnu::always_inline]] std::optional<Verdict> look(const Situation& now) {
     const bool is_lost = lost(now), is_stuck = stuck(now);
     if (now.toppled || is_lost || is_stuck || now.hangs) [[unlikely]]

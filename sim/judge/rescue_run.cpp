@@ -44,7 +44,8 @@ class PathPoints {
     std::sort(points_.begin(), points_.end(), before);
   }
 
-  /// Returns whether another path passes through `p`, or the first path passes through it away from `along`.
+  /// Returns whether another path passes through `p`, or the first path passes through `p` again. `along` is
+  /// the distance of `p` along the first path.
   bool meet(Vec2 p, double along) const {
     for (std::int64_t x = square(p.x) - 1; x <= square(p.x) + 1; ++x)
       for (std::int64_t y = square(p.y) - 1; y <= square(p.y) + 1; ++y)

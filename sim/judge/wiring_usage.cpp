@@ -46,8 +46,8 @@ std::vector<Unit> units_of(const std::vector<robot::WiredPin>& wiring) {
 // Returns whether the board's serial line may have used the pin.
 bool is_of_uart(const BoardSpec& board, Pin pin) { return pin < 2 && board.analog_pin_0 > 2; }
 
-// Returns whether the firmware has read the pin on purpose. Edges that a timer may await by itself do not
-// count.
+// Returns whether the firmware has read the pin on purpose. An awaited edge does not count if a timer can
+// capture the pin's edges without the firmware.
 bool is_read_on_purpose(const BoardSpec& board, Pin pin, const exec::PinUse& use) {
   return use.looked_at || use.measured || (use.awaited && !can_capture(board, pin)) ||
          (use.read && use.pulled_up);

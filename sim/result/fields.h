@@ -35,7 +35,7 @@ struct Presence {
   bool written = true;
 };
 inline constexpr Presence kOptional{false, true};  ///< always written; optional for a reader
-/// Returns the presence of a key that is written if `written` is true, and optional for a reader.
+/// Returns the presence of a key that is written if `written` is true, and that is optional for a reader.
 constexpr Presence when(bool written) { return {false, written}; }
 
 /// Further properties of a key.

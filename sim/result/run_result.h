@@ -99,7 +99,7 @@ void fields(V& v, Same<V, Lack>& l) {
 /// The run continued.
 struct Detected {
   std::string detector;  ///< "blind"
-  std::string what;      ///< a sentence: the finding, and how it fails
+  std::string what;      ///< a sentence: the finding and its effect
   std::string mend;      ///< a sentence: the fix
   SourceLine where;
   double first_s = 0.0;  ///< simulated time of the first occurrence
@@ -109,8 +109,8 @@ struct Detected {
 template <class V>
 void fields(V& v, Same<V, Detected>& d) {
   v("detector", d.detector, "name of the detector: `\"blind\"`");
-  v("what", d.what, "a sentence: the finding, and how it fails");
-  v("mend", d.mend, "a sentence: how to fix it");
+  v("what", d.what, "a sentence: the finding and its effect");
+  v("mend", d.mend, "a sentence: the fix");
   fields(v, d.where);
   v("first_s", d.first_s, "time of the first occurrence", {.unit = "s"});
   v("times", d.times, "number of occurrences at this line");
@@ -141,8 +141,8 @@ void fields(V& v, Same<V, Resources>& r) {
   v("interrupt_share", r.interrupt_share, "share of the time in interrupt handlers, 0..1");
   v("cpu_load", r.cpu_load, "share of the time not asleep, 0..1; waiting loops count as load");
   v("loops", r.loops,
-    "number of passes of `loop()`, or of the endless loop of a `main()` without it; absent, like the next "
-    "two keys, if none has ended, or the image does not distinguish inner loops",
+    "number of passes of `loop()`, or of the endless loop of a `main()` without `loop()`; absent, like the "
+    "next two keys, if no pass has ended, or the image does not distinguish inner loops",
     {.presence = if_loops});
   v("loop_us_max", r.loop_us_max,
     "longest time from one beginning of `loop()` to the next, or to the end of the run",

@@ -16,7 +16,8 @@ ResolvedMission::ResolvedMission(const Mission& mission, const map::Map& map, co
 PreparedMap::PreparedMap(const map::Map& map) : map_(map), stripes_(map, map.cell_m), world_(map) {}
 
 void PreparedMap::prepare(std::size_t number, const Mission& mission) {
-  // Computes the process's first hash now. It detects vector extensions, which is slow in a virtual machine.
+  // Computes the process's first hash now. The first hash detects vector extensions, which is slow in a
+  // virtual machine.
   [[maybe_unused]] static const std::string hashed = trace::TraceHash().text();
   if (number >= prepared_.size()) prepared_.resize(number + 1);
   Prepared& prepared = prepared_[number];

@@ -23,7 +23,8 @@ struct Mission {
 
 /// A mission that has been resolved on a map.
 struct ResolvedMission {
-  /// Resolves a mission on a map, which must outlive this object. Throws InputError if that is impossible.
+  /// Resolves a mission on a map, which must outlive this object. Throws InputError if the mission is
+  /// impossible on the map.
   ResolvedMission(const Mission& mission, const map::Map& map, const map::Stripes& stripes);
   map::Start start;
   map::Network network;

@@ -1,6 +1,7 @@
 // Drives a run step by step, for tests and other clients that react to the run's state. The run pauses at the
 // beginning of a tick. Its controller then examines the run, acts on it, and continues it until a chosen
-// event or time. A script with the same lines at the same times produces the same trace.
+// event or time. A script that contains the controller's lines, with the times at which the controller added
+// them, produces the same trace.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +21,8 @@ struct Sample;
 
 using result::Stop;
 
-/// The controller's next request: to continue until the first of these events, or to end the run at once
-/// (`interrupted`).
+/// The controller's next request: to continue until a time or the first of some stops, or to end the run at
+/// once (`interrupted`).
 struct Leg {
   SimTime until = kNever;
   std::vector<Stop> stops;

@@ -14,7 +14,7 @@ namespace robosim::wire {
 std::string columns_text(const Columns& columns);
 
 /// Cuts the long texts out of the arrays in a line of JSON, to save the JSON parser time.
-/// Replaces each text by "#" and a number, which is not valid base64.
+/// Replaces each text by "#" and a number. Base64 never contains "#".
 class LongTexts {
  public:
   /// Returns the line without its long texts, or the whole line if a text contains escapes. The line must

@@ -2,7 +2,8 @@
 // header is slow to compile.
 //
 // Input may be hostile. The reader ignores values that fields() does not describe, so deep nesting does no
-// harm. It reports a number out of range, a missing key, or a value of the wrong type in one sentence.
+// harm. The reader reports a number out of range, a missing key, or a value of the wrong type in one
+// sentence.
 #pragma once
 
 #include <algorithm>

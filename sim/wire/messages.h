@@ -29,7 +29,7 @@ void fields(V& v, Same<V, Hello>& h) {
   v("hello", h.program, "name of the runner's program");
   v("protocol", h.protocol, "version of the protocol that the runner uses");
   v("version", h.version, "version of Robosim");
-  v("target", h.target, "target of the firmware that it runs: `\"host\"`, `\"avr\"` or `\"stm32\"`");
+  v("target", h.target, "target whose firmware the runner runs: `\"host\"`, `\"avr\"` or `\"stm32\"`");
   v("sandbox", h.sandbox,
     "whether a [sandbox](../explanation/security.md) confines runs: `\"on\"`, `\"off\"` by choice, or "
     "`\"missing\"` in the kernel; absent if the chip is emulated",

@@ -86,7 +86,7 @@ void fields(V& v, Same<V, RobotInfo::Steering>& s) {
   v("wheels", s.wheels, "number of steered wheels: 1, or 2 that are `track` apart");
   v("middle", s.middle_deg, "the reading for straight ahead", {.unit = "deg"});
   v("ratio", s.ratio,
-    "degrees to the left for each degree of the reading; for two wheels, in the middle between them");
+    "degrees to the left for each degree of the reading; for two wheels, of a virtual middle wheel");
   v("limit", s.limit_deg, "limit of these degrees in each direction", {.unit = "deg"});
 }
 

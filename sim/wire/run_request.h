@@ -80,7 +80,7 @@ void fields(V& v, Same<V, Ways>& w) {
     {.otherwise = "at `at_ns`", .presence = when(!w.after.empty())});
   v("scripts", w.scripts,
     "for each of 1 to 64 ways, the lines that follow the common script. No line may be due before the run "
-    "branches; lines may wait for `after`");
+    "branches; lines may await the text of `after`");
 }
 
 /// One simulation.

@@ -229,7 +229,7 @@ void fields(V& v, Same<V, Note>& n) {
   v("text", n.text, "the event, for people: `\"station 2 visited\"`");
   agent_field(v, n.agent);
   v.kinds("kind", n.what,
-          "kind of the event; the keys below are present for the kinds that their meanings name");
+          "kind of the event; each key below is present for the kinds that its meaning names");
 }
 
 /// The run waits for a debugger before the firmware's first instruction.

@@ -46,11 +46,11 @@ const Case kCases[] = {
      "unsigned long last = 0;\n"
      "void loop() {\n  int at = lineAt();\n  if (millis() - last < 100) return;\n  last = millis();\n"
      "  power(140 + at * 0.06, 140 - at * 0.06);\n}\n"},
-    {"ATaskThatSteersSixteenTimesASecond", "slow_control", "it changed only every ",
+    {"ATaskThatSteersSixteenTimesASecond", "slow_control", "the power changed only every ",
      "unsigned long next = 0;\nint at = 0;\n"
      "void loop() {\n  at = lineAt();\n  if ((long)(millis() - next) >= 0) {\n    next += 60;\n"
      "    power(200 + at * 0.1, 200 - at * 0.1);\n  }\n}\n"},
-    {"AnAverageThatIsUsedEachTwentyReadings", "slow_control", "it changed only every 7",
+    {"AnAverageThatIsUsedEachTwentyReadings", "slow_control", "the power changed only every 7",
      "long sum = 0;\nint n = 0;\n"
      "void loop() {\n  sum += lineAt();\n  delay(3);\n  if (++n < 20) return;\n"
      "  power(200 + sum / n * 0.1, 200 - sum / n * 0.1);\n  sum = n = 0;\n}\n"},

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kBusyShare = 0.7;
 
-/// Returns the line without the name of the function, which is "__vector_7".
+/// Returns the line without the name of its function, such as "__vector_7".
 SourceLine handler(SourceLine line) {
   line.function.clear();
   return line;

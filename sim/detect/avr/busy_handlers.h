@@ -3,7 +3,8 @@
 //   OCR2A = 2;  TIMSK2 = _BV(OCIE2A);        // a match each 24 cycles: the handler runs again and again
 //
 // After each handler, the chip executes one instruction of the program before it starts the next handler
-// (DS40002061B, 7.7). Handlers with a higher vector number, such as that of millis(), may then never run.
+// (DS40002061B, 7.7). Handlers with a higher vector number, such as the handler of millis(), may then never
+// run.
 //
 // A finding is a time of 0.5 s in which handlers took 70 % of the processor's time or more. The finding names
 // the handler that took the most. The time of a handler includes the handlers that interrupt it.

@@ -7,8 +7,8 @@
 
 namespace robosim::detect::avr {
 
-/// Returns the flash address of the last word of the call instruction. The instruction `call` has two words.
-/// Debug information gives the same line for each of the two words.
+/// Returns the flash address of the last word of the call instruction. Debug information gives the same line
+/// for this word as for the first word, if the instruction has two words.
 inline std::uint32_t call_site(const robosim::avr::Cpu& cpu) {
   std::uint32_t words = 0;
   for (int i = 1; i <= cpu.chip().return_address_bytes; ++i)

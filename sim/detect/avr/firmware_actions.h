@@ -2,8 +2,8 @@
 // (doubtful_actions.h).
 //
 // Calls: debug information gives the address where a function of the API begins, and the registers that have
-// its arguments there. This includes copies that the compiler has inlined. Calls whose arguments are
-// elsewhere are not found.
+// the function's arguments at this address. This includes copies that the compiler has inlined. Calls are not
+// found if the debug information gives no registers or constants for their arguments.
 //
 // Timers: the detector examines every instruction that stores to TCCRnA, TCCRnB or OCRnx at a constant
 // address.

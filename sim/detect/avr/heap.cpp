@@ -111,9 +111,9 @@ void Heap::note_pieces(int asked, int end) {
             "the heap grew for {} bytes although {} bytes in it were free, in {} pieces of which the largest "
             "had {}; {} bytes are left between the heap and the stack",
             asked, free.bytes, free.count, free.largest, std::max(0, machine_.chip().lowest_sp() - end)),
-        "Texts of many lengths, some stored and some temporary, leave holes: reserve() each stored one once, "
-        "in setup(), or store it in a char array of fixed size. Print temporary texts instead of joining "
-        "them.",
+        "Texts of many lengths, some stored and some temporary, leave holes: reserve() each stored text "
+        "once, in setup(), or store it in a char array of fixed size. Print temporary texts instead of "
+        "joining them.",
         grown_at_,
         first_s,
         times};

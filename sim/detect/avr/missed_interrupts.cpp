@@ -101,7 +101,7 @@ void MissedInterrupts::ticks_lost(std::int64_t ticks, Cycle at) {
     return jumps.size() > i && cpu_.instruction(jumps[i] / 2).op == robosim::avr::Op::reti;
   };
   const bool handler = is_return(1) || is_return(2);
-  // If the handler belongs to the core, reports the last jump of the handler that was in user code.
+  // If the handler belongs to the core, reports the last jump in user code while the handler ran.
   SourceLine where = handler ? SourceLine{} : program_.debug.place(machine_.chip().interrupted_pc());
   for (std::size_t i = is_return(1) ? 1 : 2;
        handler && where.file.empty() && i < std::min(jumps.size(), kJumpsOfHandler); ++i)

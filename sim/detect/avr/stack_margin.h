@@ -7,8 +7,8 @@
 //           40 <------------------- stack of a handler on top
 //
 // In this run, the interrupt may never have occurred during the deepest call. On a robot, one of thousands of
-// interrupts occurs then by chance. The stack then overwrites variables, such as a threshold or a pointer. Or
-// a return address is overwritten, and a function returns to an invalid address.
+// interrupts occurs during this call by chance. The stack then overwrites variables, such as a threshold or a
+// pointer. Or a return address is overwritten, and a function returns to an invalid address.
 //
 // The detector measures the smallest distance between the main program's stack and the variables or heap
 // while interrupts are on. From that distance, the detector subtracts the stack use of the deepest handler.

@@ -64,7 +64,8 @@ void WatchdogMargin::watchdog_resets(std::uint8_t flags) {
       Detected& seen = bite_.emplace_back();
       seen.detector = result::detector("watchdog_bite");
       seen.what =
-          fmt::format("the watchdog reset the chip, because it was not reset within its timeout of {:.0f} ms",
+          fmt::format("the watchdog reset the chip, because wdt_reset() was not called within the timeout "
+                      "of {:.0f} ms",
                       1e3 * seconds_of(power));
       seen.mend = "Use a longer timeout, or call wdt_reset() within the code that takes so long.";
       seen.where = program_.diagnosis().sketch_line();

@@ -16,8 +16,8 @@ class Diagnosis {
   /// Returns the current activity, except last_call.
   Activity activity() const;
   SourceLine where_now() const;
-  /// Returns the innermost line of the call stack that is in the sketch itself, not in a library. If there is
-  /// no such line, returns where_now().
+  /// Returns the innermost line on the call stack that belongs to the sketch itself, not to a library. If no
+  /// line does, returns where_now().
   SourceLine sketch_line() const;
   /// Returns the source line of the first of `calls` that is in user code.
   SourceLine place_of_calls(const std::vector<Stack::Call>& calls) const;

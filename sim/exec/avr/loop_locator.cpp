@@ -93,8 +93,8 @@ class Code final : public ChipCode {
       if (!goes_on) behind_jumps.insert(2 * next);
       steps.emplace(2 * pc, std::move(step));
     }
-    // Assumes that a jump through a table leads to each case of a switch. A case is code after a jump or
-    // return that no other instruction reaches.
+    // Assumes that a jump through a table leads to each case of a switch. A case is code that follows
+    // a jump or return, and that no other instruction reaches.
     for (const std::uint32_t from : anywhere)
       for (const std::uint32_t to : behind_jumps)
         if (steps.contains(to) && !reached.contains(to)) steps[from].next.push_back(to);

@@ -15,13 +15,14 @@
 // main program alone, and observing each access takes time.
 //
 // Not a finding: a number that is read again until two reads agree, or until no handler has run; a number
-// that a flag guards; a number that is accessed while its interrupt is masked; a byte that is written
-// independently of its old value.
+// that a flag guards; a number that is accessed while the interrupt that changes the number is masked; a byte
+// that is written independently of its old value.
 //
 // A number is a variable, a member of an object or an element of an array (sim/exec/avr/race_candidates.h).
 // Two accesses tear a number only if both are within this number. Bytes of two variables, members or elements
 // do not belong together, nor do the bytes of strings and buffers. If a pointer register contains the
-// address, its value is looked up when the instruction runs. This covers `this`, references and indices.
+// address, the register's value is looked up when the instruction runs. This covers `this`, references and
+// indices.
 //
 // Not detected:
 //

@@ -53,7 +53,7 @@ class PointerFlow {
     follow(first);
   }
   bool is_known() const { return known_; }
-  /// Returns the distance from the first access to this access; empty if it uses another pointer.
+  /// Returns the distance from the first access to this access; empty if this access uses another pointer.
   std::optional<int> distance(const Instruction& i) const {
     if (!uses_pointer(row_of(i.op)) || row_of(i.op).pointer != pointer_) return std::nullopt;
     return moved_ + place_of(i) - first_;
@@ -198,7 +198,7 @@ void Finder::add_group(std::uint32_t pc, std::size_t number) {
   }
 }
 
-/// Adds accesses by the same pointer as the access at `pc`, at most 7 bytes apart.
+/// Adds accesses by the pointer of the access at `pc`, at most 7 bytes away from this access.
 void Finder::add_group_by_pointer(std::uint32_t pc) {
   const Instruction& first = at(pc);
   const bool stores = row_of(first.op).stores;

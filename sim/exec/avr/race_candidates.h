@@ -1,4 +1,4 @@
-// Finds the instructions of the main program whose access to a number an interrupt handler could tear.
+// Finds the accesses of the main program that an interrupt handler could tear.
 // RaceAnalysis examines these accesses while the program runs.
 //
 // A number is a variable, a member of an object or an element of an array. The debug information contains the
@@ -16,7 +16,7 @@
 
 namespace robosim::exec::avr {
 
-/// The numbers of the sketch and its libraries that have at most 8 bytes.
+/// The numbers of at most 8 bytes in the sketch and its libraries.
 class SharedNumbers {
  public:
   struct Number {
@@ -51,13 +51,13 @@ struct RaceCandidate {
   /// Addresses of earlier accesses by the same pointer, relative to this access.
   std::vector<int> earlier;
   /// Relative addresses of bytes that a loop accesses before this access. After the access, the loop reads
-  /// these bytes to decide whether to repeat. If handlers change them, the loop repeats torn accesses.
+  /// these bytes to decide whether to repeat. If handlers change these bytes, the loop repeats torn accesses.
   std::vector<int> guards;
 };
 
 /// Returns the accesses, sorted by address. Two accesses may belong to one number if their addresses are
-/// constants or use one pointer register. Jumps must not separate them. Skips accesses of handlers, accesses
-/// with interrupts off, and numbers that are read again until two reads agree.
+/// constants or use one pointer register. Jumps must not separate the two accesses. Skips accesses of
+/// handlers, accesses with interrupts off, and numbers that are read again until two reads agree.
 std::vector<RaceCandidate> find_race_candidates(const Firmware& firmware, const DebugInfo& debug,
                                                 const robosim::avr::Cpu& cpu, const SharedNumbers& numbers);
 

@@ -1,4 +1,4 @@
-// Runs a chip (sim/mcu/avr) with a sketch in its flash, and detects faults. Faults are reads, writes and
+// Runs a chip (sim/mcu/avr) with a sketch in its flash, and detects faults. Faults are accesses and
 // jumps to invalid addresses, stack overflow, and repeated watchdog resets.
 //
 // The chip starts at the address to which the boot loader would jump. After a watchdog reset, the chip is in

@@ -75,8 +75,8 @@ class CauseFinder {
     result::SourceLine where;
     double of_all = 0;  ///< share of all time, 0 to 1
   };
-  /// Returns the share of time that the sketch's interrupt handlers took. Also returns the line of a handler
-  /// that took most of this time. The time of a line includes the functions that the line calls.
+  /// Returns the share of time that the sketch's interrupt handlers took. Also returns the line in a
+  /// handler that took most of this time. The time of a line includes the functions that the line calls.
   virtual Share handlers(SimTime from, SimTime to) const = 0;
   /// Returns whether interrupts are enabled now.
   virtual bool interrupts_on() const = 0;

@@ -22,7 +22,7 @@ class ClockedBoard final : public FirmwarePort {
   }
   SimTime to_firmware(SimTime world) const { return state_.clock.to_firmware(world); }
   SimTime to_world(SimTime t) const { return state_.clock.to_world(t); }
-  /// Makes the firmware's clock too fast by `ppm` parts per million, from the time `world` of the world on.
+  /// Makes the firmware's clock too fast by `ppm` parts per million from `world` on, by the world's clock.
   void drift(int ppm, SimTime world) { state_.clock.drift(ppm, world); }
 
   bool wants_edges(Pin pin) const { return board_.wants_edges(pin); }

@@ -78,8 +78,8 @@ class Executor {
   /// host, this call has no effect: an image built for coverage always counts, and other images never count.
   virtual void count_lines() {}
   /// Returns the counts since the first power-on. On the host, an image built for coverage has one file in
-  /// gcov's format (.gcda) for each power cycle and source file; other images have none. On a chip, one file has
-  /// lines "LINE COUNT FILE" (exec/elf/line_counts.h).
+  /// gcov's format (.gcda) for each power cycle and source file; other images have none. On a chip, one file
+  /// has lines "LINE COUNT FILE" (exec/elf/line_counts.h).
   virtual std::vector<ArchivedFile> counters() { return {}; }
   /// Returns the source line that is running. Watchers of pins may call this function during run_until().
   virtual SourceLine source() { return activity().where; }

@@ -143,9 +143,9 @@ void add_calls(Dwarf_Die& unit, Dwarf_Die parent, std::vector<DebugInfo::CodeLin
   } while (dwarf_siblingof(&child, &child) == 0);
 }
 
-/// Returns whether a part of the debug information is in other files. If so, the caller must use no part of
-/// it, because libdw would open any file that the image names (DW_AT_dwo_name, .gnu_debugaltlink). The image
-/// could name a pipe or another user's file.
+/// Returns whether a part of the debug information is in other files. If so, the caller must use no debug
+/// information, because libdw would open any file that the image names (DW_AT_dwo_name, .gnu_debugaltlink).
+/// The image could name a pipe or another user's file.
 bool names_other_files(Elf* elf, Dwarf* dwarf) {
   std::size_t names = 0;
   if (::elf_getshdrstrndx(elf, &names) != 0) return true;

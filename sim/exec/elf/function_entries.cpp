@@ -1,5 +1,5 @@
 // Implements DebugInfo::entries_of(). DWARF contains the addresses at which a function and its inlined copies
-// begin. It also names the registers that contain the parameters there (DWARF 4, 2.6 and 3.3.8).
+// begin. It also names the registers that contain the parameters at these addresses (DWARF 4, 2.6 and 3.3.8).
 #include <dwarf.h>
 #include <elfutils/libdw.h>
 
@@ -34,7 +34,7 @@ Dwarf_Die origin_of(Dwarf_Die die) {
              : die;
 }
 
-/// Returns where a parameter is at the address `pc`.
+/// Returns the location of a parameter before the instruction at `pc` runs.
 DebugInfo::Argument argument_at(Dwarf_Die parameter, Dwarf_Addr pc) {
   DebugInfo::Argument argument;
   Dwarf_Attribute attribute;
@@ -63,7 +63,7 @@ DebugInfo::Argument argument_at(Dwarf_Die parameter, Dwarf_Addr pc) {
   return argument;
 }
 
-/// Adds the addresses at which the ranges with a known location of the parameter begin.
+/// Adds each address from which on the parameter's location is known.
 void add_begins(Dwarf_Die parameter, std::vector<Dwarf_Addr>& begins) {
   Dwarf_Attribute attribute;
   Dwarf_Addr base = 0, begin = 0, end = 0;
@@ -74,8 +74,8 @@ void add_begins(Dwarf_Die parameter, std::vector<Dwarf_Addr>& begins) {
     if ((next = dwarf_getlocations(&attribute, next, &base, &begin, &end, &operations, &count)) <= 0) return;
 }
 
-/// Returns the function's parameters in the order of the declaration; nullopt for a parameter without an
-/// entry here.
+/// Returns the function's parameters in the order of the declaration; nullopt for a declared parameter that
+/// the DIE `function` does not contain.
 std::vector<std::optional<Dwarf_Die>> parameters_here(Dwarf_Die function) {
   std::vector<std::optional<Dwarf_Die>> all;
   const std::vector<Dwarf_Die> here = parameters_of(function);

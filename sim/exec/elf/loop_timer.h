@@ -10,7 +10,7 @@ namespace robosim::exec {
 template <typename Time>
 class LoopTimer {
  public:
-  /// Discards the running round, for example after a reset. The next round is then the first round again.
+  /// Discards the running round, for example after a reset. The next round counts as the first round.
   void await() { running_ = false; }
   bool is_running() const { return running_; }
   /// Begins a round at `at`, and ends the previous round.

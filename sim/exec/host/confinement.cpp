@@ -106,7 +106,7 @@ scmp_arg_cmp has(unsigned number, std::uint32_t bits, std::uint32_t of) {
 }
 
 /// Allows system calls for memory. Mappings must be private and must not grow downwards, since RLIMIT_DATA
-/// does not count other mappings. Only an image may be mapped from a file, the sealed file at kImageFd. A
+/// does not count other mappings. The only file that may be mapped is the sealed image at kImageFd. A
 /// writable page cannot become executable.
 void add_memory(Filter& filter) {
   constexpr std::uint32_t kUncounted =
@@ -133,7 +133,7 @@ void add_descriptors(Filter& filter) {
     filter.allow("read", {is(0, static_cast<std::uint32_t>(fd)), is(3, kKeyHere), is(4, kOtherKeyHere)});
   for (const std::uint32_t fd : {0u, 1u, 2u}) {
     for (const char* name : {"read", "write", "writev", "lseek", "_llseek"}) filter.allow(name, {is(0, fd)});
-    // Lets the calls that stdio makes before it prints fail with ENOTTY, instead of raising SIGSYS.
+    // Returns ENOTTY, instead of raising SIGSYS, for the calls that stdio makes before it prints.
     for (const char* name : {"fcntl", "fcntl64", "fstat", "fstat64", "ioctl", "newfstatat", "statx"})
       filter.add(SCMP_ACT_ERRNO(ENOTTY), name, {is(0, fd)});
   }
@@ -313,8 +313,8 @@ void confine(const CallKey& key, bool has_grown) {
   key_of_process = key;
   confined = true;
   const sock_fprog program{static_cast<unsigned short>(steps.size()), steps.data()};
-  // SPEC_ALLOW disables mitigations against attacks by speculative execution, which would slow down branches.
-  // This process contains no secrets that an attack could read.
+  // SPEC_ALLOW disables mitigations against attacks by speculative execution. The mitigations would slow down
+  // branches. This process contains no secrets that an attack could read.
   if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 ||
       ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_SPEC_ALLOW, &program) != 0)
     throw std::runtime_error(fmt::format("the process cannot be confined: {}", std::strerror(errno)));

@@ -28,8 +28,8 @@ using AddressLines = std::function<std::string(const std::filesystem::path& imag
 /// Runs addr2line (binutils). Returns an empty text if addr2line is not installed.
 std::string ask_addr2line(const std::filesystem::path& image, const std::vector<std::uintptr_t>& offsets);
 
-/// The content of an image's file, in a sealed memory file (memfd). It is not in the memory of the process
-/// itself, where the firmware of a later run could read it.
+/// The content of an image's file, in a sealed memory file (memfd). The content is not in the memory of the
+/// process itself, where the firmware of a later run could read it.
 class ImageContent {
  public:
   /// Reads the file. Throws InputError or std::system_error if that fails.

@@ -17,8 +17,8 @@ class InjectedDelays {
     for (const result::Lateness& one : late) times_.push_back({one.from_ns, one.by_ns});
     times_.emplace_back();
   }
-  /// Passes the times from `t` on to the sketch that starts at `t`. set() must not be called while the sketch
-  /// runs.
+  /// Gives the sketch, which starts at `t`, the times that are not before `t`. set() must not be called while
+  /// the sketch runs.
   void begin(host::FirmwareState& state, SimTime t) const {
     state.lateness = times_.data();
     while (state.lateness->from < t) ++state.lateness;

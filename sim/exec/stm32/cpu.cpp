@@ -25,7 +25,7 @@ Cpu::Cpu(const Firmware& firmware, Bus& bus, Engine& engine, const LoopMarks& lo
   for (const std::uint32_t pc : loop.first) mark(pc, &Mark::starts);
   for (const std::uint32_t pc : loop.each) mark(pc, &Mark::loop);
   // Marks functions that only read variables which interrupt handlers write. Calls of these functions count
-  // as accesses to registers, since firmware that calls them polls.
+  // as accesses to registers, since firmware calls these functions to poll.
   for (const char* name : {"millis", "HAL_GetTick", "_ZN14HardwareSerial9availableEv",
                            "_ZN14HardwareSerial4peekEv", "_ZN14HardwareSerial4readEv"})
     if (const Symbol* symbol = firmware.symbols.find(name)) mark(symbol->address, &Mark::call);
@@ -144,7 +144,8 @@ std::uint32_t Cpu::leads_back_to(std::uint32_t pc) {
 void Cpu::records(bool recording) { writable_ = recording ? 0 : kRamBytes - 3; }
 
 void Cpu::forget(Address page) {
-  // Instructions within this distance of the page may load constants from the page, which the Steps contain.
+  // Steps contain the constants that their instructions load from flash. An instruction within this distance
+  // of the page may load a constant from the page.
   constexpr std::uint32_t kReach = 0x1004;
   const std::uint32_t begin = page - kFlash, end = begin + kPageBytes;
   for (std::uint32_t at = begin > kReach ? begin - kReach : 0; at < std::min(end + kReach, kFlashBytes);

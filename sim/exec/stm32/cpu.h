@@ -283,7 +283,7 @@ class Cpu {
   State state_;
 
   std::uint32_t after_ = 0;        ///< address at which execution continues after the running instruction
-  bool first_ = false;             ///< libunicorn has not begun its instruction
+  bool first_ = false;             ///< libunicorn has not begun the instruction yet
   std::uint32_t block_bytes_ = 0;  ///< size of the IT block that libunicorn runs; 0 = none
   bool ends_ = false, falls_asleep_ = false;
   Cycle stop_ = 0;

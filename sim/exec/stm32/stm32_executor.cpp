@@ -50,8 +50,8 @@ class Stm32Executor::Running final : public RunningChip {
   Activity activity() const override { return diagnosis().activity(); }
   SourceLine where_now() const override { return diagnosis().where_now(); }
   SourceLine printing(const SourceLine& before) const override {
-    // A tail call leaves no return address on the stack. So the latest jump from a line of the sketch comes
-    // first, then `before`, then the open calls.
+    // A tail call leaves no return address on the stack. Therefore tries the latest jump from a line of the
+    // sketch first, then `before`, then the open calls.
     SourceLine line = diagnosis().place_of(machine_.cpu().last_jumps());
     if (line.file.empty()) line = before;
     return line.file.empty() ? diagnosis().place_of(machine_.open_calls()) : line;

@@ -99,8 +99,8 @@ void Adc::write_control(Address address, std::uint8_t value) {
   request();
 }
 
-// Handles SBI and CBI, which can address ADCSRA on an ATtiny85. If they change another bit, ADIF is not
-// cleared (2586Q, notes on the register summary).
+// Handles SBI and CBI, which can address ADCSRA on an ATtiny85. If SBI or CBI changes another bit, ADIF
+// is not cleared (2586Q, notes on the register summary).
 void Adc::write_control_bit(Address address, std::uint8_t value, std::uint8_t bit) {
   write_control(address, bit == kAdif ? value : static_cast<std::uint8_t>(value & ~kAdif));
 }

@@ -114,8 +114,8 @@ void Comparator::write(Address address, std::uint8_t value) {
   request();
 }
 
-// Handles SBI and CBI, which can address ACSR on an ATtiny85. If they change another bit, ACI is not cleared
-// (2586Q, notes on the register summary).
+// Handles SBI and CBI, which can address ACSR on an ATtiny85. If SBI or CBI changes another bit, ACI is not
+// cleared (2586Q, notes on the register summary).
 void Comparator::write_bit(Address address, std::uint8_t value, std::uint8_t bit) {
   write(address, bit == kAci ? value : static_cast<std::uint8_t>(value & ~kAci));
 }

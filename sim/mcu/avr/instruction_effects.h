@@ -21,7 +21,7 @@ struct InstructionEffects {
   bool elsewhere = false;    ///< affects more than registers, flags and data memory
 };
 
-/// Calls `visit` with the number of each register in `registers`, one bit each.
+/// Calls `visit` with the number of each register whose bit is set in `registers`.
 template <typename Visit>
 void each(std::uint32_t registers, Visit visit) {
   for (; registers; registers &= registers - 1) visit(static_cast<unsigned>(std::countr_zero(registers)));

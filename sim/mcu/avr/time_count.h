@@ -1,7 +1,7 @@
 // Recognises the Arduino core's handler of timer 0's overflow (wiring.c), which advances millis(). Every
 // sketch runs the handler a thousand times a second, even while the sketch sleeps or waits. The handler is
-// identified by the 62 instructions that avr-gcc generates. The processor runs all of them except RETI in one
-// step.
+// identified by the 62 instructions that avr-gcc generates. The processor runs all of these instructions
+// except RETI in one step.
 //
 //   push r1, r0, SREG, r18, r19, r24 to r27; eor r1, r1
 //   f = fraction + step;  m = millis + few

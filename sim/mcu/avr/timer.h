@@ -11,10 +11,10 @@
 //   in the cycle in which firmware writes 1 to the flag, the flag stays set.
 // - Counting happens on demand. Only observable changes are scheduled as events: the setting of a flag whose
 //   interrupt is enabled, a changed level of a pin, or an OCRnx that changes a duty cycle.
-// - Pins. PWM is reported as a duty cycle, and a pin in toggle mode (COM = 1) as a tone of its frequency. If
-//   the tone is too low to be heard, each match reports a new level. COM = 2 and 3 without PWM also report
-//   levels. If the counter has no clock, its pins keep their levels. PINx reads the current level. While the
-//   chip listens to the pin, each edge is an event.
+// - Pins. PWM is reported as a duty cycle, and a pin in toggle mode (COM = 1) as a tone of the pin's
+//   frequency. If the tone is too low to be heard, each match reports a new level. COM = 2 and 3 without PWM
+//   also report levels. If the counter has no clock, its pins keep their levels. PINx reads the current
+//   level. While the chip listens to the pin, each edge is an event.
 // - Capture. Edges of ICPn are recorded once firmware uses capture: it sets ICIEn, ICESn or ICNCn, or reads
 //   ICRn or TIFRn. An unused pin therefore costs nothing. The analog comparator can replace the pin.
 // - PRR. Without a clock, the registers read 0 and ignore writes (10.10).

@@ -6,8 +6,8 @@
 //   PLLCSR   PLLE: starts the PLL, which locks (PLOCK) 100 us later; PCKE: the PLL (64 MHz) clocks the timer
 //
 // TCCR1 and GTCCR are stored in the layout of an ATmega's TCCRnA and TCCRnB. PWM for one channel is treated
-// as PWM for both. The ratio of 64 MHz to the processor's clock is rounded to a power of two: 4, 8 ... A
-// timer that would be faster than the processor counts once per cycle.
+// as PWM for both channels. The ratio of 64 MHz to the processor's clock is rounded to a power of two: 4, 8
+// ... A timer that would be faster than the processor counts once per cycle.
 //
 // Not modelled: the synchronisation of writes (one and a half cycles, figure 12-2), the inverted outputs and
 // their dead times (chapter 14), and ATtiny15 mode.

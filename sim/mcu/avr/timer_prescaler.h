@@ -2,7 +2,7 @@
 // 18.10, 18.11.9).
 //
 //   timers 0, 1   share a prescaler (PSRSYNC)
-//   timer 2       has its own prescaler (PSRASY); on an ATtiny85, timer 1 has one (PSR1)
+//   timer 2       has its own prescaler (PSRASY); on an ATtiny85, timer 1 has its own (PSR1)
 //
 // Prescalers run freely from the reset on, independently of the timers. A timer with divisor N has a tick
 // whenever its prescaler's count is a multiple of N. The timer's first tick therefore comes 1 to N cycles

@@ -162,7 +162,8 @@ BoardFault BoardFaults::read(const std::string& name, const std::vector<std::str
 void BoardFaults::check_eeprom() const {
   if (!executor_.has_boards_eeprom())
     throw InputError(
-        "eeprom: scripts can neither break nor follow it on this target; use the target host or avr");
+        "eeprom: scripts can neither damage the EEPROM nor await its writes on this target; use the target "
+        "host or avr");
 }
 
 void BoardFaults::fail(const BoardFault& fault, SimTime t) {

@@ -35,7 +35,7 @@ constexpr double kLogicKeeps = 2.0;  ///< V: with a lower supply, a 74HC's regis
 /// 26.4).
 constexpr double kPowerOnReset = 1.3;
 
-/// The faults that a script can request, parsed and checked. A default value stands for "ok" in the script,
+/// The faults that a script can request, parsed and checked. A default value stands for the script's "ok",
 /// which ends a fault.
 struct PowerFault {
   enum class Kind { none, sag, brown_out };

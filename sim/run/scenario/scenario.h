@@ -37,7 +37,7 @@ struct Trigger {
 };
 
 /// The value of an EEPROM byte after a power failure during its write. The chip erases the byte first (all
-/// bits set), then clears bits, so it may have any value.
+/// bits set), then clears bits, so that the byte may have any value.
 struct HalfWritten {
   enum class Kind { done, before, value };
   Kind kind = Kind::done;  ///< done: the new content, since the write finishes; before: the old content

@@ -108,7 +108,7 @@ TEST(BlindDriving, IsMendedWhereTheSketchWasBusy) {
   EXPECT_THAT(mend("pulseIn(4, 1)"), StartsWith("Give pulseIn() a timeout"));
   EXPECT_THAT(mend("write()"), StartsWith("Print less, less often"));
   EXPECT_THAT(mend("delay(700)"), StartsWith("Return from loop() and check with millis()"));
-  EXPECT_EQ(mend(""), "Read the sensors in there as well, or return from loop() in between.");
+  EXPECT_EQ(mend(""), "Read the sensors in this code as well, or return from loop() in between.");
 }
 
 TEST(BlindDriving, IsNobodyWhoLooksInTime) {

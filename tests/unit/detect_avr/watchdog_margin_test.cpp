@@ -51,7 +51,7 @@ TEST_F(WatchdogMarginTest, IsOverrunWhereItBites) {
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].detector, "watchdog_bite");
   EXPECT_THAT(found[0].what,
-              HasSubstr("reset the chip, because it was not reset within its timeout of 256 ms"));
+              HasSubstr("reset the chip, because wdt_reset() was not called within the timeout of 256 ms"));
   EXPECT_THAT(found[0].mend, HasSubstr("Use a longer timeout, or"))
       << "the time that the code needs is unknown";
   EXPECT_EQ(found[0].where.file, "Test.ino");

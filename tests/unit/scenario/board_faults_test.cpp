@@ -238,7 +238,7 @@ TEST_F(BoardFaultsTest, WhatIsNoFaultIsRefusedWithWhatThereIs) {
   probe.reaches_eeprom = false;
   EXPECT_EQ(refusal({"clock", "drift", "5ppm"}), "accepted");
   EXPECT_THAT(refusal({"eeprom", "flip", "3", "1"}),
-              HasSubstr("eeprom: scripts can neither break nor follow it on this target"));
+              HasSubstr("eeprom: scripts can neither damage the EEPROM nor await its writes on this target"));
   EXPECT_THAT(probe.power, IsEmpty());
 }
 
