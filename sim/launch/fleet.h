@@ -1,4 +1,4 @@
-// Prepares several robots on one map. Converts the names that the user typed for all robots to one request. A
+// Prepares several robots on one map. Makes one request from the names that the user typed for all robots. A
 // fleet file has a table for each robot:
 //
 //   [[agent]]

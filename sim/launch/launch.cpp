@@ -36,7 +36,7 @@ namespace {
 constexpr const char* kForTheChip =
     "\nThe sketch compiles for the target avr: add --target avr to run it on the emulated chip.";
 
-/// Returns whether a sketch that does not compile on the host compiles for an AVR. Such a sketch may need the
+/// Returns whether a sketch compiles for an AVR. The sketch does not compile for the host; it may need the
 /// chip's assembler, for example.
 bool compiles_for_avr(const build::Request& request) try {
   if (request.target != "host" || std::string(request.board.chip->target) != "avr") return false;

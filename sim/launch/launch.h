@@ -1,4 +1,4 @@
-// Converts the names that the user typed to a request for a runner. All code that starts a run uses this.
+// Makes a request for a runner from the names that the user typed. All code that starts a run uses this code.
 // Therefore equal names mean the same run in a command, a check, a session and a test.
 //   Launch launch;
 //   launch.sketch = "PidFollower"; launch.target = "avr"; launch.request.goal = "laps:3";

@@ -28,9 +28,9 @@ std::filesystem::path stock_map_folder();
 /// is empty if the user has chosen.
 struct Choice {
   std::string name;  ///< for messages and `inputs`; a path of this machine only if the user typed it
-  std::filesystem::path path;  ///< file to open; for a robot, the name that a runner gets, also with @BOARD
+  std::filesystem::path path;  ///< file to open; for a robot, the name for the runner, perhaps with @BOARD
   std::string announcement;
-  const BoardSpec* board = nullptr;  ///< for a robot, the board of its project; null = the robot's own board
+  const BoardSpec* board = nullptr;  ///< for a robot, the board of the project; null = the robot's own board
   std::string board_said;            ///< reports that board's source: "platformio.ini names the board uno"
 };
 
@@ -44,8 +44,8 @@ struct SketchChoice {
 };
 /// Returns the named sketch; without a name, the sketch in the current folder. If a folder has no sketch but
 /// exactly one image, for example from arduino-cli, returns the image. `environment` names an environment of
-/// platformio.ini, or a profile of sketch.yaml; empty = their default. If `untrusted`, first checks that no
-/// link leads out of the folder. Throws InputError.
+/// platformio.ini, or a profile of sketch.yaml; empty = the file's default. If `untrusted`, first checks that
+/// no link leads out of the folder. Throws InputError.
 SketchChoice choose_sketch(const std::string& name, const std::string& environment = {},
                            bool untrusted = false);
 /// Returns the sketch's name for messages, without slashes at its end. For `.` or `..`, returns the name of

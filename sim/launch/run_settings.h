@@ -11,9 +11,9 @@ namespace robosim::launch {
 
 /// Names are as the user typed them; empty = not given.
 struct RunSettings : Launch {
-  Fleet fleet;                    ///< several robots; without members, the single robot of the base class
+  Fleet fleet;                    ///< several robots; if it has no members, `Launch` describes the only robot
   std::string script;             ///< a file
-  std::vector<std::string> send;  ///< texts that the script sends to the firmware, escaped as in a script
+  std::vector<std::string> send;  ///< texts to send to the firmware at 1 s, with the escapes of a script
   bool chip_only = false;         ///< the default target is the chip of the robot's board, not the host
 };
 

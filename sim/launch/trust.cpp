@@ -42,8 +42,8 @@ std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const
 
 namespace {
 
-/// Returns whether a program lies where a build tool puts the program of a sketch in `folder`. This is the
-/// folder itself, or a folder in `build` or `.pio/build`.
+/// Returns whether a build tool could have written the program `image` for a sketch whose folder is `folder`.
+/// Build tools write to the sketch's folder, or to a folder in `build` or `.pio/build`.
 bool is_built_in(const fs::path& image, const fs::path& folder) {
   std::error_code error;
   const fs::path real = fs::canonical(image, error), real_folder = fs::canonical(folder, error);
@@ -62,8 +62,8 @@ void check_folder(const SketchChoice& sketch) {
   if (!sketch.elf_target.empty() && !is_built_in(sketch.path, sketch.folder))
     throw InputError(
         {sketch.path.string()},
-        fmt::format("the files next to the image name {} as the sketch's folder, outside of the image's "
-                    "folder; --untrusted does not follow it",
+        fmt::format("the files next to the image refer to {} as the sketch's folder, outside of the "
+                    "image's folder; --untrusted does not follow it",
                     sketch.folder.string()));
   const project::Project& project = sketch.project;
   std::vector<fs::path> folders = project.libraries;

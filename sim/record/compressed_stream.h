@@ -15,7 +15,7 @@ namespace robosim::record {
 
 class CompressedStream {
  public:
-  /// `packer` works as in CompressedBytes, and must outlive this object.
+  /// `packer` compresses the rows (null: they are stored unchanged), and must outlive this object.
   explicit CompressedStream(Packer* packer = nullptr) : packer_(packer), all_(0, packer) {}
 
   /// Adds rows. Throws wire::BadValue if the rows do not match the earlier ones.

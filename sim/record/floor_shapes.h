@@ -18,7 +18,7 @@ struct FloorShapes {
   using Rectangle = std::array<double, 4>;  ///< x, y, width, height
   struct Stripe {
     std::array<double, 4> line{};  ///< from x, y to x, y
-    std::array<double, 3> arc{};   ///< centre and radius, counter-clockwise; radius 0 = straight
+    std::array<double, 3> arc{};   ///< centre and radius of a counter-clockwise arc; radius 0 = straight
     bool painted = true;           ///< false: the stripe is part of the route, but invisible
     double width_mm = 0.0;         ///< 0 = the usual width
     std::string colour;            ///< in HTML syntax; "" = the usual colour
@@ -35,7 +35,7 @@ struct FloorShapes {
     bool over_lines = false;
   };
   struct Light {
-    std::optional<std::array<double, 2>> at;  ///< a sun patch, or the point below a lamp; none = uniform
+    std::optional<std::array<double, 2>> at;  ///< centre of a sun patch, or spot below a lamp; none = uniform
     double radius_mm = 0.0;                   ///< radius of a patch of sun
     std::array<double, 2> moves_mm_s{};       ///< velocity of the patch
   };

@@ -9,8 +9,8 @@
 
 namespace robosim::record {
 
-/// Records that the robot left the line, or found it again. The time is that of a sample: the last one that
-/// saw the line, or the first one that sees it again.
+/// Records that the robot left the line, or found it again. The time is the time of the last sample that saw
+/// the line, or of the first sample that sees it again.
 struct LineEvent {
   std::int64_t t_us = 0;
   std::string sensor;  ///< the sensor that saw the line best

@@ -5,7 +5,7 @@
 
 namespace robosim::record {
 
-/// Returns the page. CMake generates the source file with this function from sim/view/page
+/// Returns the page. CMake generates the definition of this function from the files in sim/view/page
 /// (toolchain/cmake/bundle_page.cmake).
 std::string_view page_text();
 

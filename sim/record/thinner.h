@@ -25,11 +25,11 @@ struct CompressedRows {
   std::int64_t count = 0;
 };
 
-/// Thins rows that are also stored in full, a little at a time. Thinning all of them at once would make the
-/// run wait. The first column is t_ns.
+/// Thins rows a little at a time, while the rows are also stored in full. Thinning all rows at once would
+/// make the run wait. The first column is t_ns.
 class Thinner {
  public:
-  /// `packer` works as in CompressedBytes.
+  /// `packer` compresses the thinned rows; null = they are stored unchanged.
   Thinner(const std::vector<wire::ColumnSpec>& specs, std::int64_t span_ns, Packer* packer);
 
   /// Thins at most `most_rows` further rows of `all`. Ignores rows that are not packed yet. Throws

@@ -20,8 +20,8 @@ double distance_mm(const TrailPoint& p, const TrailPoint& a, const TrailPoint& b
 }  // namespace
 
 std::string speed_colour(int number) {
-  // Colours of the colour map "plasma", by van der Walt and Smith. The map's two ends are omitted: they would
-  // not stand out from line or floor.
+  // Colours of the colour map "plasma", by van der Walt and Smith. Its first and last colours are omitted:
+  // they would not stand out from line or floor.
   static constexpr const char* kPlasma[kSpeedColours] = {
       "#5402a3", "#7e03a8", "#9c179e", "#b6308b", "#cc4778", "#de5f65", "#ed7953", "#f89540", "#fdb42f"};
   return kPlasma[std::clamp(number, 0, kSpeedColours - 1)];

@@ -44,7 +44,7 @@ class EventBatcher {
     waiting_.add_volts(agent, t, pin, name, volts);
     look();
   }
-  /// Returns whether an event of this pin at `t` can be appended to the waiting events unchanged.
+  /// Returns whether an event of this pin at `t` can be appended without a record of its time or name.
   bool follows(int agent, SimTime t, Pin pin) const { return waiting_.follows(agent, t, pin); }
   /// Announces that the robot's pin events will have source lines.
   void sources(int agent) { waiting_.add_sources(agent); }

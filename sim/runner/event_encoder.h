@@ -75,7 +75,7 @@ class EventEncoder final : public run::Listener {
   EventBatcher* const quick_inputs_;    ///< the batcher if it gets all input events; or null
   std::string line_;
   std::optional<wire::RunColumns> columns_;
-  std::optional<wire::SourceNumbers> sources_;  ///< set if the client makes the columns, with sources
+  std::optional<wire::SourceNumbers> sources_;  ///< set if the client makes the columns and sources are known
   wire::Sample sample_;                         ///< last sample
 };
 

@@ -52,8 +52,8 @@ struct ReadAhead {
 
 long long wall_ns();
 
-/// Returns the robot of that name: from `last` if its files are unchanged, otherwise by reading them now.
-/// Throws InputError.
+/// Returns the robot of that name: from `last` if the robot's files are unchanged, otherwise from these
+/// files. Throws InputError.
 std::shared_ptr<const robot::Description> known_robot(const std::string& name, const Robots& last);
 
 /// Reads all robots, and the map with the simulation's initial state. Reads the images of the robots whose

@@ -341,7 +341,7 @@ std::vector<result::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std:
   std::vector<result::Cause> links;
   result::Cause read{0.0, "read", {}}, before{0.0, result::kSetBefore, {}};
   SimTime read_at_t = 0, set_at = 0;
-  std::vector<std::string> names;                // file of each link; a header counts as its source file
+  std::vector<std::string> names;                // file of each link without extension: x.h counts as x.cpp
   std::vector<std::set<std::string>> functions;  // functions of each link
   std::vector<result::SourceLine> of_libraries;
   for (const CauseStep& step : steps) {

@@ -29,7 +29,7 @@ std::string as_word(const std::string& text) {
 }
 
 std::string of_another_run(const std::string& folder) {
-  return "the recordings in " + folder + " are of another run than the test's: this is a fault of Robosim";
+  return "the run recorded in " + folder + " differs from the test's run: this is a fault of Robosim";
 }
 
 }  // namespace

@@ -22,10 +22,11 @@ std::string replay_command(const ResolvedTrial& resolved_trial, const std::strin
 /// Creates the folder, and writes the files that the replay command names. Does nothing if `folder` is "".
 void keep_inputs(const std::string& folder, const ResolvedTrial& resolved_trial, const std::string& script);
 
-/// Returns the robosim command that repeats a run of several robots. The folder contains the file that lists
-/// them.
+/// Returns the robosim command that repeats a run of several robots. The file that lists the robots is in
+/// `folder`.
 std::string replay_command(const FleetTrial& trial, const std::string& folder);
-/// Writes the file that lists the robots, and the files that it names. `scripts` are the robots' scripts.
+/// Writes the file that lists the robots, and all files that this list names. `scripts` are the robots'
+/// scripts.
 void keep_inputs(const std::string& folder, const launch::Fleet& fleet,
                  const std::vector<ResolvedTrial>& resolved_trials, const std::vector<std::string>& scripts);
 /// Saves one robot's log as text files.

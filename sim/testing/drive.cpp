@@ -66,7 +66,7 @@ Moment Drive::worst() const {
     if (!worst || leg.worst_mm > worst->worst_mm) worst = &leg;
   }
   if (!worst) return moments().empty() ? Moment{} : moments().front();
-  // The leg stores only the time, place and error of its worst moment. The other values are those of the last
+  // The leg stores only the time, place and error of its worst moment. The other values come from the last
   // sample before that moment.
   wire::Sample sample;
   for (const wire::Sample& s : log_->samples)

@@ -24,7 +24,7 @@ class FailureContext {
 };
 
 /// Describes each driven run as a failed matcher would: robot, last events, position, and the replay command.
-/// Returns "" if the failure mentions a run itself, or if no run is driven.
+/// Returns "" if the failure's message already mentions a run, or if no run is driven.
 std::string state_at_failure(const ::testing::TestPartResult& failure);
 
 }  // namespace robosim::testing

@@ -20,7 +20,7 @@ std::string sizes(const Graph& graph) {
 bool agree(const Graph& truth, const Graph& found, int node, int arm) {
   struct Place {
     int node = Graph::kBlocked;
-    int turn = 0;  ///< arm k here is arm k + turn in the other graph
+    int turn = 0;  ///< arm k in `found` is arm k + turn in `truth`
   };
   std::vector<Place> place(found.nodes.size());
   std::vector<bool> taken(truth.nodes.size());

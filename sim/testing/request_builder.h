@@ -49,7 +49,7 @@ struct ResolvedTrial {
   std::string sketch_title;      ///< for messages: "PidFollower"
   std::optional<Built> counted;  ///< the build whose lines are counted; implies that request.counters is set
   bool map_is_text = false, robot_is_text = false;
-  std::filesystem::path scratch;  ///< folder of files with the map and robot that are texts; empty = none
+  std::filesystem::path scratch;  ///< folder for a map or robot that was given as text; empty = none
 };
 
 /// Returns the Trial's target. If the sketch is a finished .elf, returns the target of that file instead.
@@ -65,7 +65,7 @@ struct ResolvedFleetTrial {
   launch::Fleet fleet;
   launch::ChosenFleet chosen;
   bool map_is_text = false;
-  std::filesystem::path scratch;  ///< folder of files with maps and robots that are texts; empty = none
+  std::filesystem::path scratch;  ///< folder for maps and robots that were given as texts; empty = none
 };
 /// Resolves a FleetTrial. Throws the same exceptions as Fleet's constructor.
 ResolvedFleetTrial resolve_fleet_trial(const FleetTrial& trial);

@@ -26,7 +26,7 @@ struct RunLog {
   };
   struct Said {
     std::int64_t t_ns = 0;
-    std::size_t end = 0;  ///< length of `serial` at that time
+    std::size_t end = 0;  ///< length of `serial` at t_ns
   };
 
   Trial trial;

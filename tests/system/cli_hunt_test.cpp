@@ -161,8 +161,8 @@ TEST_F(CliHunt, BlamesNoFollowerOfLoopsForFloorsThatItToursByLuckIfAtAll) {
                 "  delay(5);\n"
                 "}\n");
   const char* const kSays =
-      "the sketch reaches its goal on a, but not on most similar floors, so that its driving on these is not "
-      "reported: --map a reports it\n";
+      "the sketch reaches its goal on a, but not on most similar floors: findings about its driving on such "
+      "floors are reported only with --map a\n";
   const std::vector<std::string> hunt = {"hunt", "./Tries", "--runs", "96", "--target", "host"};
   const Ended guessed = command(hunt);
   EXPECT_EQ(guessed.status, 0) << guessed.out;

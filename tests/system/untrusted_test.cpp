@@ -277,7 +277,7 @@ TEST_F(Untrusted, AnImageNamesNoFolderOutsideOfItsOwn) {
   folder_.write("S/build.options.json", "{\"sketchLocation\": \"" + (folder_ / "secret").string() + "\"}");
   const Ended ended = robosim({"run", "--untrusted", "./S/x.hex", "--map", "oval", "--robot", "uno5"});
   EXPECT_EQ(ended.status, 2);
-  EXPECT_THAT(ended.err, HasSubstr("name " + (folder_ / "secret").string() + " as the sketch's folder"));
+  EXPECT_THAT(ended.err, HasSubstr("refer to " + (folder_ / "secret").string() + " as the sketch's folder"));
 }
 
 TEST_F(Untrusted, GoesOnOnlyWhereTheKernelCanConfine) {

@@ -28,8 +28,8 @@ void warn_of_own_files(const std::string& checks) try {
     if (check.sweep.robots.empty()) missing += missing.empty() ? "no robot" : " and no robot";
     if (!missing.empty())
       complain(fmt::format(
-          "robosim: {}: check \"{}\" has {}: files in a sketch's folder are used, which the sketch's author "
-          "wrote; name your own files in the check\n",
+          "robosim: {}: check \"{}\" has {}: files in a sketch's folder, written by the sketch's author, are "
+          "used; name your own files in the check\n",
           checks, check.name, missing));
   }
 } catch (const InputError&) {

@@ -157,11 +157,11 @@ int flash_command(const FlashArguments& arguments) {
     board = &built.board;
     file = built.image.products.at(0);
     print(size_report(built.image, "avr", built.board, {built.image.image, file}) +
-          fmt::format("image_sha256: {}, of the image that the .hex is made of, as in robosim run --json\n",
+          fmt::format("image_sha256: {}, of the image from which the .hex is made; see robosim run --json\n",
                       sha256_of_file(built.image.image)));
   } else {
     board = &board_of_image(arguments.robot, sketch.project);
-    print(fmt::format("image_sha256: {}, as in robosim run --json\n", sha256_of_file(file)));
+    print(fmt::format("image_sha256: {}, the same as in robosim run --json\n", sha256_of_file(file)));
   }
   if (!board->upload_protocol)
     throw InputError(fmt::format("{}: robosim flash cannot write to a {}; use the board's programmer",

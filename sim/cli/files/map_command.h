@@ -12,7 +12,7 @@
 namespace robosim::cli {
 
 /// Reads each map (a path, or the name of a sample) and reports size, line, start, goal, stations, and
-/// oddities. Errors go to `errors`, and the other maps are still checked. `start` is as on the command line;
+/// oddities. Errors go to `errors`, and the other maps are still checked. `start` has the form of --start;
 /// "" = the map's start. With `json`, reports one JSON object for each map. Returns ok, or bad_input if any
 /// map is invalid.
 ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& start, std::ostream& out,

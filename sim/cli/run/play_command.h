@@ -1,4 +1,4 @@
-// `robosim play`: an interactive session, as in the original program, Robosim v1.
+// `robosim play`: an interactive session in the style of Robosim v1, the original program.
 #pragma once
 
 #include "sim/cli/arguments.h"

@@ -51,8 +51,8 @@ std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
   return terminal::trail_every_ns(arguments.request.for_ns);
 }
 
-/// Returns the bytes of RAM that neither the variables nor the stack have occupied. Returns nothing if the
-/// run did not measure them.
+/// Returns the number of bytes of RAM that neither the variables nor the stack have occupied. Returns nothing
+/// if the run did not measure this number.
 std::optional<std::int64_t> free_bytes(const result::RunResult& result, const BoardSpec& board) {
   if (!result.resources) return std::nullopt;
   const std::int64_t used = result.resources->ram_bytes + result.resources->stack_bytes_max;

@@ -76,7 +76,8 @@ int why_command(const WhyArguments& arguments) {
   const client::Interrupts interrupts(runner);
   result::RunResult result = runner.run(run.request);
   progress.clear();
-  // Also searches the folder two levels above the sketch, which may be an example of a library that it uses.
+  // Also searches the folder two levels above the sketch. If the sketch is a library's example, this is the
+  // library's folder.
   std::vector<std::filesystem::path> folders = {run.sketch.folder, run.sketch.folder / "../.."};
   folders.insert(folders.end(), run.wanted.libraries.begin(), run.wanted.libraries.end());
   SourceText source(std::move(folders));

@@ -29,8 +29,8 @@ std::string what_came_of_it(const wiring::Trial& trial, const std::string& map) 
   const result::RunResult& result = trial.result;
   if (result.verdict == "reached" && !trial.follows)
     return fmt::format(
-        "With this robot the sketch drives around the map {}, but hardly along the line: its sensors are "
-        "{:.0f} mm off it on average, and for {:.0f} of {:.0f} s none of them saw it.",
+        "With this robot the sketch drives around the map {}, but hardly along the line: the sensors are "
+        "{:.0f} mm off the line on average, and for {:.0f} of {:.0f} s no sensor saw the line.",
         map, result.metrics.cross_track_rms_mm, result.metrics.off_line_s, result.time_s);
   if (result.verdict == "reached")
     return fmt::format("With this robot the sketch drives a lap of the map {} in {:.1f} s.", map,

@@ -77,7 +77,7 @@ struct Pool::Worker {
 /// The progress of a batch.
 struct Pool::Work {
   const Batch& batch;
-  std::size_t begun = 0;   ///< number of the first run that has not been considered yet
+  std::size_t begun = 0;   ///< number of the first run that has neither begun nor been skipped
   std::size_t handed = 0;  ///< number of the first run that has not been passed on yet
   std::map<std::size_t, Answer> waiting = {};
 
@@ -101,7 +101,7 @@ struct Pool::Work {
     }
   }
 
-  /// Passes on all finished runs, even after a missing run.
+  /// Passes on all finished runs, even those after an unfinished run.
   void hand_over_rest() {
     for (auto& [i, answer] : waiting) {
       if (wanted(i)) batch.answered(i, std::move(answer));

@@ -40,8 +40,8 @@ class Runner {
 
   const wire::Hello& hello() const { return hello_; }
 
-  /// Describes a robot: a stock robot by its name, any other robot by its path. `full` adds RobotInfo::text.
-  /// Throws InputError.
+  /// Describes a robot. `robot` is the name of a stock robot, or the path of any other robot. `full` adds
+  /// RobotInfo::text. Throws InputError.
   wire::RobotInfo describe_robot(const std::string& robot, bool full = false);
 
   /// Runs to the verdict. Throws InputError for invalid input, and ToolMissing. Throws RunnerError if the
@@ -57,7 +57,7 @@ class Runner {
   std::optional<result::RunResult> take(const wire::OnEvent& on_event = {});
   int descriptor() const noexcept;
 
-  /// Limits, from now on, how far the runner can be ahead of `on_event`, to a few kilobytes of events.
+  /// From now on, lets the runner be ahead of `on_event` by at most a few kilobytes of events.
   /// Viewers need this limit, so that an interrupt takes effect near the visible state. The limit slows the
   /// run down.
   void keep_close() noexcept;
@@ -88,7 +88,7 @@ class Runner {
   wire::Hello hello_;
   long long last_id_ = 0;
   wire::BatchReader batches_{{}};  ///< reader for the last requested run
-  bool batch_is_damaged_ = false;  ///< in the last requested run; its later batches are not read
+  bool batch_is_damaged_ = false;  ///< true: the last requested run's further batches are not read
 };
 
 }  // namespace robosim::client

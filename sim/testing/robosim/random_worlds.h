@@ -1,6 +1,6 @@
 // Runs tests in random worlds: maps, robots, faults and seeds that RapidCheck draws. A failure is reduced to
-// the smallest world found that still fails. This world is saved as files, with the command that replays it:
-// docs/howto/testing.md.
+// the smallest failing world that the search finds. This world is saved as files, with the command that
+// replays it: docs/howto/testing.md.
 //
 //   #include <robosim/random_worlds.h>   // next to <robosim/testing.h>; target robosim::random_worlds
 //
@@ -51,8 +51,9 @@ struct Tracks {
 rc::Gen<std::string> tracks(Tracks limits = {});
 
 /// Generates robots within the spread of a robot file (a stock robot's name, or a path). Each parameter with
-/// a spread in the file gets a value within it. Floor sensors are up to `mounting_mm` off their positions, to
-/// the front or side. Robots shrink to the values in the file, except for parameters that the failure needs.
+/// a spread in the file gets a value within this spread. Floor sensors are up to `mounting_mm` off their
+/// positions, to the front or side. Robots shrink to the values in the file, except for parameters that the
+/// failure needs.
 rc::Gen<std::string> robots(const std::string& file = "uno5", double mounting_mm = 1.0);
 
 /// The faults to draw, with their maximum severity; 0 = never. docs/reference/robots.md describes each fault.

@@ -1,6 +1,6 @@
 // Defines colours that colour-blind people can distinguish. Series use the colours of Okabe and Ito.
-// Magnitudes use a part of the colour map "plasma" (van der Walt and Smith). The map's ends are omitted,
-// because they would be invisible on the line or the floor.
+// Magnitudes use a part of the colour map "plasma" (van der Walt and Smith). The ends of this colour map
+// are omitted, because they would be invisible on the line or the floor.
 
 const SERIES = {
   light: ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#b07a00', '#2f9bd8', '#7a5195', '#6f6f00'],

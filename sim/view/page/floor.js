@@ -124,7 +124,7 @@ export class FloorPicture {
     ctx.fill(this.dark);
     this.drawAreas(floor, false);
     ctx.fillStyle = style(paint);
-    ctx.lineCap = ctx.lineJoin = 'round';  // as in the simulation, which paints up to half a width from the path
+    ctx.lineCap = ctx.lineJoin = 'round';  // the simulation also paints up to half a width from the path
     for (const { path, width, colour = style(paint), worn } of this.lines) {
       ctx.lineWidth = width;
       ctx.strokeStyle = colour;

@@ -38,7 +38,7 @@ class GrowingStream {
 }
 
 export class LiveRun extends Run {
-  /** `header` is that of a recording. `state` is the first `paused` message of robot `number`. */
+  /** `header` is a recording's header. `state` is the first `paused` message of robot `number`. */
   constructor(header, state, number = 0) {
     super(header.sketch, new Float64Array(), {});
     const { started, robot_info: robot, result } = header;

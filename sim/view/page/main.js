@@ -284,7 +284,7 @@ class Page {
     }
   }
 
-  /** Compares with another run. `others` are the Runs of its robots; null ends the comparison. */
+  /** Compares with another run. `others` are the Runs of the other run's robots; null ends the comparison. */
   compare(others, name) {
     this.over = [others, name];
     this.others = others;

@@ -10,7 +10,8 @@
 namespace robosim::serve {
 
 struct Choices {
-  /// Names as for `robosim run` in the folder: "./Sketch" from the folder, then "PidFollower" from Robosim.
+  /// Names for `robosim run` in the folder: first the folder's own, such as "./Sketch", then those that come
+  /// with Robosim, such as "PidFollower".
   std::vector<std::string> sketches, robots, maps;
 };
 

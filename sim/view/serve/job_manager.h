@@ -25,9 +25,9 @@ struct RunForm {
   std::string target = "host";     ///< host, avr or stm32
   std::uint64_t seed = 1;
   double for_s = 60.0;  ///< simulated time, 0.001 to 3600
-  std::string goal;     ///< "" = the map's
+  std::string goal;     ///< "" = the map's goal
   std::string script;   ///< script of the robot, or of each robot that is not in `scripts`
-  std::map<std::string, std::string> scripts;  ///< of several robots: scripts by the robots' names
+  std::map<std::string, std::string> scripts;  ///< if there are several robots: scripts by robots' names
 };
 
 /// Parses the JSON of a request. Throws InputError if it is invalid, has other keys, or names anything

@@ -8,7 +8,7 @@
 //
 // Checks of other headers limit the size of requests and answers:
 //   Range            at most one, since the answer contains the page once for each range
-//   Content-Encoding none: a few bytes may unpack to any number
+//   Content-Encoding none: a few bytes may unpack to any number of bytes
 //   Transfer-Encoding, Content-Length   the length must be known before the body arrives
 //
 // If other machines may connect, a token is also required.

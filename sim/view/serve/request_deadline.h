@@ -24,10 +24,10 @@ class RequestDeadline {
   RequestDeadline(int port, std::chrono::milliseconds most, std::string answer);
   ~RequestDeadline();
 
-  /// Finds the connection that the HTTP library has just accepted: the library does not pass on its socket.
+  /// Finds the connection that the HTTP library has just accepted: the library does not pass on the socket.
   /// Returns null if the connection is already closed.
   Connection* accepted();
-  /// Answers a connection's request by `work`, in this thread. The time limit starts now.
+  /// Answers a connection's request by calling `work`, in this thread. The time limit starts now.
   void answer(Connection* connection, const std::function<void()>& work);
 
   // Report the progress of the connection that this thread answers.

@@ -18,7 +18,7 @@ constexpr char32_t kArrows[] = U"►▼◄▲";
 constexpr char32_t kAsciiArrows[] = U">v<^";
 
 // Chooses `count` visible cells from the cells `least` to `most`, and returns the first of them. Keeps `now`,
-// the present first cell, if `middle` then stays away from the edges. Otherwise, centres `middle`.
+// the present first cell, if this keeps `middle` away from the edges. Otherwise, centres `middle`.
 int keep_in_sight(int now, int least, int most, int count, int middle) {
   const int margin = count / 5;
   if (middle < now + margin || middle >= now + count - margin) now = middle - count / 2;

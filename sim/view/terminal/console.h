@@ -22,7 +22,7 @@ class Console {
   virtual bool is_live() const = 0;
   virtual void show(const Frame& frame) = 0;
   /// Returns the next key. Returns `nothing` after at most `timeout_ms`, and after a resize, which requires a
-  /// redraw. A negative `timeout_ms` means no limit; `nothing` is then still possible, as after a resize.
+  /// redraw. A negative `timeout_ms` means no limit; `nothing` is still returned after a resize, for example.
   virtual Press wait(int timeout_ms) = 0;
   /// Returns the time of a clock for pacing, in microseconds.
   virtual std::int64_t now_us() = 0;
@@ -30,8 +30,8 @@ class Console {
   virtual void lend(const std::function<void()>& use) = 0;
 };
 
-/// The whole screen of a terminal with cursor addressing. If the window is too small, it shows a message, and
-/// only q works.
+/// The whole screen of a terminal with cursor addressing. If the window is too small, shows a message, and
+/// accepts only q.
 class ScreenConsole final : public Console {
  public:
   static constexpr TerminalSize kLeast{40, 14};

@@ -69,7 +69,7 @@ class FloorPicture {
   /// Returns whether p is within `reach_m` of a centre line. With `whole`, uses half of the line's width if
   /// this is larger than `reach_m`.
   bool is_painted(Vec2 p, double reach_m, bool whole) const;
-  /// Returns the sign of the floor at p, the middle of a character. On a hill, `^`, `>`, `v` and `<` point
+  /// Returns the symbol for the floor at p, the middle of a character. On a hill, `^`, `>`, `v` and `<` point
   /// uphill, `:` is level ground, and `=` is a seesaw. Elsewhere, `~` is a surface. Returns 0 otherwise.
   char relief_at(Vec2 p) const;
   bool has_surface(Vec2 p) const;
@@ -81,7 +81,7 @@ class FloorPicture {
   map::Stripes stripes_;
   Window window_;
   Layer wall_;    // 1 = the character's middle is wall
-  Layer relief_;  // sign of a hill or a surface at each character, or 0
+  Layer relief_;  // symbol for a hill or a surface at each character, or 0
   Layer line_, thin_line_, trail_, robot_;
 };
 

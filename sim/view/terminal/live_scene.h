@@ -50,8 +50,9 @@ class LiveScene {
   bool is_level(const std::string& reading) const;
   /// Returns the unit of a numeric reading, or null for other readings.
   const std::string* unit_of(const std::string& reading) const;
-  /// The next two functions draw the texts of displays, and the readings. Both return the row below.
+  /// Draws the texts of displays. Returns the row below them.
   int draw_told(Frame& frame, int row) const;
+  /// Draws the readings. Returns the row below them.
   int draw_readings(Frame& frame, int row, Look look) const;
 
   std::string title_;

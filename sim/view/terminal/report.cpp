@@ -159,7 +159,7 @@ std::string lacks_text(const std::vector<result::Lack>& lacks) {
     const std::string place = where.file.empty() ? "" : fmt::format(" in {}:{}", where.file, where.line);
     text += fmt::format("{}{}{}", text.empty() ? "" : "; ", lack.what, place);
   }
-  return text + ". The host does not have that; run with --target avr to see its effect.";
+  return text + ". The host has no such feature; run with --target avr to see the effect.";
 }
 
 std::string two_digits(double value) { return fmt::format("{:.10g}", std::round(value * 100.0) / 100.0); }
@@ -329,7 +329,7 @@ std::string end_screen(const Report& report, const map::Map* map, int columns, L
   if (!r.next.empty()) out.labelled("next:", r.next, Ink::strong);
   if (report.target == "avr" && has_causes(r.verdict))
     out.labelled(
-        "why:", "robosim why, with the same arguments, goes back from this to the lines that caused it",
+        "why:", "robosim why, with the same arguments, traces this verdict to the lines that caused it",
         Ink::faint);
   if (report.target == "host") out.labelled("chip:", chip_hint(report), Ink::faint);
   return out.take();

@@ -33,7 +33,7 @@ class Trail {
 
  private:
   std::vector<Vec2> points_;
-  std::vector<bool> gaps_;  ///< per point: whether the robot was moved manually on the way to it
+  std::vector<bool> gaps_;  ///< per point: whether the robot was moved manually just before this point
   bool gap_ = false;        ///< whether the robot was moved manually since the last point
   bool carried_ = false;
   wire::Hand hand_;

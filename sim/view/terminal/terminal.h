@@ -53,7 +53,7 @@ Press take_press(std::string& bytes);
 /// Ctrl-Z also restores it, until the process continues. Only one Screen may exist at a time.
 class Screen {
  public:
-  /// `output` must be a terminal. Keys are read from `input` if that is also a terminal.
+  /// `output` must be a terminal. Keys are read from `input` if `input` is also a terminal.
   Screen(int input, int output, Look look);
   ~Screen();
   Screen(const Screen&) = delete;

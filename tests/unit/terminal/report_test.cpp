@@ -92,8 +92,8 @@ TEST(EndScreen, NamesWhatTheHostLacks) {
   EXPECT_THAT(end_screen(r, nullptr, 200, kPlain), Not(HasSubstr("lacks")));
   r.result.lacks = {{"CLKPR", {"setup", "Slow.ino", 3}}};
   EXPECT_THAT(end_screen(r, nullptr, 200, kPlain),
-              HasSubstr("lacks        CLKPR in Slow.ino:3. The host does not have that; run with "
-                        "--target avr to see its effect."));
+              HasSubstr("lacks        CLKPR in Slow.ino:3. The host has no such feature; run with "
+                        "--target avr to see the effect."));
 }
 
 TEST(EndScreen, NamesPinsWithoutPartsAndPartsWithoutUse) {
@@ -115,8 +115,8 @@ TEST(EndScreen, PointsToTheCausesOfAFailureOnAnAvr) {
     r.result.verdict = verdict;
     return end_screen(r, nullptr, 200, kPlain);
   };
-  EXPECT_THAT(screen("avr", "lost"), HasSubstr("why: robosim why, with the same arguments, goes back from "
-                                               "this to the lines that caused it"));
+  EXPECT_THAT(screen("avr", "lost"), HasSubstr("why: robosim why, with the same arguments, traces this "
+                                               "verdict to the lines that caused it"));
   for (const char* verdict : {"reached", "interrupted", "over_budget"})
     EXPECT_THAT(screen("avr", verdict), Not(HasSubstr("robosim why"))) << verdict;
   for (const char* target : {"host", "stm32"})

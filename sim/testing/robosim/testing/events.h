@@ -40,11 +40,11 @@ class Event {
 /// answer.
 Event serial_says(const std::string& text);
 /// Occurs when this regular expression matches part of a complete line; the line end is not included. The
-/// syntax is RE2: that of ECMAScript, without lookahead and back references. The search begins at the same
-/// position as that of serial_says().
+/// syntax is RE2, which is the syntax of ECMAScript without lookahead and back references. The search begins
+/// at the same position as in serial_says().
 Event serial_matches(const std::string& regex);
-/// Occurs when a display shows a text with this beginning; "|" joins the lines of a display. Also occurs when
-/// a Bluetooth module has received a line with this beginning.
+/// Occurs when a display shows a text that begins with `text`; "|" joins the lines of a display. Also occurs
+/// when a Bluetooth module has received a line that begins with `text`.
 Event tells(const std::string& part, const std::string& text);
 /// Occurs when the body has covered the station's centre at least once since the start. `station` is a number
 /// or a name.
@@ -69,7 +69,7 @@ Event stands_still(Duration time = 500_ms);
 /// Occurs when the robot has hit a wall, an obstacle or the map's edge.
 Event collides();
 /// Occurs when the run has ended with this verdict, such as "lost" or "crashed" (docs/reference/verdicts.md).
-/// A test that waits for a verdict does not fail because of it.
+/// A test that waits for a verdict does not fail because of this verdict.
 Event ends(const std::string& verdict);
 
 }  // namespace robosim::testing

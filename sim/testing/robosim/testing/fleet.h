@@ -19,7 +19,7 @@
 
 namespace robosim::testing {
 
-/// One robot. The members are those of a Trial. Only name and sketch have no default.
+/// One robot. Its members mean the same as the members of a Trial. Only name and sketch have no default.
 struct FleetMember {
   std::string name;  ///< letters, digits, _ and -
   std::string sketch;
@@ -66,8 +66,8 @@ class Fleet {
   bool over() const;
   /// Returns the verdicts in the order of the robots; "" for a robot without a verdict.
   std::vector<std::string> verdicts() const;
-  /// Returns success if all robots have reached their goals, for EXPECT_TRUE. Otherwise names the robots that
-  /// have not, with the reasons.
+  /// Returns success if all robots have reached their goals, for EXPECT_TRUE. Otherwise names the robots
+  /// without success, with the reasons.
   ::testing::AssertionResult all_reached() const;
   /// Returns the command that reproduces this run until now. If the test fails, the files that the command
   /// names are saved.
@@ -76,7 +76,7 @@ class Fleet {
  private:
   struct Impl;
   std::vector<std::string> names_;
-  std::filesystem::path scratch_;  ///< folder of files with maps and robots that are texts
+  std::filesystem::path scratch_;  ///< folder for maps and robots that were given as texts
   std::vector<std::unique_ptr<Simulation>> robots_;
   std::unique_ptr<Impl> impl_;
 };

@@ -64,8 +64,8 @@ Requirement Follows(Line, Within<Length> within);
 /// Requires that the robot visited all these stations, in any order.
 Requirement Visits(std::initializer_list<int> stations);
 Requirement Visits(std::vector<std::string> stations);
-/// Requires that the robot visited exactly these stations, in this order. Leaving a station and returning
-/// counts twice. The station at which the drive began counts only if the robot returns.
+/// Requires that the robot visited exactly these stations, in this order. A station that the robot leaves and
+/// visits again counts twice. The station at which the drive began counts only if the robot returns.
 Requirement VisitsInOrder(std::initializer_list<int> stations);
 
 /// Require that no wheel turns after this time, or after this distance, both counted from the drive's
@@ -83,7 +83,7 @@ Doing backwards();     ///< faster than 5 mm/s
 Doing off_the_line();  ///< no line sensor sees the line
 Doing faster_than(Speed speed);
 Doing onto(int column, int row);  ///< the axle's centre is over this cell
-/// Requires that the robot never does `what`, as in NeverDrives(backwards()). Checks a sample every 10 ms.
+/// Requires that the robot never does `what`. Example: NeverDrives(backwards()). Checks a sample every 10 ms.
 Requirement NeverDrives(Doing what);
 /// Requires no contact with walls, obstacles or the map's edge.
 Requirement NeverCollides();
@@ -93,7 +93,7 @@ Requirement NeverCollides();
 Requirement SerialSays(std::string text);
 Requirement SerialMatches(std::string regex);
 
-/// Requires that the run ended by itself and reached the goal. `goal` is as in Trial.
+/// Requires that the run ended by itself and reached the goal. `goal` has the form of Trial::goal.
 Requirement Reaches(std::string goal);
 /// Requires that the run ended with this verdict: "lost".
 Requirement EndsAs(std::string verdict);

@@ -31,7 +31,7 @@ constexpr MinimumRate surely_at_least(double rate) { return {rate, true}; }
 /// goal. Stops as soon as the result is certain. A failure prints the failed seeds with the reasons, and the
 /// interval of the true rate (Wilson's, 95 %). It also prints the command that replays the first failed run.
 ///
-/// ROBOSIM_JOBS=N runs N trials at a time (default: the number of processors); the result is the same. Throws
+/// ROBOSIM_JOBS=N runs N trials at a time (default: the number of processors), with the same result. Throws
 /// the same exceptions as Simulation, and InputError if these seeds are too few to prove the rate.
 ::testing::AssertionResult success_rate(const Trial& trial, MinimumRate least,
                                         const std::vector<std::uint64_t>& seeds);

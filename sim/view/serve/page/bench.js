@@ -48,7 +48,7 @@ function say(text, bad = false) {
   $('said').hidden = !$('said').textContent.trim();
 }
 
-/** Returns the page below, once it shows a run; otherwise null. */
+/** Returns the page in the frame below the form if the frame shows a run; otherwise null. */
 const shown = () => $('replay').hidden ? null : $('replay').contentWindow?.robosim ?? null;
 
 function show(recording, moment) {

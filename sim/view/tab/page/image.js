@@ -2,7 +2,7 @@
 // as short as possible.
 
 const kData = 0, kEnd = 1, kSegment = 2, kUpper = 4;
-const SECOND = 0x800000;  // avr-gcc puts everything outside of flash above it (sim/base/elf/avr_addresses.h)
+const SECOND = 0x800000;  // avr-gcc puts all but flash above this address (sim/base/elf/avr_addresses.h)
 
 const filled = (parts) => {
   const size = parts.reduce((most, { at, bytes }) => Math.max(most, at + bytes.length), 0);

@@ -2,8 +2,8 @@
 // module's file system. This is a plain script, for the worker and for tests without a browser.
 
 class Bench {
-  /** `robots` contains the texts of the stock robots by name. `options` are those of the module; it calls
-   *  `reached` with the simulated seconds. */
+  /** `robots` contains the texts of the stock robots by name. `options` are the module's options; the module
+   *  calls `reached` with the simulated seconds. */
   static async make(robots, options) {
     const bench = new Bench();
     bench.module = await robosimModule(options);

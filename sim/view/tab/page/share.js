@@ -1,4 +1,4 @@
-// Packs a run into a link or a file, with everything needed to repeat it. Files of this folder are only
+// Packs a run into a link or a file, with everything needed to repeat it. Files of the page's folder are only
 // named; the user's files are included. The packed data is deflated: a line of JSON, then the bytes of the
 // user's image, if any.
 

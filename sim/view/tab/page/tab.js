@@ -169,7 +169,7 @@ function requestOf(wanted) {
 function newWorker() {
   worker?.terminate();
   worker = new Worker('worker.js');
-  // Browsers optimise code that has run for a while. This run lets the user's first run profit from that.
+  // Browsers optimise code that has run for a while. After this run, the user's first run is faster.
   const first = { sketch: 'PidFollower', robot: 'uno5', map: 'oval', seed: 1, seconds: 3, profile: 'typical', goal: '', script: '' };
   worker.postMessage({ robots: robotTexts(), ...requestOf(first), silent: true });
 }
