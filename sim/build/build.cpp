@@ -207,7 +207,7 @@ class Build {
     std::string key;
     std::size_t slot;            ///< index in objects_
     fs::path compiled, object;   ///< compiler's output and final object; equal unless through_assembly()
-    bool keeps_address = false;  ///< the unit stores the address of a register, but objects have none
+    bool keeps_address = false;  ///< the unit stores a register's address, but Registers::objects have none
   };
 
   /// Compiles the units. Returns the units that must be compiled again, because a library that they need has

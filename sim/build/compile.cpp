@@ -89,7 +89,7 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
   }
   words.push_back(
       pin_macro("ROBOSIM_HAS_PWM", board, "0", [](const PinSpec& pin) { return pin.pwm ? "1" : "0"; }));
-  // If the chip's own bus pins are unknown, uses the bus pins of its substitute board.
+  // If the chip's own bus pins are unknown, uses the bus pins of the board's host model.
   const BoardSpec& buses = board.chip->spi.address ? board : model;
   const auto pin_of = [&](const char* name, const char* chip_name) {
     words.push_back(fmt::format("-DROBOSIM_PIN_{}={}", name, find_pin(buses, chip_name)));

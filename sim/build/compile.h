@@ -15,7 +15,7 @@ struct Unit {
   Kind kind = Kind::sketch;
   std::filesystem::path folder;  ///< folder of the sketch, the library, or the core
   std::string source;            ///< relative to `folder` in a sketch, otherwise absolute
-  std::filesystem::path input;   ///< the joined .ino files; `source` is empty then
+  std::filesystem::path input;   ///< the joined .ino files, or empty; if it is set, `source` is empty
   bool archived = false;         ///< the object becomes part of its library's archive
   std::string place;             ///< the name of `folder` in debug information: "libraries/Servo"
   std::vector<std::filesystem::path> searched;  ///< folders for -I, in addition to the libraries' folders

@@ -107,8 +107,8 @@ std::string class_hint(const std::string& name) {
   return "";
 }
 
-/// Returns a hint for an error of a sketch that was written for another version of a library. Each of these
-/// messages names a class of the library, so the sketch includes the library.
+/// Returns a hint for an error of a sketch that was written for another version of a library. Each message in
+/// the list names a class of the library, so the sketch includes the library.
 std::string version_hint(const std::string& first) {
   struct Versioned {
     const char* says;  ///< part of the compiler's message

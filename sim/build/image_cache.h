@@ -18,8 +18,8 @@ const char* seen_by(const Toolchain& toolchain);
 /// Returns the key of a sketch's image, with libraries from `folders`.
 std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
                       const std::vector<std::filesystem::path>& folders);
-/// Returns whether a unit's object is cached. Objects of joined .ino files and objects with notes are not
-/// cached.
+/// Returns whether a unit's object is cached. Objects of joined .ino files, and objects with gcov's
+/// notes, are not cached.
 bool is_cached(const Toolchain& toolchain, const Unit& unit);
 std::string unit_key(const Toolchain& toolchain, const Unit& unit);
 /// Returns the key of gcov's notes on an image.

@@ -1,5 +1,5 @@
-// Warns about pins that a board does not have, or that cannot do what a sketch requests. The chip itself does
-// not report these mistakes.
+// Warns about pins that a board does not have, or that lack a function that a sketch uses. The chip itself
+// does not report these mistakes.
 #pragma once
 
 #include <string>

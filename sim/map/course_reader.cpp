@@ -45,7 +45,7 @@ int number_of(const Paint& paint, const Paint& usual, Course& course, const Plac
   return static_cast<int>(i) + 1;
 }
 
-// Reads the keys of a paint; `paint` has the defaults. Skips `width` for marks, which have their own `width`.
+// Reads the keys of a paint; `paint` has the defaults. For marks, skips `width`, which is not the paint's.
 Paint read_paint(TableReader& table, bool of_line, Paint paint) {
   if (of_line) paint.width = table.quantity("width", Dimension::length, paint.width, kLeastWidth, kMostWidth);
   if (const ConfigValue* const colour = table.find("colour")) paint.colour = read_colour(*colour);
@@ -160,7 +160,7 @@ void read_race(const ConfigValue& value, double line_m, Course& course) {
 void read_rescue(const ConfigValue& value, Course& course) {
   TableReader table(value, "[rescue]");
   if (course.paths.empty())
-    throw InputError(value.place, "[rescue] requires a [[path]], along which it goes");
+    throw InputError(value.place, "[rescue] requires a [[path]], along which the course goes");
   const double length = course.paths.front().length();
   if (length > kLongestRescue)
     throw InputError(value.place,

@@ -21,7 +21,7 @@ struct Light {
   double radius = 0.0;     ///< m, of a patch of sun; 0 = no patch
   Vec2 moves;              ///< m/s, velocity of the patch
   double flicker = 0.0;    ///< share of the level that flickers
-  double frequency = 0.0;  ///< Hz, of the flicker; twice that of the mains
+  double frequency = 0.0;  ///< Hz, of the flicker; twice the mains frequency
 };
 
 /// Reads all [[light]] tables. Throws InputError.

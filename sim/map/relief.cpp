@@ -132,8 +132,7 @@ SurfaceFigures read_surface_figures(TableReader& table, const SampledParameters&
     table.refuse_misspelt();
     throw InputError(table.table().place,
                      "invalid surface: expected either a kind, as in kind = \"carpet\", or values: grip = "
-                     "0.5, multiplied by "
-                     "the robot's, and rolling = 0.03, added to the robot's");
+                     "0.5, a factor for the robot's grip, and rolling = 0.03, added to the robot's rolling");
   }
   if (kind) {
     std::vector<std::string> names;

@@ -325,7 +325,7 @@ std::string difference(const TrueGraph& expected, const TrueGraph& found) {
   const std::vector<PlacedArm> right = placed(expected);
   const std::vector<PlacedArm> other = placed(found);
   for (std::size_t i = 0; i < std::min(right.size(), other.size()); ++i)
-    if (right[i] != other[i]) return fmt::format("{}; found was: {}", describe(right[i]), describe(other[i]));
+    if (right[i] != other[i]) return fmt::format("{}; found: {}", describe(right[i]), describe(other[i]));
   if (right.size() != other.size())
     return fmt::format("{} ends of lines were found instead of {}", other.size(), right.size());
   return "";

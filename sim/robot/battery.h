@@ -20,7 +20,7 @@
 // battery.cpp has the open-circuit voltages of a cell. The values for li-ion were measured by
 // github.com/little-porter, battery_health_inference_RJ. The values for nimh and alkaline are estimates from
 // makers' discharge curves at 0.2 C. Without the key `resistance`, each cell has a typical resistance of its
-// kind, which is not measured. The resistance does not depend on the charge.
+// kind. This value was not measured. The resistance does not depend on the charge.
 //
 // Not modelled: recovery after load, temperature, and the cut-off of a protection circuit. Current flows back
 // into the battery only if the motors have an inductance.

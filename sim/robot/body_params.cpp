@@ -55,7 +55,7 @@ world::BodyParams body_params(const Description& robot, std::uint64_t seed, Prof
   const bool differential = std::any_of(robot.parts.begin(), robot.parts.end(),
                                         [](const auto& part) { return part->driven_wheel() == kBothWheels; });
   for (const Side side : {world::left, world::right}) {
-    // With a differential, half of the left motor acts on each wheel.
+    // With a differential, the left motor drives both wheels, so both have the left motor's values.
     const char* name = side == world::left || differential ? "left wheel" : "right wheel";
     const auto each = [&](const Parameter& figure, const char* key) {
       return sampler.draw(figure, name, key);

@@ -144,8 +144,8 @@ const std::vector<DriverChip>& driver_chips() {
        0.8,
        true,
        {{{open, open}, {open, open}}, {{open, reverse}, {forward, shorted}}}},
-      // In the mode PHASE/ENABLE, a low ENABLE brakes. There, IN1 and IN2 always differ (motor_driver.h). The
-      // mode IN/IN works as in the drv8833.
+      // In the mode PHASE/ENABLE, a low ENABLE brakes. In this mode, IN1 and IN2 always differ
+      // (motor_driver.h). The mode IN/IN works as in the drv8833.
       {"drv8835",
        0.0,
        0.305,

@@ -123,7 +123,7 @@ Chassis read_chassis(const ConfigValue& table) {
     if (reader.find("wheelbase"))
       throw InputError(
           tracks->place,
-          "expected either tracks, the length of the tracks, or wheelbase, the distance between axles; got "
+          "expected either tracks (the length of the tracks) or wheelbase (the distance between axles), got "
           "both");
     chassis.wheelbase =
         read_parameter(reader, "tracks", Dimension::length, {}, 0.03, 0.6).scaled(kTrackAsWheels);

@@ -41,8 +41,8 @@ struct Steering {
 /// [chassis]: the rigid body.
 struct Chassis {
   Parameter mass;        ///< kg, of the whole robot
-  Parameter inertia;     ///< kg m2, about the vertical axis through the axle's centre; 0 = that of a uniform
-                         ///< plate of the outline's shape
+  Parameter inertia;     ///< kg m2, about the vertical axis through the axle's centre; 0 = the inertia of a
+                         ///< uniform plate with the outline's shape
   Parameter load_share;  ///< 0..1, share of the weight on the driven wheels
   Parameter track;       ///< m, between the two wheels' contact points
   Parameter wheel;       ///< m, a wheel's diameter; sampled for each wheel

@@ -50,8 +50,8 @@ class PartReader {
   Parameter figure(const char* key, Dimension dimension, Parameter fallback, double least, double most) {
     return read_parameter(table_, key, dimension, fallback, least, most);
   }
-  /// Reads a voltage from 0 to the supply, or to `most` if that is less. `fallback` is a share of the supply.
-  /// If the board is replaced, the voltage keeps its share of the supply.
+  /// Reads a voltage from 0 to the supply, or to `most` if `most` is less. `fallback` is a share of the
+  /// supply. If the board is replaced, the voltage keeps its share of the supply.
   Parameter volts(const char* key, Parameter fallback = {}, double most = 1e3);
   /// Reads the parameter of each of `count` elements: one value for all elements, or a list of `count`
   /// values.

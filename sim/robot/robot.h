@@ -82,8 +82,8 @@ class Robot {
 
   /// Returns whether any reflectance sensor's footprint touches the line, without noise.
   bool sees_line() const;
-  /// Returns whether a line passes between the outermost two reflectance sensors, as under two sensors that
-  /// straddle it. `off_m` is the distance in m from sensor_midpoint() to the nearest line.
+  /// Returns whether a line passes between the outermost two reflectance sensors, for example if two sensors
+  /// straddle the line. `off_m` is the distance in m from sensor_midpoint() to the nearest line.
   bool straddles_line(double off_m) const;
   /// Returns the mean lateral position of the sensors that touch the line, m to the left of the body's
   /// middle. The weight of a sensor is the share of its footprint on the line. Returns 0 if no footprint
@@ -102,9 +102,9 @@ class Robot {
   bool has_text_outputs() const { return has_text_outputs_; }
   /// Collects the text that the parts report at `t`, the end of a tick.
   void poll_text(SimTime t, std::vector<PartText>& told);
-  /// Returns whether the last tick's commands drive a motor. Drives up to 1/128 of full power do not count,
-  /// because a chip's PWM outputs 1/256 even at OCR0A = 0. If less than 1/64 of full power turns a wheel
-  /// from rest, the limit is half of that power.
+  /// Returns whether the last tick's commands drive a motor. A command of up to 1/128 of full power does not
+  /// count, because a chip's PWM outputs 1/256 even at OCR0A = 0. If a wheel turns from rest at less than
+  /// 1/64 of full power, the limit is half of the power that this wheel needs.
   bool driven() const {
     return std::abs(command_[0].drive) > driven_from_[0] || std::abs(command_[1].drive) > driven_from_[1];
   }
@@ -128,7 +128,7 @@ class Robot {
   /// [battery].
   std::optional<double> charge() const;
 
-  /// Saves all state that changes during a run, except that of the body and the board.
+  /// Saves all state that changes during a run, except the state of the body and of the board.
   SnapshotRegistry::Snapshot save() const;
   /// Restores a result of this robot's save().
   void restore(const SnapshotRegistry::Snapshot& saved);

@@ -148,7 +148,7 @@ RobotSource read_with_bases(std::string_view text, const fs::path& file, int dep
   const ConfigValue* base = source.tree.find("base");
   if (!base) {
     if (const ConfigValue* list = source.tree.find("remove"))
-      throw InputError(list->place, "remove requires the key base, the robot to remove parts from");
+      throw InputError(list->place, "remove requires the key base, the robot that has these parts");
     return source;
   }
   if (depth == kMostBases)

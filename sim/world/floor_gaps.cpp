@@ -11,7 +11,7 @@ namespace {
 constexpr double kTread = 0.006;     // m; assumed width of a wheel's tread
 constexpr double kMostShare = 0.98;  // maximum ratio of half the gap to the roller's radius
 
-// Dimensions of a gap and of a roller at it, measured across the gap, m.
+// Dimensions of a gap, and of a roller at the gap, measured across the gap, m.
 struct Meeting {
   double half = 0.0;   // half the gap, without the part that the tread bridges
   double reach = 0.0;  // the roller's radius as seen across the gap; more than `half`

@@ -11,7 +11,7 @@ constexpr double kRounding = 1e-9;  // m: more than the rounding error of distan
 // The smallest useful size of a box, m. Leaving a box requires a new search, which costs more than evaluating
 // a few stripes.
 constexpr double kWorthwhile = 0.015;
-constexpr double kBeside = 5e-4;  // m; nearer to a straight stripe's reach, a point gets no clear box
+constexpr double kBeside = 5e-4;  // m; a point that is nearer to a straight stripe's reach gets no box
 constexpr double kAlone = 5e-3;   // m; a box that stores one stripe, not two, has at least this half side
 constexpr double kDiagonal = 0.70710678118654752;
 

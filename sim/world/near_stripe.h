@@ -21,7 +21,7 @@ struct FloorBox {
   void keep(Vec2 p, double way);
 };
 
-/// The stripe nearest to a place, and the box around the place in which it stays the nearest.
+/// The stripe nearest to a place, and a box around the place. Inside the box, this stripe stays the nearest.
 class NearStripe {
  public:
   /// Returns whether the cached result is valid at p. Before the first search, it is not valid anywhere.

@@ -212,7 +212,7 @@ Contacts Walls::touch(std::span<const Vec2> polygon, Vec2 centre, double radius)
 }
 
 // Finds the axis on which the two convex shapes overlap least. A side of the cell that borders another solid
-// cell does not push the polygon out. A corner at such a side does not, either.
+// cell does not push the polygon out. Neither does a corner at such a side.
 void Walls::touch_cell(std::span<const Vec2> polygon, int column, int row, Contacts& found) const {
   const double side = map_->cell_m;
   const Vec2 low{column * side, row * side}, high{low.x + side, low.y + side};

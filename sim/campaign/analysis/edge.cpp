@@ -110,8 +110,8 @@ std::optional<Choice> Choice::of(const Difference& found, const History& first, 
   return choice;
 }
 
-// Applies Fisher's test: adds the probabilities of all tables with these totals that are not more likely than
-// this table. A behaviour in only one of fewer than kManyRuns runs counts as rare.
+// Applies Fisher's test: adds the probabilities of all tables that have the totals of this table, and are not
+// more likely. A behaviour in only one of fewer than kManyRuns runs counts as rare.
 Alikeness alikeness(const Share& one, const Share& other) {
   constexpr double kUnlikely = 0.05, kRounding = 1e-9;
   const int both = one.as_first + other.as_first;

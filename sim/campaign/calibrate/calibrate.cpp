@@ -68,7 +68,7 @@ std::vector<std::string> what_is_not_told(const Calibration& c, bool supply_meas
   all.push_back("stall_current, gear, rotor_inertia and mass: motion shows only their combined effect");
   if (!c.drive->torque_told) all.push_back("stall_torque: requires drives of at least three durations");
   if (!c.drive->friction_told)
-    all.push_back("no_load_current: requires drives at two voltages, or the rolling out after them");
+    all.push_back("no_load_current: requires drives at two voltages, or the coasting after each drive");
   if (c.drive->inertia.value == 0.0) all.push_back("the body's inertia: requires turns on the spot");
   all.push_back(
       "wheel, and the difference between the two wheels: counts show only angles; roll the robot ten turns "

@@ -1,15 +1,15 @@
-// Fits motor parameters to drives from rest. The body of sim/world/body.h is driven as in the log. Its
-// parameters are changed until its wheels' angles match the encoder counts.
+// Fits motor parameters to drives from rest. The body of sim/world/body.h gets the motor commands of the log.
+// The body's parameters are changed until the angles of its wheels match the encoder counts.
 //
 // A wheel has torque constant k_t (N m per ampere), back EMF k_e (volts per rad/s), resistance R, friction
 // torque M and inertia J. The drives determine
-//   by its speed at each voltage:    k_e, and R M / k_t
-//   by its time constant:            R J / (k_t k_e)
-//   by its coasting:                 M / J
+//   by the speed at each voltage:    k_e, and R M / k_t
+//   by the time constant:            R J / (k_t k_e)
+//   by the coasting:                 M / J
 // These values give k_e, and the ratios between k_t / R, M and J, but neither R nor J. With R (stall_current)
 // and J (mass, rotor, wheels) from the file, they give no_load, stall_torque and no_load_current. If J is
-// wrong, stall_torque is wrong by the same factor, and the robot still behaves correctly. Turns on the spot
-// determine the body's inertia about its vertical axis.
+// wrong, stall_torque is wrong by the same factor, and the robot still behaves correctly. The body's
+// inertia about its vertical axis is determined by turns on the spot.
 //
 // The uncertainty is computed from the residuals and their derivatives with respect to each parameter. The
 // uncertainty includes the file's spreads of fixed values (mass, supply, stall_current, rolling). Residuals

@@ -50,7 +50,8 @@ std::string report(const Calibration& result) {
       light += element.noise;
     }
     text += fmt::format(
-        "{}: {} crossings, readings {:.2f} mm apart; over black, the noise is {:.0f} % of that over white",
+        "{}: {} crossings, readings {:.2f} mm apart; the noise over black is {:.0f} % of the noise over "
+        "white",
         part.part->name, crossings, 1e3 * part.spacing, light > 0.0 ? 100.0 * dark / light : 0.0);
     if (part.seen.value > 0.0)
       text += fmt::format("; the tape is {:.1f} mm wide at half depth by the wheels, {:.1f} mm by --tape",

@@ -33,7 +33,7 @@ struct ComparedRun {
   result::RunResult result;
 };
 
-/// A target whose behaviour changes with a slightly wrong clock, so that chance decides.
+/// A target whose behaviour changes with a slightly wrong clock, so that the difference is chance.
 struct Edge {
   std::string target;
   int ppm = 0;                  ///< error of the clock …
@@ -43,8 +43,9 @@ struct Edge {
   /// If both targets ran with many clocks: the number of clocks, and the number of runs that behaved like the
   /// other target.
   int clocks = 0, as_other = 0;
-  /// Set if a tick of the host's clock decides. late[i] is the lateness with which the sketch on the host
-  /// behaves like the target of sides[i]. If that target is the host, late[i] is the unchanged lateness.
+  /// Set if a tick of the host's clock decides between the two behaviours. late[i] is the lateness with which
+  /// the sketch on the host behaves like the target of sides[i]. If that target is the host, late[i] is the
+  /// unchanged lateness.
   std::array<std::vector<result::Lateness>, 2> late;
 
   bool is_of_tick() const { return !late[0].empty() || !late[1].empty(); }

@@ -44,8 +44,8 @@ std::vector<Edge> JitterProbe::find(const Compared& compared, const Pair& pair) 
 }
 
 /// Finds, for each side, a clock with which this side behaves like the other side. For one of the two sides,
-/// it is enough that a clock changes the behaviour in a similar way. A behaviour that only one target shows,
-/// such as a race of its interrupts, is not chance.
+/// it is enough that a clock changes the behaviour in a way that resembles the difference. A behaviour that
+/// only one target shows, such as a race of its interrupts, is not chance.
 std::vector<Edge> JitterProbe::find_of_clocks(const Compared& compared, const Pair& pair) {
   std::vector<Edge> edges;
   bool there = false;

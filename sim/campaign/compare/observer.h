@@ -41,8 +41,8 @@ class Observer {
   static wire::RunRequest request_of(const TargetRun& target_run, std::uint64_t seed);
   static bool is_of(const wire::Event& event, std::size_t robot);
   /// Makes a run in which the clock of the observed robot is wrong by `off`. The clocks of the other robots
-  /// are wrong in the opposite direction. The reason is that the order of robots at a crossing may also be
-  /// chance.
+  /// are wrong in the opposite direction. The reason is that the order of robots at a crossing may also
+  /// depend on chance.
   analysis::History run(TargetRun& target_run, const ObservedRobot& observed,
                         const ClockOffset& off = {}) const;
 

@@ -1,5 +1,6 @@
-// Compares two runs of a test case that should behave alike. Either one run is on the host, and the other run
-// on the board's chip. Or both runs are on the chip, and the clock of only one run is close to its wrap.
+// Runs a test case in two ways that should give equal behaviour, and compares the two runs. Either one run is
+// on the host, and the other run on the board's chip. Or both runs are on the chip, and the clock of only one
+// run is close to its wrap.
 //
 // If the two runs always diverge in the same way, the sketch depends on something that should not matter.
 // Examples are the width of an int, the content of flash, and the time since power-on.

@@ -130,7 +130,7 @@ bool Hunt::shrink(HuntFinding& finding) {
       }
     }
   }
-  // Prefers the board's chip, if the test case also fails there.
+  // Prefers the board's chip, if the test case also fails on the chip.
   if (finding.test_case.build == space.host_counterpart) {
     TestCase on_chip = finding.test_case;
     on_chip.build = 0;
@@ -299,7 +299,7 @@ void Hunt::adopt(HuntRow& row, const fs::path& files) {
 bool Hunt::merge(const std::vector<HuntPart>& parts) {
   if (!find_baseline()) return false;
   for (const HuntPart& part : parts) {
-    std::vector<std::size_t> ours;  // this hunt's numbers of the part's findings
+    std::vector<std::size_t> ours;  // the numbers that the part's findings have in this hunt
     for (HuntRow row : part.rows) {
       if (row.fresh) {
         adopt(row, part.folder / std::to_string(row.finding));

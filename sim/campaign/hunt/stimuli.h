@@ -29,7 +29,7 @@ bool hears(const HuntSpace& space);
 /// Sets the opening, and draws a sequence of many messages. The sequence often starts after an output of the
 /// sketch, because the sketch may then wait for messages. Usually, this is the last output.
 void draw_talk(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
-/// Puts an obstacle on the line from the beginning of the run, for longer than most runs.
+/// Blocks the line by an obstacle, which appears when the run begins and stays longer than most runs last.
 void block(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
 /// Repeats one input just before and twice after millis() exceeds 65,535, to expose 16-bit timestamps and
 /// durations. Such code fails only on a chip.

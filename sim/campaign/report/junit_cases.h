@@ -11,7 +11,7 @@ namespace robosim::campaign {
 
 struct JunitCase {
   enum class Ending { passed, failed, skipped };
-  std::string group;  ///< owner of the sketch, in the checks of a class; otherwise the test suite
+  std::string group;  ///< owner of the sketch if the report is on a school class; otherwise the test suite
   std::string name;
   Ending ending = Ending::passed;
   double time_s = 0.0;

@@ -21,7 +21,8 @@ struct RecordingExtract {
   std::string map;       ///< its name
   std::string map_text;  ///< empty if the map is too large to be drawn; `floor` is then unset
   std::optional<record::FloorShapes> floor;
-  std::vector<std::array<double, 2>> left_mm;  ///< x, y where no sensor had seen the line for 20 ms
+  /// x, y where a robot last saw the line, before at least 20 ms without sight of the line.
+  std::vector<std::array<double, 2>> left_mm;
 };
 
 RecordingExtract extract_of(const record::Recording& recording);

@@ -36,7 +36,7 @@ struct Step {
   std::int64_t to, beside;  ///< a clock that differs by `beside` passes no such value
 };
 constexpr Step kSteps[] = {{10'000 * kSecond, 1000 * kSecond}, {16'777'216 * kMillisecond, -1000 * kSecond}};
-// Number of other clocks to try, during which no number becomes longer. If the robot's path depends on a
+// Number of other clocks to try, with which no number becomes longer. If the robot's path depends on a
 // microsecond, each clock usually changes the path.
 constexpr int kOtherClocks = 6;
 constexpr std::int64_t kApart = 1000 * kSecond;

@@ -36,7 +36,7 @@ bool deserves_detectors(const build::Request& sketch, const result::RunResult& f
 /// the chip has.
 struct AsFlashed {
   std::vector<result::Detected> detected;
-  std::optional<result::RunResult> crashed;  ///< the repeated run, if it crashed, after any first result
+  std::optional<result::RunResult> crashed;  ///< the repeated run, if it crashed and the first run had checks
 };
 /// Runs the sketch as flashed, with detectors. Returns an empty result if the user interrupts the run.
 AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,

@@ -105,7 +105,7 @@ bool Sweep::wanted(std::size_t run) const {
   return options_.shard.has(run) && !outcomes_[run].made() && !counters_[run / plan_.seeds].decided();
 }
 
-/// Counts the outcomes in the order of the runs, including those of the resumed table.
+/// Counts the outcomes, including the outcomes in the resumed table, in the order of the runs.
 void Sweep::count() {
   for (; counted_ < plan_.runs(); ++counted_) {
     analysis::Tally& counter = counters_[counted_ / plan_.seeds];

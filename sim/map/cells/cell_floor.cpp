@@ -53,7 +53,7 @@ void CellFloor::pack_neighbours(int y, std::uint8_t* bits) {
   const auto width = static_cast<std::size_t>(map_.width);
   const std::uint8_t *east = own + step_[0], *south = own + step_[1];
   const std::uint8_t *west = own + step_[2], *north = own + step_[3];
-  static_assert(kOpen == 1u << 4, "the shifts below bring this bit to those of the directions");
+  static_assert(kOpen == 1u << 4, "the shifts below move this bit to the bits of the directions");
   for (std::size_t x = 0; x < width; ++x) {
     bits[x] = static_cast<std::uint8_t>((east[x] >> 4 & 1) | (south[x] >> 3 & 2) | (west[x] >> 2 & 4) |
                                         (north[x] >> 1 & 8));

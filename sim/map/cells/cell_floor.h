@@ -114,7 +114,7 @@ class CellFloor {
     const SenseTable::Entry entry = kSenseTable.of(cells_[index], d);
     return entry != SenseTable::kAlone ? static_cast<Sense>(entry) : sense_alone(index, d);
   }
-  /// Returns the robot's perception if it does not detect the line on one of the four cells. `cell` is 0 for
+  /// Returns the robot's perception if the robot misses the line on one of the four cells. `cell` is 0 for
   /// the front, 1 for the right, 2 for the robot's own cell, and 3 for the left.
   Sense sense_without(std::size_t index, map::Direction d, unsigned cell) const;
 

@@ -6,7 +6,8 @@
 //   step_forward   moves one cell ahead
 //   turn_right     moves to the cell on the right, facing that way; turn_left mirrors this
 //   turn_around    turns to the opposite direction, in place
-//   choose_right   turn_right if that cell is line, otherwise step_forward; choose_left mirrors this
+//   choose_right   turn_right if the cell on the right is line, otherwise step_forward; choose_left mirrors
+//                  this
 //
 // A move off the map, or onto an obstacle (`x`), leaves the robot on its cell, and still takes time. The
 // robot may enter floor and walls, as in v1. If a line ends at a wall, the robot steps into the wall, senses

@@ -75,7 +75,7 @@ bool CellWalker::is_junction() const {
   return robot_.floor().is_near_obstacle(robot_.at()) && count(lines_at(robot_)) >= 3;
 }
 
-// Handles `no_path`: the line ends, the robot has entered a wall at the line's end, or an obstacle blocks it.
+// Handles `no_path`: the line ends, an obstacle blocks it, or the robot has entered a wall at the line's end.
 Landmark CellWalker::end_of_line() {
   const CellFloor& floor = robot_.floor();
   const CellPose pose = robot_.pose();

@@ -38,7 +38,7 @@ class CellWalker {
   /// the line.
   void reset();
 
-  /// Return data of the last landmark: its cell, and the number of moves since the previous landmark.
+  /// Return the last landmark's cell, and the number of moves since the previous landmark.
   /// obstacle() is the place of the obstacle if the last landmark is `blocked`.
   map::CellAt cell() const { return cell_; }
   std::uint32_t cost() const { return cost_; }

@@ -56,7 +56,7 @@ class DeadEnds {
 
 /// Walks until the robot is back in its initial pose, a repetition is detected, or the moves are used up. A
 /// robot that starts outside the loop of its walk never returns to its initial pose, but repeats the loop.
-/// Robosim v1 does not detect repetitions, so such a walk never ends there.
+/// Robosim v1 does not detect repetitions, so such a walk never ends in v1.
 Walk walk(CellRobot& robot, Side side);
 
 }  // namespace robosim::cells

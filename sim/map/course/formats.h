@@ -15,7 +15,7 @@ namespace robosim::course {
 ///   (dx, dy) from centre to centre, D = |(dx, dy)|, d = s_j r_j - s_i r_i:
 ///   the tangent's length L = sqrt(D^2 - d^2), its direction u = ((dx L + dy d), (dy L - dx d)) / D^2,
 ///   its ends centre + s r (u_y, -u_x)
-/// Adds marks: left of the line where the curvature changes, and right of the line at start and goal. Start
+/// Adds marks: left of the line at each change of curvature, and right of the line at start and goal. Start
 /// and goal are 1 m apart, if they fit on the straight between the last circle and the first.
 Imported read_robotrace(const nlohmann::json& json, const std::string& file);
 

@@ -66,7 +66,7 @@ class RescueReader {
     for (const char side : entries_of(first))
       if (tiles_.contains(next(first, side))) entry = side;
     if (!entry)
-      refuse(fmt::format("startTile: expected a tile that is joined to another one, got {},{}", start->x,
+      refuse(fmt::format("startTile: expected a tile that is joined to another tile, got {},{}", start->x,
                          start->y));
     follow(first, entry);
     if (second && tiles_.contains(*second) && has_evacuation()) after_evacuation(tiles_.at(*second));

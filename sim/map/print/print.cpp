@@ -256,7 +256,8 @@ class Printer {
           std::string("Cut off the left and the lower edge along the marks. Lay each sheet on the flaps "
                       "of the sheets to its left and below it."),
           std::string(worn ? "Worn paint is printed whole." : ""),
-          fmt::format("Marks that meet are {:.10g} mm apart to the right and {:.10g} mm apart upward.",
+          fmt::format("From one sheet to the next, the marks are {:.10g} mm apart to the right, and "
+                      "{:.10g} mm upward.",
                       sheets_.net_width(), sheets_.net_height())}) {
       if (line.empty()) continue;
       y -= 5.0;

@@ -99,7 +99,7 @@ void Robots::add_sensors(const robot::Description& robot, std::uint64_t seed, Pr
     const auto* spec = dynamic_cast<const robot::ReflectanceSpec*>(part.get());
     if (!spec) continue;
     if (spec->read != robot::ReflectanceSpec::Read::analog)
-      refuse(robot, part->name + ", a sensor whose key read is not \"analog\",");
+      refuse(robot, part->name + ", a sensor whose \"read\" is not \"analog\",");
     if (spec->emitter != kNoPin) refuse(robot, part->name + ", a sensor whose emitter is on a pin,");
     for (const auto& element : spec->elements) found.push_back({spec, &element});
   }

@@ -35,7 +35,7 @@
 
 namespace robosim::batch {
 
-/// One sensor of each robot of a block. Values are as in robot::ElementFigures and robot::AnalogInputs.
+/// One sensor of each robot of a block. For the values, see robot::ElementFigures and robot::AnalogInputs.
 struct SensorBlock {
   Lanes at_x, at_y, footprint;  // m
   Lanes light, shift, noise, dark_noise, beside_dark_noise;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr FaultKind kCurrentSensorFaults[] = {
     {Failure::ok, "works again"},
-    {Failure::dead, "it gives half the supply, as without a current"},
+    {Failure::dead, "it always gives half the supply, which means no current"},
 };
 
 }  // namespace

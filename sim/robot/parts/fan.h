@@ -50,7 +50,7 @@ class FanPart final : public Part {
   const FanSpec& spec_;
   PartContext& context_;
   const double most_;   // N
-  const double share_;  // fraction of the difference from the target speed that one tick removes
+  const double share_;  // one tick removes this fraction of the difference from the target speed
   world::Body* body_ = nullptr;
   State state_;
 };

@@ -1,7 +1,7 @@
 // type = "mpu-6050": gyroscope and accelerometer (InvenSense PS-MPU-6000A-00, register map RM-MPU-6000A-00).
 // The sensor lies flat on the robot, with its x axis ahead, y to the left and z up.
 //
-//   gyro         z: the robot's turn rate; x, y: the rate of a manual tilt; each times scale + bias + noise
+//   gyro         z: the robot's turn rate; x, y: a manual tilt's rate; each times scale, plus bias and noise
 //                131 LSB/(deg/s) at +-250, halved with each step of FS_SEL
 //   accel        x: dv/dt; y: v w; z: 1 g (in a manual tilt, gravity acts on all axes); each + bias + noise
 //                16384 LSB/g at +-2 g, halved with each step of AFS_SEL

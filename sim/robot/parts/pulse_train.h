@@ -1,4 +1,4 @@
-// A line that changes its level at known times, such as that of a remote control or a serial line.
+// A line that changes its level at known times, such as a serial line or a remote control receiver's output.
 #pragma once
 
 #include <algorithm>

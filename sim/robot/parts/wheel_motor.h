@@ -9,8 +9,8 @@
 
 namespace robosim::robot {
 
-/// Averages a command over a tick in which the command does not change, like take(). Because of rounding, the
-/// result may differ from the command.
+/// Averages a command as take() does, over a tick in which the command does not change. Because of rounding,
+/// the result may differ from the command.
 world::WheelCommand over_a_tick(const world::WheelCommand& command);
 
 /// Averages the commands passed to set() over a tick.

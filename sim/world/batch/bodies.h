@@ -7,9 +7,10 @@
 // equal. Blocks are used for the usual state of a body: both tyres roll, both wheels keep their direction,
 // and no obstacle is near. Each tick tests each body for this state.
 //
-// If a body starts, stops, slips, skids, or comes near a wall, the code of world::Body simulates this tick.
-// That code also simulates all ticks of special bodies (windings with inductance, steered wheels, wheels that
-// skid, loads that shift). The tick of a rolling body is in rolling_step.h, which single bodies use, too.
+// If a body starts, stops, slips, skids, or comes near a wall in a tick, the code of world::Body simulates
+// that tick. The same code simulates all ticks of special bodies (windings with inductance, steered wheels,
+// wheels that skid, loads that shift). The tick of a rolling body is in rolling_step.h, which single bodies
+// use, too.
 // tests/unit/batch/batch_test.cpp compares batches with single bodies, bit by bit.
 //
 // Bodies of a batch neither detect nor touch each other.

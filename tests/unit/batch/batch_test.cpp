@@ -207,7 +207,7 @@ TEST(Batch, SaysWhatItCannotHold) {
             "mine.toml: [battery] is not supported in a batch of robots");
   EXPECT_EQ(refused(with("[[part]]\nname = \"D\"\ntype = \"reflectance\"\nread = \"digital\"\npin = 22\nat = "
                          "[\"10 mm\", \"0 mm\"]\n")),
-            "mine.toml: D, a sensor whose key read is not \"analog\", is not supported in a batch of robots");
+            "mine.toml: D, a sensor whose \"read\" is not \"analog\", is not supported in a batch of robots");
   EXPECT_EQ(refused(with("[[part]]\nname = \"E\"\ntype = \"reflectance\"\npin = \"A9\"\nat = [\"10 mm\", \"0 "
                          "mm\"]\n")),
             "mine.toml: has 6 reflectance sensors, and the first robot of its batch has 5");

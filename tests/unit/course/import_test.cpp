@@ -421,7 +421,7 @@ TEST(ImportRescue, BadFilesAreToldInASentence) {
              "tile 2,0: levelUp: expected left, top, right or bottom"},
         Case{rescue(rescue_tile(1, 0, 0, kStraight)), "startTile: expected one of the tiles"},
         Case{rescue(rescue_tile(0, 0, 0, kStraight)),
-             "startTile: expected a tile that is joined to another one, got 0,0"},
+             "startTile: expected a tile that is joined to another tile, got 0,0"},
         Case{rescue(fine, R"("startTile2":7,)"), "startTile2: expected whole numbers"},
         Case{R"({"neither":1})",
              "expected JSON of robotrace_course_cad (a list “circles”) or of rcj-rescue-cms (“tiles”)"}}) {

@@ -34,8 +34,8 @@ class Cells {
   virtual void turn_right() = 0;    ///< onto the cell on the right, facing that way, in one move
   virtual void turn_left() = 0;     ///< onto the cell on the left, facing that way, in one move
   virtual void turn_around() = 0;   ///< on the spot
-  virtual void choose_right() = 0;  ///< turn_right if that cell is line, otherwise step_forward
-  virtual void choose_left() = 0;   ///< turn_left if that cell is line, otherwise step_forward
+  virtual void choose_right() = 0;  ///< turn_right if the cell on the right is line, otherwise step_forward
+  virtual void choose_left() = 0;   ///< turn_left if the cell on the left is line, otherwise step_forward
 
   /// Returns the number of moves so far.
   virtual unsigned long long moves() const = 0;
