@@ -5,7 +5,7 @@
 //      ------+------    With the left hand:
 //            |            - if a branch leads to the left, take it;
 //          [L M R]        - else if the line goes on, follow it;
-//            ^            - else turn right to the next line: the line after a bend, or the line it came on.
+//            ^            - else turn right to the next line: the line after a bend, or the line of arrival.
 //
 // On lines without closed loops this rule visits every station and returns to the start, however the lines
 // branch. It needs no memory at all. With the right hand everything is mirrored.
@@ -62,10 +62,10 @@ class PathFollower {
     int16_t counter = 130;       ///< reverse speed to stop; 0 relies on the motors' brakes
     uint8_t stop_ms = 50;        ///< duration of braking before a turn ...
     uint8_t settle_ms = 25;      ///< ... and at the end of a turn
-    uint16_t leave_ms = 280;     ///< time in a turn before which any line found is the line of arrival
+    uint16_t leave_ms = 280;     ///< in a turn, a line found before this time is the line of arrival
     uint8_t noise_ms = 8;        ///< shorter signals are ignored
     uint8_t end_tenths = 12;     ///< distance without a line after which the line has ended
-    uint8_t past_tenths = 4;     ///< from there until the axle is over the line's end
+    uint8_t past_tenths = 4;     ///< further distance until the axle is over the line's end
     uint8_t branch_tenths = 10;  ///< from a branch's far edge until the axle is over its middle: the sensors'
                                  ///< distance from the axle, less half a line's width, less braking distance
     uint16_t width_ms = 70;      ///< assumed time for one width, until the first branch has been measured

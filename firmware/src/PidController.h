@@ -2,7 +2,7 @@
 //
 //   output = kp * e  +  ki * integral of e dt  +  kd * de/dt,   limited to [lowest, highest]
 //
-//   kp   reacts to the present error. If it is too large, the robot oscillates.
+//   kp   reacts to the present error. If kp is too large, the robot oscillates.
 //   kd   reacts to how fast the error changes, and damps the oscillation.
 //   ki   removes a lasting error, for example if one motor is weaker than the other. Line followers
 //        need little or none.
@@ -12,8 +12,8 @@
 //
 // Two details that a textbook formula omits and a robot needs:
 // - Wind-up. While the output is at its limit, the integral must not grow further in that direction.
-//   Otherwise the robot turns long after the error is gone. So the integral stays constant at the limit
-//   (conditional integration).
+//   Otherwise the robot turns long after the error is gone. Steps that would let the integral grow further
+//   leave it unchanged (conditional integration).
 // - The first call has no previous error, so it has no derivative. Call reset() whenever control starts
 //   again.
 //
@@ -35,7 +35,7 @@ class PidController {
   PidController(float kp, float ki, float kd) : kp_(kp), ki_(ki), kd_(kd) {}
 
   void setGains(float kp, float ki, float kd);
-  /// Sets the bounds of the output, which has none by default. Swapped bounds are corrected.
+  /// Sets the bounds of the output. By default the output has no bounds. Swapped bounds are corrected.
   void setLimits(float lowest, float highest);
   /// Smooths the derivative over about `seconds`, against noisy sensors; 0 (the default) = no smoothing.
   void setDerivativeSmoothing(float seconds) { smoothing_ = seconds > 0 ? seconds : 0; }

@@ -1,6 +1,6 @@
 // Models the sample-and-hold capacitor of an AVR's ADC (ATmega328P, DS40002061B, 24.6.1 and figure 24-8). The
 // capacitor has 14 pF. Its series resistance is 1 to 100 kOhm by the data sheet, and 10 kOhm in this model.
-// The source at the pin must charge the capacitor from the voltage of the previous channel:
+// The source at the pin charges the capacitor, which starts at the voltage of the previous channel:
 //
 //   tau = 14 pF (10 kOhm + source)        e^(-t / tau) of the old voltage remains
 //

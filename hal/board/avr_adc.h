@@ -65,7 +65,7 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
 /// voltage of an analog input, scaled as if the supply were nominal. With the supply as reference, a drop of
 /// the supply therefore cancels. With a constant reference, the voltage is multiplied by `supply_share()`,
 /// the supply's share of its nominal value. `held` receives the voltage on the converter's capacitor, scaled
-/// like that of `pin_volts`.
+/// like the result of `pin_volts`.
 template <typename SupplyShare, typename PinVolts>
 uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,
                     SupplyShare supply_share, PinVolts pin_volts, double& held) {

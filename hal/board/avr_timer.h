@@ -36,7 +36,7 @@ struct Counting {
   Top top = Top::fixed;
   uint16_t fixed_top = 0xFF;       ///< the value of TOP if `top` is `fixed`
   bool frequency_correct = false;  ///< with dual slope: OCRnx is updated at BOTTOM, not at TOP
-  bool short_pulse = false;        ///< with fast PWM: high for OCR ticks, not OCR + 1; always if OCR is TOP
+  bool short_pulse = false;        ///< fast PWM: high for OCR ticks, not OCR + 1; always high if OCR is TOP
 };
 
 /// Returns the mode that WGM in TCCRnA and TCCRnB selects (tables 15-8, 16-4, 18-8). Reserved modes count as

@@ -17,8 +17,8 @@ class FirmwarePort {
   /// Returns the level of `pin`, for a read of the complete port. The firmware may or may not use this pin's
   /// level.
   virtual bool read_along(Pin pin, SimTime t) = 0;
-  /// Returns the voltage on `pin` at the moment when the ADC samples the pin. An unconnected pin is at 0 V or
-  /// at the supply voltage, as for read_level().
+  /// Returns the voltage on `pin` at the moment when the ADC samples the pin. A pin without a source is at
+  /// the supply voltage if read_level() returns true, else at 0 V.
   virtual double read_volts(Pin pin, SimTime t) = 0;
   /// Returns the voltage on the capacitor of an AVR's ADC (adc_capacitor.h). The capacitor had `before` volts
   /// at the time `from`; the pin has charged it since then.

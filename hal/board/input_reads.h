@@ -15,7 +15,7 @@ class InputReads {
 
   /// Adds a read of a pin, kAnalog or kSeveral.
   void add(Pin read) { reads_ = reads_ << 8 | read; }
-  /// Returns the pin if all reads, at least two, were of one pin alone; else kNoPin.
+  /// Returns the pin if there were at least two reads, and all read the same single pin; else kNoPin.
   Pin only_pin() const {
     const auto last = static_cast<Pin>(reads_ & 0xFF);
     if (last == kAnalog || last == kSeveral || (reads_ >> 8 & 0xFF) != last) return kNoPin;
@@ -25,7 +25,7 @@ class InputReads {
   }
 
  private:
-  uint64_t reads_ = ~uint64_t{0};  ///< one byte for each read, the last one lowest; kNoPin = none yet
+  uint64_t reads_ = ~uint64_t{0};  ///< one byte per read, the latest in the lowest byte; kNoPin = none yet
 };
 
 }  // namespace robosim

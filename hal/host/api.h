@@ -20,7 +20,7 @@ __attribute__((always_inline)) inline void note_arguments(const char* name, Pin 
   state.call.pin = pin;
 }
 
-/// Records a call. This function is inlined, so its return address is that of the API function: a place in
+/// Records a call. This function is inlined, so it sees the return address of the API function: a place in
 /// the sketch.
 __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, int8_t arguments,
                                                      int32_t first = 0, int32_t second = 0) {

@@ -131,7 +131,7 @@ struct FirmwareState {
   size_t heap_bytes = 0;
   uint8_t* stack = nullptr;  ///< stack of the fiber
   size_t stack_bytes = 0;
-  const Lateness* lateness = nullptr;  ///< next entry; the last one is at kNever
+  const Lateness* lateness = nullptr;  ///< next entry; the last entry is at kNever
   SimTime late_from = kNever;          ///< `from` of that entry
   bool watched = false;                ///< Host::block_begins() must be called
   bool may_skip = true;                ///< rounds in which firmware only waits may be skipped (polling.h)
@@ -183,9 +183,9 @@ struct Image {
   const char* settings_begin;
   const char* settings_end;
   /// Returns whether an enabled interrupt may occur even if firmware calls nothing. Interrupts of the core's
-  /// clock and of Serial do not count. If `held_back`, interrupts that a clear I flag blocks count, too. The
-  /// flag is clear in handlers, and while a sketch reads a shared variable. Call this function outside the
-  /// fiber.
+  /// clock and of Serial do not count. If `held_back`, also considers interrupts that a clear I flag blocks.
+  /// The flag is clear in handlers, and while a sketch reads a shared variable. Call this function outside
+  /// the fiber.
   bool (*may_interrupt)(bool held_back);
   /// Passes the execution counts since the start to `sink`. Call this function outside the fiber, at any
   /// time. Null if the image was not built for coverage.

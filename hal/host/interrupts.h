@@ -59,7 +59,7 @@ SimTime next_interrupt(bool with_timer0_overflow);
 SimTime next_alone();
 /// Returns whether an enabled interrupt may occur even if firmware accesses no register. Interrupts of the
 /// core's clock and of Serial do not count, because sketches see their effects only through calls. If
-/// `held_back`, interrupts that occur only after the I flag is set again count, too.
+/// `held_back`, also considers interrupts that occur only after the I flag is set again.
 bool may_interrupt(bool held_back);
 /// Runs the handler of the most urgent pending interrupt. Returns false if none is pending or I is clear.
 bool serve_interrupt();

@@ -1,8 +1,8 @@
 // Skips the time in which firmware only polls. Polling firmware returns to a place in its code with unchanged
 // variables, heap, stack and registers. The way from this place back to the place is called a round. All
 // rounds are equal until a query (millis(), digitalRead(), Serial.available()) may return another result. The
-// rounds that certainly end before then are skipped, except the last of them. The result is the same as
-// without skipping.
+// rounds that certainly end before that moment are skipped, except the last of them. The result is the same
+// as without skipping.
 //
 // A look is a search for such a place. It begins at a deadline; from then on, each basic block calls
 // look_at_block(). The look ends after rounds have been skipped, after too many blocks, or at a call other

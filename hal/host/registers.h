@@ -2,8 +2,8 @@
 // registers, interrupts, sleep, EEPROM. This header is plain C, because a sketch's .c files include it, too.
 // Every name begins with robosim_.
 //
-// A register is identified by its address in the chip's data space (chip.h). The only list of register names
-// is therefore that of avr-libc.
+// A register is identified by its address in the chip's data space (chip.h). Therefore only avr-libc lists
+// the names of registers.
 #pragma once
 
 #include <stddef.h>

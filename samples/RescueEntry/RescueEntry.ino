@@ -99,7 +99,7 @@ void turn(int degrees) {
   stop();
 }
 
-// Returns true at the line's end in silver tape, which is 25 mm long and wider than the sensor array.
+// Returns true at the silver tape at the line's end. The tape is 25 mm long, and wider than the sensor array.
 bool sees_silver() {
   static float usual = 0;           // mean reading of the outer two sensors over white
   static byte times = 0;

@@ -175,7 +175,7 @@ void around() {
   stop();
   turn(90);
   stop();
-  // Drives in a circle to the left, back to the line. The wheels' distances are proportional to their radii.
+  // Drives a left circle back to the line. Each wheel's distance is proportional to the radius of its circle.
   noInterrupts();
   long left_0 = left_counts, right_0 = right_counts;
   interrupts();

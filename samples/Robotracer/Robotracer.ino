@@ -25,7 +25,7 @@ void drive(int left, int right) {
   analogWrite(RIGHT_PWM, constrain(abs(right), 0, 255));
 }
 
-// Returns -200 (line under the left sensor) to 200 (right). Returns -250 or 250 if the line was lost there.
+// Returns -200 (line under the left sensor) to 200 (right), and -250 or 250 if the line was lost to a side.
 int position() {
   long sum = 0, weighted = 0;
   for (byte i = 0; i < 5; i++) {

@@ -1,4 +1,4 @@
-// Follows the line, and waits while something is in its way.
+// Follows the line, and waits while something is in the robot's way.
 #define trigPin 12
 #define echoPin 11
 const int ldrLeft = A0, ldrMid = A1, ldrRight = A2;

@@ -12,7 +12,7 @@ namespace page_pictures_test {
 using Json = nlohmann::json;
 
 // Takes pictures for people to look at: of a wide screen with the light theme, and of a phone with the dark
-// one.
+// theme.
 TEST_F(Page, IsPhotographed) {
   const std::filesystem::path pictures = ROBOSIM_PICTURES;
   for (const char* tab : {"plots", "pins", "serial", "events", "wiring"}) {

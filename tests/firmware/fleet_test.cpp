@@ -37,12 +37,12 @@ TEST_P(TwoFollowers, EachIsAskedAndHandledByItsName) {
   a.power_off(10_s);
   const Drive meanwhile = b.run_for(2_s);
   EXPECT_GT(meanwhile.distance().mm, 500);
-  EXPECT_NEAR(a.pose().y_mm, 250, 5) << "it stays at the start of its line";
+  EXPECT_NEAR(a.pose().y_mm, 250, 5) << "A stays at the start of its line";
   EXPECT_GT(b.pose().y_mm, a.pose().y_mm);
   EXPECT_EQ(a.now(), b.now());
   EXPECT_EQ(both.now(), a.now());
   EXPECT_EQ(b.on_chip(), GetParam() != "host");
-  ASSERT_TRUE(b.run_until(collides(), within(20_s))) << "A is in its way";
+  ASSERT_TRUE(b.run_until(collides(), within(20_s))) << "A is in B's way";
   EXPECT_FALSE(both.over());
 }
 

@@ -97,7 +97,7 @@ ____________________________
 )";
 
 /// Two routes from junction 1 to junction 2, as in kRing. A line leads from junction 1 to station 3. A robot
-/// that comes from station 1 must turn left there.
+/// that comes from station 1 must turn left at junction 1 to reach station 3.
 inline constexpr const char* kRingOfThree = R"(+++
 name = "ring of three"
 +++

@@ -39,7 +39,7 @@ TEST_P(PathSketch, TurnsRoundWhereTheLineEnds) {
   ASSERT_TRUE(robot.run_until(is_at(2), within(20_s)));
   const Drive back = robot.run_until(is_at(3), within(20_s));
   ASSERT_TRUE(back);
-  EXPECT_LT(back.distance().mm, 1200.0) << "there is 0.6 m of line between them";
+  EXPECT_LT(back.distance().mm, 1200.0) << "there is 0.6 m of line between the two stations";
 }
 
 class PathSketchOnMapD : public testing::TestWithParam<std::uint64_t> {};

@@ -77,7 +77,7 @@ TEST_P(PidFollowerMeasuringItsRange, TurnsToAndFroFirstAndThenFollowsTheLine) {
   Simulation robot(
       {.sketch = "PidFollower", .map = "oval", .target = GetParam(), .script = "at 0s press start 200ms"});
   const Drive measuring = robot.run_for(1900_ms);
-  EXPECT_LT(measuring.distance().mm, 100.0) << "it stays where it is";
+  EXPECT_LT(measuring.distance().mm, 100.0) << "the robot turns on the spot";
   robot.run_for(1_s);
   EXPECT_THAT(robot.run_for(4_s), Follows(line(), within(25_mm)));
 }

@@ -130,7 +130,7 @@ TEST(TunableFollowerAtAGap, DrivesOverItThoughItIsSlow) {
   ASSERT_TRUE(robot.run_until(serial_says("ready"), within(1_s)));
   robot.send("speed 60\ngo\n");
   const Drive over = robot.run_for(3500_ms);
-  EXPECT_THAT(over, Not(SerialSays("stopped"))) << "it sees no line for less than 0.3 s";
+  EXPECT_THAT(over, Not(SerialSays("stopped"))) << "the robot sees no line for less than 0.3 s";
   EXPECT_GT(over.distance().mm, 800.0);
 }
 

@@ -54,7 +54,7 @@ TEST(CliFleet, TheJsonHasAnObjectForEachAndTheFirstOnesRunIsTheOneItHasAlone) {
   EXPECT_EQ(first["name"], "A");
   const nlohmann::json alone = json_of(
       robosim_command({"run", "PidFollower", "--map", "oval", "--for", "12s", "--goal", "laps:1", "--json"}));
-  EXPECT_EQ(first["trace_hash"], alone["trace_hash"]) << "they never met";
+  EXPECT_EQ(first["trace_hash"], alone["trace_hash"]) << "the two robots never met";
   EXPECT_NE(fleet["robots"][1]["trace_hash"], first["trace_hash"]);
 }
 
@@ -188,7 +188,7 @@ TEST(CliFleet, TheOrderOfTheNamesChangesNothingButTheNumbers) {
     std::map<std::string, std::string> by_name;
     for (const auto& robot : fleet["robots"]) by_name[robot["name"]] = robot["trace_hash"];
     EXPECT_EQ(by_name.size(), 2u);
-    EXPECT_GT(fleet["robots"][0]["metrics"]["collisions"], 0) << "they meet";
+    EXPECT_GT(fleet["robots"][0]["metrics"]["collisions"], 0) << "the robots meet";
     return by_name;
   };
   EXPECT_EQ(hashes("A", "B"), hashes("B", "A"));

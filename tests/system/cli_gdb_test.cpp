@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(On, CliGdb,
 TEST_P(CliGdb, TheRunIsTheSameAsWithoutADebugger) {
   const Ended alone = run();
   const Session session = debug("continue\n");
-  EXPECT_EQ(session.run.out, alone.out) << "the whole result, trace_hash and all";
+  EXPECT_EQ(session.run.out, alone.out) << "the complete result, including trace_hash";
   EXPECT_EQ(session.run.status, 0);
   EXPECT_THAT(session.run.err, AllOf(HasSubstr("waiting for a debugger"), HasSubstr(debugger() + " "),
                                      HasSubstr("out/My.elf -ex 'target remote :")));
@@ -137,7 +137,7 @@ TEST_P(CliGdb, TheWorldStandsStillWithTheFirmware) {
       "delete\nbreak blink\ncontinue\nprint passes % 2\n"
       "delete\ncontinue\n");
   SCOPED_TRACE(session.gdb);
-  EXPECT_EQ(session.run.out, alone.out) << "the whole result, trace_hash and all";
+  EXPECT_EQ(session.run.out, alone.out) << "the complete result, including trace_hash";
   EXPECT_THAT(session.gdb, HasSubstr("Breakpoint 1, loop () at My.ino:10"));
   EXPECT_THAT(session.gdb, HasSubstr("$1 = 2\n")) << "the third pass begins after two complete passes";
   EXPECT_THAT(session.gdb, HasSubstr("Hardware watchpoint 2: passes\n\nOld value = 3\nNew value = 4"));
@@ -162,7 +162,7 @@ TEST_P(CliGdb, GoesBack) {
             "delete\nwatch passes\nreverse-continue\nprint passes\nbacktrace\n"
             "continue\ncontinue\ncontinue\nprint passes\ndelete\nreverse-continue\ncontinue\n");
   SCOPED_TRACE(session.gdb);
-  EXPECT_EQ(session.run.out, alone.out) << "the whole result, trace_hash and all";
+  EXPECT_EQ(session.run.out, alone.out) << "the complete result, including trace_hash";
   const auto values = lines_with(session.gdb, "$");
   ASSERT_EQ(values.size(), 5u);
   EXPECT_EQ(values[0].substr(5), values[1].substr(5)) << "a step back and a step forward";

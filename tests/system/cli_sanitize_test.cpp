@@ -79,8 +79,8 @@ TEST(CliSanitize, OnTheChipItKnowsHowMuchAnIntHolds) {
   EXPECT_THAT(build.out, HasSubstr("with checks"));
 }
 
-// The emulated chip has additional RAM for an image with checks. The verdict must be that of the flashed
-// image, which has no checks.
+// The emulated chip has additional RAM for an image with checks. The verdict must still equal the verdict of
+// the flashed image, which has no checks.
 TEST(CliSanitize, OnTheChipASketchWithoutRoomForItsStackHasNotPassed) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;

@@ -76,7 +76,7 @@ TEST(CliView, PauseStopsTimeAndSpaceGoesOn) {
   run.type(" ");
   ASSERT_TRUE(run.wait_for("paused")) << run.seen();
   run.type("q");
-  ASSERT_TRUE(run.wait_for(kLeave)) << "the view ends while it is paused\n" << run.seen();
+  ASSERT_TRUE(run.wait_for(kLeave)) << "the view ends while the run is paused\n" << run.seen();
   EXPECT_EQ(run.finish(), 130);
 }
 

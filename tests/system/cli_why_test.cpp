@@ -159,7 +159,7 @@ TEST_F(CliWhy, NamesTheLinesFromTheMotorsToTheReading) {
   const Ended run =
       robosim_command({"run", "./Once", "--map", "oval", "--target", "avr", "--json"}, folder_.path());
   const auto plain = nlohmann::json::parse(run.out);
-  EXPECT_EQ(plain["trace_hash"], chain["trace_hash"]) << "it is the same run";
+  EXPECT_EQ(plain["trace_hash"], chain["trace_hash"]) << "both commands simulate the same run";
   EXPECT_FALSE(plain.contains("because"));
 }
 

@@ -1,4 +1,4 @@
-// Tests that a run controlled step by step equals the run of the same script.
+// Tests that a run controlled step by step equals a run in which a script has the same actions.
 
 #include "sim/launch/client/driven_run.h"
 

@@ -160,7 +160,7 @@ TEST(OnATerminal, WhatASketchSendsIsShownAndNotCarriedOut) {
   run.finish();
   EXPECT_THAT(run.seen(), HasSubstr("\\x1b]0;title\\x07\\x1b[2J\\x0dreached\r\nnext\r\n"));
   EXPECT_THAT(run.seen(), AllOf(Not(HasSubstr("\033]")), Not(HasSubstr("\033[2J"))));
-  EXPECT_THAT(robosim_command(words).out, HasSubstr("\x1b]0;title\x07")) << "programs get the bytes";
+  EXPECT_THAT(robosim_command(words).out, HasSubstr("\x1b]0;title\x07")) << "a pipe gets the bytes";
 }
 
 TEST(OnATerminal, NamesAndErrorsAreShownAndNotCarriedOut) {

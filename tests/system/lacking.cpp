@@ -1,4 +1,4 @@
-// lacking landlock|walls|seccomp|sandbox PROGRAM WORDS…: runs a program as if the kernel lacked that feature.
+// lacking landlock|walls|seccomp|sandbox PROGRAM WORDS…: runs a program as if the kernel lacked the feature.
 // The feature's system calls fail as they do on such a kernel. "walls" stands for Landlock and namespaces.
 // "sandbox" stands for all these features.
 #include <seccomp.h>

@@ -36,7 +36,7 @@ std::string line_of(const std::string& text, const std::string& beginning) {
 }
 
 TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
-  if (kSlow) GTEST_SKIP() << "too slow for this build, which tests the same with AiNavigatorsMemory";
+  if (kSlow) GTEST_SKIP() << "too slow for this build; AiNavigatorsMemory tests the same guarantee";
   const test::Run plan{
       .sketch = "AiNavigator", .map = "a", .goal = "none", .script = kScript, .for_s = 120.0};
   const map::Map map = map::read_map(map::find_map(plan.map));

@@ -247,7 +247,7 @@ void refuse() {
   Serial.println();
 }
 
-// Returns the number of the station that the line names, or 0.
+// Returns the number of the station that the received text names, or 0.
 uint8_t readDestination() {
   if (length > LONGEST) return 0;
   line[length] = 0;

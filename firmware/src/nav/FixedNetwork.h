@@ -12,8 +12,8 @@
 //
 // A side line is a line that closes a cycle, or a blocked arm with nothing known beyond it. A tree of 200
 // nodes has at most 99 junctions, so the 130 cells have room for 31 blocked arms as well. They also have room
-// for 64 junctions with four joined arms each, where 65 lines close cycles. If no cell is free, adding a
-// junction or a side line fails. In EEPROM a full network takes about 840 bytes.
+// for 64 junctions whose four arms are all joined, with 65 lines that close cycles. If no cell is free,
+// adding a junction or a side line fails. In EEPROM a full network takes about 840 bytes.
 #ifndef LINEKIT_NAV_FIXED_NETWORK_H
 #define LINEKIT_NAV_FIXED_NETWORK_H
 

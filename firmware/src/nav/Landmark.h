@@ -41,8 +41,8 @@ inline Heading opposite(Heading h) { return static_cast<Heading>((h + 2) & 3); }
 /// Returns the turn that leads from one heading to another.
 inline Turn turnBetween(Heading from, Heading to) { return static_cast<Turn>((to - from) & 3); }
 
-/// A place relative to the robot's start: x ahead of the robot as it then stood, y to its right. The unit is
-/// a cell on a grid, or a millimetre on a floor.
+/// A place relative to the robot's initial pose: x points ahead, and y to the right. The unit is a cell on a
+/// grid, or a millimetre on a floor.
 struct Place {
   int32_t x, y;
 };

@@ -64,7 +64,7 @@ class Pilot {
   // The walker measures headings and places from its initial pose. After a power cycle, that pose can differ
   // from the initial pose of the Explorer, in whose frame the network is stored.
   Heading frame_ = 0;   ///< heading 0 of the walker, as a heading of the network
-  bool placed_ = true;  ///< whether the walker's places, rotated by frame_, are those of the network
+  bool placed_ = true;  ///< whether the walker's places, rotated by frame_, equal the network's places
 };
 
 }  // namespace nav

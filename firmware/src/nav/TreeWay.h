@@ -8,8 +8,8 @@ namespace nav {
 
 namespace detail {
 
-// Returns whether no line to a parent is blocked, if the network defines allOpen(). Planners are faster with
-// it.
+// Returns the result of the network's allOpen(): whether no line to a parent is blocked. Returns false for a
+// network without allOpen(); planners are then slower.
 template <class Network>
 auto allOpen(const Network& network, int) -> decltype(network.allOpen()) {
   return network.allOpen();

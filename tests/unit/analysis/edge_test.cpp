@@ -107,7 +107,7 @@ TEST_F(RobotOnTheEdge, GoesOneOfTwoWaysByWhatItsMotorsDoThere) {
   ASSERT_TRUE(choice);
   EXPECT_TRUE(choice->is_as_first(turning_at(10'800'000'000, Manoeuvre::turns_left)));
   EXPECT_FALSE(choice->is_as_first(turning_at(10'800'000'000, Manoeuvre::turns_right)));
-  EXPECT_FALSE(choice->is_as_first(turning_at(20 * kSecond_ns, Manoeuvre::turns_left))) << "elsewhere";
+  EXPECT_FALSE(choice->is_as_first(turning_at(20 * kSecond_ns, Manoeuvre::turns_left))) << "another time";
 }
 
 TEST_F(RobotOnTheEdge, GoesOneOfTwoWaysByWhenItComesToAPlace) {

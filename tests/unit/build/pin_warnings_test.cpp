@@ -62,7 +62,7 @@ TEST(PinWarnings, SayThatSerialIsNeverBegun) {
   EXPECT_EQ(of("uno", prints + "void setup() { Serial.begin(9600); }"), "");
   EXPECT_EQ(of("uno", prints, "void start() { Serial.begin(9600); }\n"), "");
   EXPECT_EQ(of("uno", prints + "void setup() { start(Serial); }"), "");
-  EXPECT_EQ(of("leonardo", prints), "") << "its Serial is a USB port";
+  EXPECT_EQ(of("leonardo", prints), "") << "a Leonardo's Serial is a USB port";
   EXPECT_EQ(of("uno", "void loop() { if (Serial.read() == 1) stop(); }"), "");
 }
 
@@ -78,7 +78,7 @@ TEST(PinWarnings, SayThatASketchWaitsForAComputerThatARobotOnTheFloorDoesNotHave
   EXPECT_EQ(of("leonardo", "while (!Serial && millis() < 3000);"), "");
   EXPECT_EQ(of("leonardo", "if (!Serial) return;"), "");
   EXPECT_EQ(of("leonardo", "while (!Serial.available());"), "");
-  EXPECT_EQ(of("uno", "while (!Serial) {}"), "") << "its port is open at once";
+  EXPECT_EQ(of("uno", "while (!Serial) {}"), "") << "an Uno's port is open at once";
 }
 
 TEST(PinWarnings, SayThatAPinIsAnalogOnly) {

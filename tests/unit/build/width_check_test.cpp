@@ -41,7 +41,7 @@ TEST_F(WidthCheckTest, WhatFitsIsNotNamed) {
   EXPECT_EQ(in_setup("delay(4 * 10000L); delay(40000); delay(4UL * 10000);"), "");
   EXPECT_EQ(in_setup("long mask = 1L << 20; delay(mask); int limit = 10000; delay(limit);"), "");
   EXPECT_EQ(in_setup("unsigned int sum = 30000U + 30000U; delay(sum);"), "");
-  EXPECT_EQ(on("bluepill", "void setup() { delay(4 * 10000); }"), "") << "its int has 32 bits";
+  EXPECT_EQ(on("bluepill", "void setup() { delay(4 * 10000); }"), "") << "a Blue Pill's int has 32 bits";
   EXPECT_EQ(on("uno", "void setup() { delay(4 * 10000); }", Warnings::none), "");
 }
 

@@ -55,8 +55,8 @@ class Distracted : public exec::Executor {
   std::optional<exec::Crash> crash_;
 };
 
-/// Firmware that reads a sensor every millisecond, and starts to drive after two seconds. It reads the sensor
-/// for the last time `later` nanoseconds before it starts to drive.
+/// Firmware that reads a sensor every millisecond, and starts to drive after two seconds. Its last read of
+/// the sensor is `later` nanoseconds before the drive begins.
 class Starts final : public Distracted {
  public:
   explicit Starts(SimTime later) : Distracted(kSecond, false), later_(later) {}

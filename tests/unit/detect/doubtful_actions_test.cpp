@@ -136,7 +136,7 @@ TEST_F(Actions, ATimerIsKnownByItsNumberOnEachBoard) {
   EXPECT_EQ(pins_without_pwm("uno", 2), "pins 3 and 11");
   EXPECT_EQ(pins_without_pwm("mega", 5), "pins 44, 45 and 46");
   EXPECT_EQ(pins_without_pwm("leonardo", 3), "pin 5") << "timer 3 makes this pin's PWM";
-  EXPECT_EQ(pins_without_pwm("leonardo", 2), "") << "it has no timer 2";
+  EXPECT_EQ(pins_without_pwm("leonardo", 2), "") << "a Leonardo has no timer 2";
   EXPECT_EQ(pins_without_pwm("bluepill", 2), "") << "the chip has no timers of an AVR";
 }
 

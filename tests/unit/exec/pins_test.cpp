@@ -120,7 +120,7 @@ TEST_F(PinsTest, AValueOutOfRangeHasTheEffectThatItHasOnTheBoardsOwnTimer) {
   EXPECT_EQ(duty("mega", 5, "256"), 255) << "timer 3 has 16 bits";
   EXPECT_EQ(duty("mega", 5, "-1"), 255);
   EXPECT_EQ(duty("leonardo", 13, "300"), 44) << "timer 4 takes a byte";
-  EXPECT_EQ(duty("bluepill", 8, "-30"), 0) << "its core limits the value";
+  EXPECT_EQ(duty("bluepill", 8, "-30"), 0) << "the Blue Pill's core limits the value";
   EXPECT_EQ(duty("bluepill", 8, "300"), 255);
 }
 
@@ -237,8 +237,8 @@ void loop() {})");
 }
 
 // Reads a pin with 4 V, then a pin with 1 V. With a source of 1 MOhm, the reading is too high by 24 to 43 %
-// of the 3 V difference. Each further reading reduces the error by the same factor. A source of 10 kOhm
-// causes no error.
+// of the 3 V difference. In each further reading, 24 to 43 % of the previous error remain. A source of
+// 10 kOhm causes no error.
 TEST_F(PinsTest, AWeakSourceLeavesSomeOfTheChannelBeforeInAReading) {
   start(R"(void setup() {
   Serial.begin(115200);

@@ -77,7 +77,8 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(AllOf(Ge(99990), Le(100020)), 0));
 }
 
-// The expected TIFR1 is that of target avr. Bit TOV1 depends on the prescaler's phase, which starts at reset.
+// The expected TIFR1 is the value on target avr. Bit TOV1 depends on the prescaler's phase, which starts at
+// reset.
 TEST_F(TimersTest, InitsPwmHasRaisedFlagsThatStayInAnotherMode) {
   output(R"(volatile int count;
 ISR(TIMER1_COMPA_vect) { ++count; }

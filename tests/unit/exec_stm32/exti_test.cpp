@@ -21,7 +21,7 @@ TEST_F(ExtiTest, SoftwareInterruptsLikeAnEdgeUntilItsPendingBitIsCleared) {
   store(kExtiPr, 1u << 7);
   EXPECT_EQ(load(kExtiSwier), 0u);
   EXPECT_TRUE(takes(kIrqExti9_5));
-  EXPECT_FALSE(takes(kIrqExti9_5)) << "its line is low";
+  EXPECT_FALSE(takes(kIrqExti9_5)) << "the line is low";
 }
 
 TEST_F(ExtiTest, ALineOfTheEventMaskWakesWithoutAnInterrupt) {

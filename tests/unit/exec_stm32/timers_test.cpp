@@ -58,7 +58,7 @@ TEST_F(TimersTest, CountsUpDownAndBothWays) {
     pass(1250);
     EXPECT_EQ(load(kTim2 + kTimCnt), control == 1u << 5 ? 48u : later) << control;
     EXPECT_EQ(load(kTim2 + kTimSr) & kUif, kUif);
-    EXPECT_EQ(bool(load(kTim2 + kTimCr1) & 1u << 4), control != 0) << "it counts down";
+    EXPECT_EQ(bool(load(kTim2 + kTimCr1) & 1u << 4), control != 0) << "the timer counts down";
   }
 }
 

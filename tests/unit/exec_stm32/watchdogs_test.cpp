@@ -15,7 +15,7 @@ class WatchdogsTest : public BusFixture {
 
 TEST_F(WatchdogsTest, TheIndependentOneResetsBehindItsTimeUnlessItIsReloaded) {
   store(kIwdg + 4, 3);
-  EXPECT_EQ(load(kIwdg + 4), 0u) << "it is locked";
+  EXPECT_EQ(load(kIwdg + 4), 0u) << "the register is locked";
   store(kIwdg, 0xCCCC);
   store(kIwdg, 0x5555);
   store(kIwdg + 4, 3);    // a count takes 32 / 40 kHz = 0.8 ms

@@ -194,7 +194,7 @@ TEST_F(LineSensorsTest, TimeTheDischargeOfRcSensors) {
   EXPECT_NEAR(sensors.raw(1), 1200, 30);
   EXPECT_EQ(sensors.raw(2), 2500);
   EXPECT_EQ(sensors.value(2), 1000);
-  EXPECT_LT(fake::board.now_us, 2600u) << "it waits no longer than the timeout";
+  EXPECT_LT(fake::board.now_us, 2600u) << "read() waits no longer than the timeout";
   EXPECT_EQ(fake::board.pins[2].level, LOW) << "a pull-up would keep the pin high";
 }
 

@@ -347,7 +347,7 @@ TEST_F(Explain, ARobotThatCirclesIsSaidToCircle) {
 TEST_F(Explain, ARobotThatFollowsASmallLoopDoesNotCircle) {
   drive_circles(0.3, 1, true);
   e.right_command = 0.4;
-  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("circling"))) << "it has seen the line in its last turn";
+  EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("circling"))) << "the robot saw the line in its last turn";
 }
 
 TEST_F(Explain, ARobotThatCirclesFarAroundDoesNot) {
@@ -687,7 +687,7 @@ TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {
   EXPECT_EQ(next(Verdict::crashed), "");
   e.crash = exec::Crash{"2000000000 + 2000000000 does not fit a long, which holds … here", {}};
   e.crash->check = "add_overflow";
-  EXPECT_EQ(next(Verdict::crashed), "") << "the type is long already";
+  EXPECT_EQ(next(Verdict::crashed), "") << "the number's type is already long";
 }
 
 }  // namespace explain_test

@@ -69,10 +69,10 @@ TEST(Judge, CallsARobotStuckThatCreepsAlongWhatItPushesAgainst) {
     });
   };
   EXPECT_EQ(ends(10.0, 2.0, true, true), Verdict::stuck);
-  EXPECT_EQ(ends(30.0, 2.0, true, true), std::nullopt) << "it follows the wall";
-  EXPECT_EQ(ends(10.0, 10.0, true, true), std::nullopt) << "it turns away";
-  EXPECT_EQ(ends(10.0, 2.0, false, true), std::nullopt) << "nothing is there";
-  EXPECT_EQ(ends(10.0, 2.0, true, false), std::nullopt) << "something else moves it";
+  EXPECT_EQ(ends(30.0, 2.0, true, true), std::nullopt) << "the robot follows the wall";
+  EXPECT_EQ(ends(10.0, 10.0, true, true), std::nullopt) << "the robot turns away";
+  EXPECT_EQ(ends(10.0, 2.0, false, true), std::nullopt) << "the robot touches nothing";
+  EXPECT_EQ(ends(10.0, 2.0, true, false), std::nullopt) << "something else moves the robot";
 }
 
 TEST(Judge, HasNotSeenALineWhereARobotHasNoSensorsForIt) {

@@ -19,7 +19,7 @@ struct Found {
 };
 
 /// Returns the place of each node of the network on the floor. Fails the test at the first difference between
-/// their nodes, arms, lines, costs or obstacles.
+/// network and floor: in a node, an arm, a line, a cost or an obstacle.
 template <class Network>
 std::vector<Found> expectTruth(const Network& network, const Floor& floor, Found root, bool one_frame) {
   std::vector<Found> where(network.size());

@@ -223,7 +223,7 @@ range = "10 cm"
   bench.world.remove_obstacle(can);
   bench.world.add_obstacle(bench.line() + Vec2{0.06 + 0.033 + 0.105, 0.0}, 0.033);
   bench.tick();
-  EXPECT_FALSE(bench.level(4)) << "it switches off slightly farther away";
+  EXPECT_FALSE(bench.level(4)) << "the switch turns off slightly farther away";
   bench.body().place({bench.line() - Vec2{0.02, 0.0}, {1.0, 0.0}});
   bench.tick();
   EXPECT_TRUE(bench.level(4));

@@ -182,7 +182,7 @@ TEST_F(ReadingAhead, AMapThatIsWrittenAnewIsSeenAtOnce) {
   EXPECT_FALSE(read_the_map()) << "the run reports the missing map";
 }
 
-// The map has a spread, so it differs for each seed.
+// A value of the map has a random deviation (`spread`), so each seed gives a different map.
 TEST_F(ReadingAhead, AMapWithASpreadIsReadForItsSeed) {
   write_file(map_, std::string("+++\n[[light]]\nlevel = { value = 0.5, spread = 0.1 }\n+++\n") + kMap);
   request_.profile = "typical";

@@ -84,12 +84,12 @@ class Session {
     return text;
   }
 
-  /// Sends a line. Returns the runner's answer. Stores the events before it in `events`.
+  /// Sends a line. Returns the runner's answer. Stores the events before the answer in `events`.
   wire::Line ask(const std::string& text) {
     send(text.ends_with('\n') ? text : text + "\n");
     return answer();
   }
-  /// Returns the runner's next answer. Stores the events before it in `events`.
+  /// Returns the runner's next answer. Stores the events before the answer in `events`.
   wire::Line answer() {
     events.clear();
     for (;;) {
@@ -374,7 +374,7 @@ TEST_F(SessionTest, RunsSeveralRobotsAndAnswersWithAResultForEach) {
   EXPECT_THAT(started, ::testing::ElementsAre(1, 1));
   EXPECT_EQ(samples[1], 201) << "the second robot runs until the time limit";
   EXPECT_GT(samples[0], 50);
-  EXPECT_THAT(notes, ::testing::ElementsAre(0, 2)) << "each has its own script";
+  EXPECT_THAT(notes, ::testing::ElementsAre(0, 2)) << "each robot has its own script";
 }
 
 TEST_F(SessionTest, RefusesRobotsThatCannotBeTogether) {

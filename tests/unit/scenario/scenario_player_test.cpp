@@ -164,7 +164,7 @@ TEST_F(Scripts, MoveTheRobotToAndFroByHandOverTheLineAndPutItDownWhereItWas) {
 TEST_F(Scripts, HoldTheRobotUpAndTiltItForATime) {
   play("at 1s tilt 30deg back in 200ms for 1s", 3);
   EXPECT_NEAR(length(seen.at(1.9).pose.position - seen.at(1.0).pose.position), 0.0, 0.001);
-  EXPECT_EQ(s1(1.5), 1.0) << "its sensors see no floor";
+  EXPECT_EQ(s1(1.5), 1.0) << "the robot's sensors see no floor";
   EXPECT_GT(length(seen.at(2.9).pose.position - seen.at(2.0).pose.position), 0.01) << "the robot drives on";
   EXPECT_THAT(seen.happenings, ElementsAre(HasSubstr("tilt"), HasSubstr("lower")));
 }

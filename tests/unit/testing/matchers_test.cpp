@@ -141,7 +141,7 @@ TEST(SerialEvents, ReadOnAndLookBehindTheLastDeed) {
   EXPECT_THAT(boot, SerialSays("ready"));
   EXPECT_THAT(boot, SerialMatches("^Put me .* scan\\.$"));
   ASSERT_TRUE(robot.run_until(serial_says("ready"), within(10_ms))) << "the text was sent, but not yet read";
-  EXPECT_FALSE(robot.run_until(serial_says("ready"), within(10_ms))) << "it was read";
+  EXPECT_FALSE(robot.run_until(serial_says("ready"), within(10_ms))) << "the text was read";
   robot.send("1\n");
   EXPECT_FALSE(robot.run_until(serial_says("I will scan"), within(1_ms))) << "printed before the request";
   const Drive answer = robot.run_until(serial_says("I will scan"), within(100_ms));

@@ -37,8 +37,8 @@ TEST(FollowsALap, TakesALapAlongTheLineAlone) {
   result.time_s = 24.0;
   EXPECT_TRUE(follows_a_lap(result, false));
   result.metrics.off_line_s = 19.0;
-  EXPECT_FALSE(follows_a_lap(result, false)) << "it saw the line by chance";
-  EXPECT_TRUE(follows_a_lap(result, true)) << "two sensors beside the line do not see it";
+  EXPECT_FALSE(follows_a_lap(result, false)) << "the robot saw the line by chance";
+  EXPECT_TRUE(follows_a_lap(result, true)) << "two sensors next to the line do not see the line";
   result.metrics.cross_track_rms_mm = 60.0;
   EXPECT_FALSE(follows_a_lap(result, true)) << "the lap was next to the line";
   result.metrics.cross_track_rms_mm = 12.0;

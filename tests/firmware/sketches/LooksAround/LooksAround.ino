@@ -4,7 +4,7 @@ const int RIGHT_EN = 6, RIGHT_IN1 = 9, RIGHT_IN2 = 10;
 const int PAN = 11, TRIG = 12, ECHO = 13;
 const int SPEED = 130;
 
-// Returns the distance in cm, or 400 if nothing is there.
+// Returns the distance in cm, or 400 if no obstacle is nearer.
 int distance() {
   digitalWrite(TRIG, LOW);
   delayMicroseconds(2);

@@ -8,7 +8,7 @@ class CommandLine {
  public:
   static const uint8_t kLongest = 20;  ///< longer lines are not commands
 
-  /// Takes what has come; true if a line is complete. It holds until the next call.
+  /// Handles received bytes. Returns true if a line is complete. The line stays valid until the next call.
   bool read() {
     while (Serial.available() > 0) {
       const char c = Serial.read();
@@ -24,7 +24,7 @@ class CommandLine {
     return false;
   }
 
-  /// Returns whether its word equals `word`, in flash.
+  /// Returns whether the line's word equals `word`, which is in flash.
   bool is(const char* word) const {
     const uint8_t length = static_cast<uint8_t>(strlen_P(word));
     return strncmp_P(text_, word, length) == 0 && (text_[length] == 0 || text_[length] == ' ');

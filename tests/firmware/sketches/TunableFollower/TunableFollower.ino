@@ -49,7 +49,7 @@ CommandLine command;
 Settings settings;
 
 bool driving = false;
-uint32_t drive_ms = 0;  // how long; 0 = until it is stopped
+uint32_t drive_ms = 0;  // duration of the drive; 0 = no limit
 uint32_t started_at, stepped_at, seen_at, healthy_at, blinked_at;
 uint32_t edges = 0;  // of both wheels, since the odometer was settings.odometer_mm
 bool lit = false;
@@ -166,12 +166,12 @@ void blink(uint32_t now) {
   digitalWrite(LED_PIN, driving || lit ? HIGH : LOW);
 }
 
-// Looks round and steers, once in each STEP_MS.
+// Reads all sensors and steers, once per STEP_MS.
 void step(uint32_t now) {
   const float dt = (now - stepped_at) / 1000.0f;
   stepped_at = now;
   sensors.read();
-  const int16_t left = encoders.takeLeft(), right = encoders.takeRight();  // abs() is a macro: it would take twice
+  const int16_t left = encoders.takeLeft(), right = encoders.takeRight();  // the macro abs() would take them twice
   edges += abs(left) + abs(right);
   if (batteryMillivolts() >= EMPTY_MV) healthy_at = now;
   if (!driving) return;
@@ -179,7 +179,7 @@ void step(uint32_t now) {
   if (now - seen_at >= LOST_MS) return stop(F("no line"));
   if (now - healthy_at >= EMPTY_MS) return stop(F("battery empty"));
   if (drive_ms > 0 && now - started_at >= drive_ms) return stop(F("time is up"));
-  const float off = sensors.position() / 1000.0f;  // in sensors; positive: the line is to the right
+  const float off = sensors.position() / 1000.0f;  // in sensor pitches; positive: the line is to the right
   const float turn = pid.update(off, dt);
   const float speed = max(60.0f, settings.speed - 40 * abs(off));
   motors.drive(speed + turn, speed - turn);
