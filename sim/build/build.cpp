@@ -24,9 +24,9 @@
 #include "sim/build/retry_reason.h"
 #include "sim/build/sketch.h"
 #include "sim/build/source.h"
+#include "sim/build/static_checks.h"
 #include "sim/build/units.h"
 #include "sim/build/vector_hints.h"
-#include "sim/build/width_check.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -44,7 +44,7 @@ class Build {
         finder_(finder),
         core_(core),
         work_(cache),
-        width_check_(WidthCheck::of(toolchain, core, cache.folder())) {
+        checks_(static_checks(toolchain, core, cache.folder())) {
     shared_ = shared_files(sketch, toolchain.untrusted ? sketch.folder : reach_of(sketch.folder));
   }
 
@@ -231,16 +231,17 @@ class Build {
       objects_.emplace_back();
     }
     // A failed check must not prevent a compiler's start, so the checks come last.
-    std::vector<std::size_t> checked;
-    for (std::size_t i = 0; width_check_ && i < jobs.size(); ++i)
-      if (jobs[i].unit.kind == Unit::Kind::sketch) {
-        commands.push_back(width_check_->command(jobs[i].unit, work_.scratch()));
-        checked.push_back(i);
-      }
+    std::vector<std::pair<std::size_t, const StaticCheck*>> checks;
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+      for (const StaticCheck& check : checks_)
+        if (jobs[i].unit.kind == Unit::Kind::sketch) {
+          commands.push_back(check.command(jobs[i].unit, work_.scratch()));
+          checks.emplace_back(i, &check);
+        }
     const auto since = fs::file_time_type::clock::now();
     std::vector<CommandResult> results = run_walled(commands);
-    std::vector<std::string> checks(jobs.size());
-    for (std::size_t i = 0; i < checked.size(); ++i) checks[checked[i]] = results[jobs.size() + i].output;
+    const std::vector<CommandResult> checked(results.begin() + static_cast<std::ptrdiff_t>(jobs.size()),
+                                             results.end());
     results.resize(jobs.size());
     assemble(jobs, results);
 
@@ -250,7 +251,9 @@ class Build {
     for (std::size_t i = 0; i < results.size(); ++i) {
       std::string messages = text(results[i]);
       if (results[i].status == 0) {
-        if (!checks[i].empty()) append_line(messages, width_check_->warnings(sketch_, checks[i], messages));
+        for (std::size_t k = 0; k < checks.size(); ++k)
+          if (checks[k].first == i)
+            append_line(messages, checks[k].second->warnings(sketch_, checked[k].output, messages));
         check_object(toolchain_, jobs[i].unit, jobs[i].object);
         add_message(messages);
         objects_[jobs[i].slot] = keep(jobs[i], messages, since);
@@ -346,7 +349,7 @@ class Build {
   const LibraryFinder& finder_;
   const GenuineCore& core_;
   WorkFolder work_;
-  const std::unique_ptr<const WidthCheck> width_check_;
+  const std::vector<StaticCheck> checks_;
   std::vector<fs::path> shared_;
   std::vector<Library> libraries_;  ///< in the order in which they were found
   std::vector<Object> objects_;
@@ -403,7 +406,7 @@ Image build(const Request& request) try {
                       request.rules,
                       false,
                       request.core_begins};
-  toolchain.width_check = width_check_identity(toolchain);
+  toolchain.static_checks = static_checks_identity(toolchain);
   const std::vector<fs::path> folders =
       library_folders(sketch.folder, request.libraries, toolchain.core.libraries);
   const std::string key = image_key(toolchain, sketch, folders);

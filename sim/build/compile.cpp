@@ -292,9 +292,10 @@ Command assemble_command(const Toolchain& toolchain, const fs::path& assembly, c
           object.parent_path()};
 }
 
-Command check_command(const Toolchain& toolchain, const Unit& unit, const fs::path& scratch) {
+Command check_command(const Toolchain& toolchain, const Unit& unit, const std::vector<std::string>& options,
+                      const fs::path& scratch) {
   std::vector<std::string> words = base_words(toolchain, unit);
-  words.emplace_back("-fsyntax-only");
+  append(words, options);
   add_source(words, unit);
   return {std::move(words), unit.folder, unit.input, scratch};
 }

@@ -54,8 +54,9 @@ std::string notes_name(const Unit& unit);
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);
 Command assemble_command(const Toolchain& toolchain, const std::filesystem::path& assembly,
                          const std::filesystem::path& object);
-/// Returns a command that only prints the compiler's messages about the unit.
-Command check_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& scratch);
+/// Returns a command for the compiler's messages about the unit. `options` must prevent any other output.
+Command check_command(const Toolchain& toolchain, const Unit& unit, const std::vector<std::string>& options,
+                      const std::filesystem::path& scratch);
 /// Returns a command that only preprocesses the unit, to `output`.
 Command preprocess_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& output);
 /// Returns options with which another parser can read a C++ unit: language, macros and include folders

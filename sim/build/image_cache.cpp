@@ -41,7 +41,7 @@ bool is_cached(const Toolchain& toolchain, const Unit& unit) {
 std::string unit_key(const Toolchain& toolchain, const Unit& unit) {
   return key_of({"unit", recipe(toolchain), seen_by(toolchain),
                  std::to_string(static_cast<int>(toolchain.registers)), unit.folder.string(), unit.source,
-                 unit.kind == Unit::Kind::sketch ? toolchain.width_check : "",
+                 unit.kind == Unit::Kind::sketch ? toolchain.static_checks : "",
                  key_of(std::vector<std::string>(unit.includes.begin(), unit.includes.end())),
                  key_of(headers_in(unit.folder))});
 }
@@ -69,7 +69,7 @@ Image image_of(const Target& target, const Sketch& sketch, const Entry& entry, c
 std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
                       const std::vector<fs::path>& folders) {
   std::vector<std::string> words = {"image", recipe(toolchain), seen_by(toolchain), sketch.folder.string(),
-                                    toolchain.width_check};
+                                    toolchain.static_checks};
   for (const auto* names : {&sketch.inos, &sketch.sources, &sketch.headers, &sketch.assembler})
     words.push_back(key_of(*names));
   for (const auto* paths : {&sketch.includes, &folders})

@@ -86,7 +86,7 @@ struct Toolchain {
   ProjectRules rules = {};
   bool narrow_ints = false;                ///< the sketch's ints have 16 bits (narrow_ints.h)
   std::function<void()> core_begins = {};  ///< as in the Request
-  std::string width_check = {};            ///< width_check_identity()
+  std::string static_checks = {};          ///< static_checks_identity()
 };
 
 /// Returns the core for a target and board. With Robosim's hal, the core is a folder of links in the cache.

@@ -1,6 +1,7 @@
 #include "sim/build/warning_filter.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -90,6 +91,22 @@ void for_each_message(const std::string& messages, Use use) {
   close();
 }
 
+/// Returns the warnings by options of gcc, each with the lines that gcc shows below it.
+std::vector<std::string> warnings_of(const std::string& messages,
+                                     std::initializer_list<std::string_view> options) {
+  const auto has_one = [&](std::string_view text) {
+    return std::any_of(options.begin(), options.end(), [&](std::string_view one) { return has(text, one); });
+  };
+  std::vector<std::string> found;
+  if (!has_one(messages)) return found;
+  for_each_message(messages, [&](std::vector<std::string>&, const std::vector<std::string>& message) {
+    if (!has_one(message.front()) || !has(message.front(), ": warning: ")) return;
+    std::string& text = found.emplace_back(message.front());
+    for (std::size_t i = 1; i < message.size(); ++i) text += '\n' + message[i];
+  });
+  return found;
+}
+
 }  // namespace
 
 std::string without_style_warnings(const std::string& messages) {
@@ -106,16 +123,13 @@ std::string without_style_warnings(const std::string& messages) {
 }
 
 std::vector<std::string> width_warnings(const std::string& messages) {
-  std::vector<std::string> found;
-  if (!has(messages, "[-Woverflow]") && !has(messages, "[-Wshift-")) return found;
-  for_each_message(messages, [&](std::vector<std::string>&, const std::vector<std::string>& message) {
-    const std::string& first = message.front();
-    const bool depends = has(first, "[-Woverflow]") || has(first, "[-Wshift-count-overflow]") ||
-                         has(first, "[-Wshift-overflow");
-    if (!depends || !has(first, ": warning: ")) return;
-    std::string& text = found.emplace_back(first);
-    for (std::size_t i = 1; i < message.size(); ++i) text += '\n' + message[i];
-  });
+  return warnings_of(messages, {"[-Woverflow]", "[-Wshift-count-overflow]", "[-Wshift-overflow"});
+}
+
+std::vector<std::string> unset_warnings(const std::string& messages) {
+  std::vector<std::string> found = warnings_of(
+      messages, {"[-Wanalyzer-use-of-uninitialized-value]", "[-Wmaybe-uninitialized]", "[-Wuninitialized]"});
+  std::erase_if(found, [](const std::string& message) { return has(message, "'<unknown>'"); });
   return found;
 }
 

@@ -18,4 +18,8 @@ std::string without_style_warnings(const std::string& messages);
 /// by too many bits.
 std::vector<std::string> width_warnings(const std::string& messages);
 
+/// Returns the messages about variables that are used before they have a value, by gcc's optimiser or by its
+/// analyser. Skips those about temporary objects, which have no name.
+std::vector<std::string> unset_warnings(const std::string& messages);
+
 }  // namespace robosim::build
