@@ -1,28 +1,23 @@
 // Implements DebugInfo::entries_of(). DWARF contains the addresses at which a function and its inlined copies
 // begin. It also names the registers that contain the parameters at these addresses (DWARF 4, 2.6 and 3.3.8).
-#include <dwarf.h>
-#include <elfutils/libdw.h>
-
 #include <algorithm>
-#include <string_view>
 
 #include "sim/exec/elf/debug_info.h"
+#include "sim/exec/elf/dwarf_access.h"
 
 namespace robosim::exec {
 namespace {
 
 // Limits, which end the search in damaged files.
-constexpr int kMostScopes = 256, kMostRanges = 64;
 constexpr std::size_t kMostEntries = 4096, kMostParameters = 16, kMostBegins = 256;
 
 /// Returns the DIEs of a function's parameters, in the order of the declaration.
 std::vector<Dwarf_Die> parameters_of(Dwarf_Die function) {
   std::vector<Dwarf_Die> all;
-  Dwarf_Die child;
-  if (dwarf_child(&function, &child) != 0) return all;
-  do {
+  any_child(function, [&](Dwarf_Die child) {
     if (dwarf_tag(&child) == DW_TAG_formal_parameter) all.push_back(child);
-  } while (all.size() < kMostParameters && dwarf_siblingof(&child, &child) == 0);
+    return all.size() >= kMostParameters;
+  });
   return all;
 }
 
@@ -92,13 +87,8 @@ std::vector<std::optional<Dwarf_Die>> parameters_here(Dwarf_Die function) {
 /// Returns the largest contiguous part of a function's code.
 DebugInfo::Range body_of(Dwarf_Die function) {
   DebugInfo::Range body;
-  Dwarf_Addr base = 0, begin = 0, end = 0;
-  int parts = 0;
-  for (std::ptrdiff_t next = 0; (next = dwarf_ranges(&function, next, &base, &begin, &end)) > 0;)
-    if (++parts > kMostRanges)
-      return body;
-    else if (end - begin > body.end - body.begin)
-      body = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
+  for (const DebugInfo::Range part : ranges_of(function))
+    if (part.end - part.begin > body.end - body.begin) body = part;
   return body;
 }
 
@@ -129,27 +119,17 @@ DebugInfo::Entry entry_of(Dwarf_Die function) {
   return best;
 }
 
-void find_entries(Dwarf_Die parent, std::string_view function, std::vector<DebugInfo::Entry>& entries,
-                  int depth = 0) {
-  Dwarf_Die child;
-  if (depth > kMostScopes || entries.size() >= kMostEntries || dwarf_child(&parent, &child) != 0) return;
-  do {
-    const int tag = dwarf_tag(&child);
-    const char* const name = dwarf_diename(&child);
-    if ((tag == DW_TAG_subprogram || tag == DW_TAG_inlined_subroutine) && name && name == function)
-      if (DebugInfo::Entry entry = entry_of(child); entry.address != 0) entries.push_back(std::move(entry));
-    find_entries(child, function, entries, depth + 1);
-  } while (dwarf_siblingof(&child, &child) == 0);
-}
-
 }  // namespace
 
 std::vector<DebugInfo::Entry> DebugInfo::entries_of(const std::string& function) const {
   std::vector<Entry> entries;
-  Dwarf_CU* unit = nullptr;
-  Dwarf_Die die;
-  while (dwarf_ && dwarf_get_units(dwarf_, unit, &unit, nullptr, nullptr, &die, nullptr) == 0)
-    find_entries(die, function, entries);
+  any_unit(dwarf_, [&](Dwarf_Die unit) {
+    return any_descendant(unit, [&](Dwarf_Die die) {
+      if (is_code(die) && name_of(die) == function)
+        if (Entry entry = entry_of(die); entry.address != 0) entries.push_back(std::move(entry));
+      return entries.size() >= kMostEntries;
+    });
+  });
   return entries;
 }
 

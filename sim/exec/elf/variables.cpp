@@ -1,37 +1,22 @@
 // Implements DebugInfo::variable_at() and DebugInfo::numbers(). DWARF contains the addresses of variables and
 // the offsets of members.
-#include <dwarf.h>
-#include <elfutils/libdw.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "sim/exec/elf/debug_info.h"
+#include "sim/exec/elf/dwarf_access.h"
 
 namespace robosim::exec {
 namespace {
 
-// Limits of nested scopes, chained typedefs, members and elements, and path lengths. They end the search in
-// damaged files. Compiled programs stay far below these limits.
-constexpr int kMostNested = 256, kMostNames = 64, kMostParts = 60'000;
+// Limits of chained typedefs, members and elements, and path lengths. They end the search in damaged files.
+// Compiled programs stay far below these limits.
+constexpr int kMostNames = 64, kMostParts = 60'000;
 constexpr std::size_t kLongestPath = 1000;
-
-using VisitUnit = std::function<bool(Dwarf_Die unit)>;
-
-/// Calls `visit` for each compilation unit, until `visit` returns true.
-void for_units(Dwarf* dwarf, const VisitUnit& visit) {
-  Dwarf_Off offset = 0, next = 0;
-  std::size_t header = 0;
-  while (dwarf && dwarf_nextcu(dwarf, offset, &next, &header, nullptr, nullptr, nullptr) == 0) {
-    Dwarf_Die unit;
-    if (dwarf_offdie(dwarf, offset + header, &unit) && visit(unit)) return;
-    offset = next;
-  }
-}
 
 std::optional<Dwarf_Die> type_of(Dwarf_Die die) {
   Dwarf_Attribute attribute;
@@ -54,22 +39,24 @@ Dwarf_Word size_of(Dwarf_Die type) {
 }
 
 SourceLine declaration_of(Dwarf_Die variable) {
-  SourceLine where;
-  if (const char* const file = dwarf_decl_file(&variable)) where.file = file;
-  if (where.file.starts_with("./")) where.file.erase(0, 2);
+  SourceLine where{.file = tidy_file(dwarf_decl_file(&variable))};
   dwarf_decl_line(&variable, &where.line);
   return where;
 }
 
 bool has_constructor(Dwarf_Die type) {
-  const char* const name = dwarf_diename(&type);
-  Dwarf_Die child;
-  if (!name || dwarf_child(&type, &child) != 0) return false;
-  do {
-    const char* const of = dwarf_tag(&child) == DW_TAG_subprogram ? dwarf_diename(&child) : nullptr;
-    if (of && std::string_view(of) == name && !dwarf_hasattr(&child, DW_AT_artificial)) return true;
-  } while (dwarf_siblingof(&child, &child) == 0);
-  return false;
+  const std::string_view name = name_of(type);
+  return !name.empty() && any_child(type, [&](Dwarf_Die child) {
+    return dwarf_tag(&child) == DW_TAG_subprogram && name_of(child) == name &&
+           !dwarf_hasattr(&child, DW_AT_artificial);
+  });
+}
+
+/// Returns the offset of a member or base class; empty for any other DIE.
+std::optional<Dwarf_Word> member_offset(Dwarf_Die die) {
+  const int tag = dwarf_tag(&die);
+  if (tag != DW_TAG_member && tag != DW_TAG_inheritance) return std::nullopt;
+  return number_of(die, DW_AT_data_member_location);
 }
 
 /// Returns the path of the member at this offset, such as ".left.pwm"; empty if there is no member. Sets
@@ -78,33 +65,27 @@ bool has_constructor(Dwarf_Die type) {
 std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool constructed = false,
                       int depth = 0) {
   if (depth > kMostNames) return "";
-  Dwarf_Die child;
   const int tag = dwarf_tag(&type);
   if (tag == DW_TAG_array_type) {
     const auto element = type_of(type);
     const Dwarf_Word size = element ? size_of(*element) : 0;
     return size == 0 ? "" : member_at(*element, offset % size, where, constructed, depth + 1);
   }
-  if ((tag != DW_TAG_structure_type && tag != DW_TAG_class_type) || dwarf_child(&type, &child) != 0)
-    return "";
-  do {
-    Dwarf_Attribute attribute;
-    Dwarf_Word begin = 0;
-    if (dwarf_tag(&child) != DW_TAG_member && dwarf_tag(&child) != DW_TAG_inheritance) continue;
-    if (!dwarf_attr(&child, DW_AT_data_member_location, &attribute) ||
-        dwarf_formudata(&attribute, &begin) != 0)
-      continue;
-    const auto of = type_of(child);
-    if (!of || offset < begin || offset >= begin + size_of(*of)) continue;
-    std::string path;
+  std::string path;
+  if (tag != DW_TAG_structure_type && tag != DW_TAG_class_type) return path;
+  any_child(type, [&](Dwarf_Die child) {
+    const auto begin = member_offset(child);
+    const auto of = begin ? type_of(child) : std::nullopt;
+    if (!of || offset < *begin || offset >= *begin + size_of(*of)) return false;
     const bool sets = constructed || has_constructor(type);
-    if (const char* const name = dwarf_diename(&child); name && dwarf_tag(&child) == DW_TAG_member) {
-      path.append(1, '.').append(name);
+    if (dwarf_tag(&child) == DW_TAG_member && !name_of(child).empty()) {
+      path.append(1, '.').append(name_of(child));
       where = sets ? SourceLine{} : declaration_of(child);
     }
-    return path.append(member_at(*of, offset - begin, where, sets, depth + 1));
-  } while (dwarf_siblingof(&child, &child) == 0);
-  return "";
+    path.append(member_at(*of, offset - *begin, where, sets, depth + 1));
+    return true;
+  });
+  return path;
 }
 
 /// Returns the address of a variable; empty if the variable has no fixed address.
@@ -120,40 +101,29 @@ std::optional<Dwarf_Word> address_of(Dwarf_Die variable) {
   return operations[0].number;
 }
 
-bool find(Dwarf_Die parent, std::uint32_t address, DebugInfo::Variable& found, int depth = 0) {
-  Dwarf_Die child;
-  if (depth > kMostNested || dwarf_child(&parent, &child) != 0) return false;
-  do {
-    Dwarf_Attribute attribute;
-    if (const auto begin = address_of(child); begin && address >= *begin) {
-      const auto type = type_of(child);
-      const Dwarf_Word offset = address - *begin;
-      if (type && offset < size_of(*type)) {
-        // The name may be in a separate entry for the declaration, as for a static member.
-        const char* const name =
-            dwarf_attr_integrate(&child, DW_AT_name, &attribute) ? dwarf_formstring(&attribute) : nullptr;
-        found = {name ? name : "", declaration_of(child), {}};
-        found.name.append(member_at(*type, offset, found.member));
-        return true;
-      }
-    }
-    if (find(child, address, found, depth + 1)) return true;
-  } while (dwarf_siblingof(&child, &child) == 0);
-  return false;
+/// Sets `found` if the DIE is the variable that contains this address. Returns whether it is.
+bool contains(Dwarf_Die die, std::uint32_t address, DebugInfo::Variable& found) {
+  const auto begin = address_of(die);
+  if (!begin || address < *begin) return false;
+  const auto type = type_of(die);
+  const Dwarf_Word offset = address - *begin;
+  if (!type || offset >= size_of(*type)) return false;
+  // The name may be in a separate entry for the declaration, as for a static member.
+  Dwarf_Attribute attribute;
+  const char* const name =
+      dwarf_attr_integrate(&die, DW_AT_name, &attribute) ? dwarf_formstring(&attribute) : nullptr;
+  found = {name ? name : "", declaration_of(die), {}};
+  found.name.append(member_at(*type, offset, found.member));
+  return true;
 }
 
 /// Collects the numbers of variables.
 class NumberCollector {
  public:
-  void add_variables(Dwarf_Die parent, int depth = 0) {
-    Dwarf_Die child;
-    if (depth > kMostNested || dwarf_child(&parent, &child) != 0) return;
-    do {
-      const auto address = address_of(child);
-      const auto type = address ? type_of(child) : std::nullopt;
-      if (type && !is_core_file(declaration_of(child).file)) add(*type, *address, "");
-      add_variables(child, depth + 1);
-    } while (dwarf_siblingof(&child, &child) == 0);
+  void add_variable(Dwarf_Die die) {
+    const auto address = address_of(die);
+    const auto type = address ? type_of(die) : std::nullopt;
+    if (type && !is_core_file(declaration_of(die).file)) add(*type, *address, "");
   }
   std::vector<DebugInfo::Number> take() { return std::move(numbers_); }
 
@@ -195,36 +165,27 @@ class NumberCollector {
   }
 
   void add_members(Dwarf_Die type, Dwarf_Word address, const std::string& path, int depth) {
-    Dwarf_Die child;
-    if (dwarf_child(&type, &child) != 0) return;
-    do {
-      Dwarf_Attribute attribute;
-      Dwarf_Word offset = 0;
-      const int tag = dwarf_tag(&child);
-      if ((tag != DW_TAG_member && tag != DW_TAG_inheritance) || dwarf_hasattr(&child, DW_AT_bit_size) ||
-          !dwarf_attr(&child, DW_AT_data_member_location, &attribute) ||
-          dwarf_formudata(&attribute, &offset) != 0)
-        continue;
-      const char* const name = tag == DW_TAG_member ? dwarf_diename(&child) : nullptr;
-      if (const auto of = type_of(child))
-        add(*of, address + offset, name ? fmt::format("{}.{}", path, name) : path, depth + 1);
-    } while (dwarf_siblingof(&child, &child) == 0);
+    any_child(type, [&](Dwarf_Die child) {
+      const auto offset = member_offset(child);
+      const auto of = offset && !dwarf_hasattr(&child, DW_AT_bit_size) ? type_of(child) : std::nullopt;
+      const bool is_named = dwarf_tag(&child) == DW_TAG_member && !name_of(child).empty();
+      if (of)
+        add(*of, address + *offset, is_named ? fmt::format("{}.{}", path, name_of(child)) : path, depth + 1);
+      return false;
+    });
   }
 
   /// Returns the length of each dimension of an array.
   static std::vector<Dwarf_Word> lengths_of(Dwarf_Die array) {
     std::vector<Dwarf_Word> lengths;
-    Dwarf_Die child;
-    if (dwarf_child(&array, &child) != 0) return lengths;
-    do {
-      Dwarf_Attribute attribute;
-      Dwarf_Word value = 0;
-      if (dwarf_tag(&child) != DW_TAG_subrange_type || lengths.size() > kMostNames) continue;
-      if (dwarf_attr(&child, DW_AT_upper_bound, &attribute) && dwarf_formudata(&attribute, &value) == 0)
-        lengths.push_back(value + 1);
-      else if (dwarf_attr(&child, DW_AT_count, &attribute) && dwarf_formudata(&attribute, &value) == 0)
-        lengths.push_back(value);
-    } while (dwarf_siblingof(&child, &child) == 0);
+    any_child(array, [&](Dwarf_Die child) {
+      if (dwarf_tag(&child) != DW_TAG_subrange_type) return false;
+      if (const auto last = number_of(child, DW_AT_upper_bound))
+        lengths.push_back(*last + 1);
+      else if (const auto count = number_of(child, DW_AT_count))
+        lengths.push_back(*count);
+      return lengths.size() > kMostNames;
+    });
     return lengths;
   }
 
@@ -236,13 +197,17 @@ class NumberCollector {
 
 DebugInfo::Variable DebugInfo::variable_at(std::uint32_t address) const {
   Variable found;
-  for_units(dwarf_, [&](Dwarf_Die unit) { return find(unit, address, found); });
+  any_unit(dwarf_, [&](Dwarf_Die unit) {
+    return any_descendant(unit, [&](Dwarf_Die die) { return contains(die, address, found); });
+  });
   return is_core_file(found.where.file) ? Variable{} : found;
 }
 
 std::vector<DebugInfo::Number> DebugInfo::numbers() const {
   NumberCollector collector;
-  for_units(dwarf_, [&](Dwarf_Die unit) { return collector.add_variables(unit), false; });
+  any_unit(dwarf_, [&](Dwarf_Die unit) {
+    return any_descendant(unit, [&](Dwarf_Die die) { return collector.add_variable(die), false; });
+  });
   std::vector<Number> numbers = collector.take();
   std::stable_sort(numbers.begin(), numbers.end(),
                    [](const Number& a, const Number& b) { return a.address < b.address; });
