@@ -41,7 +41,7 @@ struct Found {
 
 class ClockCheck {
  public:
-  ClockCheck(const std::vector<Word>& words, int int_bits)
+  ClockCheck(const std::vector<Token>& words, int int_bits)
       : words_(words), names_(words, int_bits), times_(names_.all().size()) {
     constexpr int kMostSteps = 5;  // since = now; before = since; ...
     for (int step = 0; step < kMostSteps && mark_times(); ++step) continue;
@@ -314,7 +314,7 @@ class ClockCheck {
     if (!told_.insert(declaration).second) return;
     const ArithmeticType type = names_.all()[declaration].type;
     const std::string_view name = text(operand.name);
-    const Word& first = words_[range.first];
+    const Token& first = words_[range.first];
     const std::string expression = source(range.first, range.second);
     const int least_wrong = 1 << (type.bits - (type.is_signed ? 1 : 0));
     std::string warning = fmt::format(
@@ -345,7 +345,7 @@ class ClockCheck {
            word == "!";
   }
 
-  const std::vector<Word>& words_;
+  const std::vector<Token>& words_;
   Declarations names_;
   std::vector<TimeUnit> times_;  ///< per declaration; `none` if the variable is not set to a time
   std::set<std::size_t> told_;
@@ -358,11 +358,11 @@ int int_bits_of(const BoardSpec& board) { return std::string_view(board.chip->ta
 std::string clock_warnings(const std::string& preprocessed, const std::vector<std::string>& own_files,
                            const BoardSpec& board) {
   const std::string own = own_lines(preprocessed, own_files);
-  const std::vector<Word> words = words_in(own);
+  const std::vector<Token> words = tokens_of(own);
   const std::vector<Found> found = ClockCheck(words, int_bits_of(board)).warnings();
   if (found.empty()) return "";
   // A library's class may have a member with the same name and another type.
-  const std::vector<Word> all = words_in(preprocessed);
+  const std::vector<Token> all = tokens_of(preprocessed);
   const Declarations names(all, int_bits_of(board));
   std::set<std::string_view> in_doubt;
   for (const Declaration& one : names.all())

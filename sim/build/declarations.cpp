@@ -53,7 +53,7 @@ bool may_be_template_argument(std::string_view word) {
 
 }  // namespace
 
-Declarations::Declarations(const std::vector<Word>& words, int int_bits)
+Declarations::Declarations(const std::vector<Token>& words, int int_bits)
     : words_(words), int_bits_(int_bits), partners_(words.size(), kNone) {
   find_partners();
   read_declarations();

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/build/source_words.h"
+#include "sim/build/tokens.h"
 
 namespace robosim::build {
 
@@ -33,7 +33,7 @@ class Declarations {
   static constexpr std::size_t kMostOfName = 200;
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-  Declarations(const std::vector<Word>& words, int int_bits);
+  Declarations(const std::vector<Token>& words, int int_bits);
 
   const std::vector<Declaration>& all() const { return declarations_; }
   /// Returns the index of the bracket that belongs to the bracket at `at`, or kNone.
@@ -63,7 +63,7 @@ class Declarations {
   bool names_type(std::size_t at) const;
   std::string_view text(std::size_t at) const { return at < words_.size() ? words_[at].text : ""; }
 
-  const std::vector<Word>& words_;
+  const std::vector<Token>& words_;
   int int_bits_;
   std::vector<std::size_t> partners_;
   std::vector<Declaration> declarations_;

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/build/source_words.h"
+#include "sim/build/tokens.h"
 
 namespace robosim::build {
 namespace {
@@ -89,7 +89,7 @@ std::optional<int> value_of(std::string_view word, const std::map<std::string_vi
 /// Returns the pin in the macro digitalPinToInterrupt(pin), whose expansion begins at `at`. All cores compare
 /// the pin with numbers, and end in -1: `((pin) == 2 ? 0 : ((pin) == 3 ? 1 : -1))`. Returns an empty text for
 /// other expressions.
-std::string_view pin_of_expansion(const std::vector<Word>& words, std::size_t at) {
+std::string_view pin_of_expansion(const std::vector<Token>& words, std::size_t at) {
   std::size_t end = at;
   for (int open = 0; end < words.size() && (open > 0 || words[end].text != ","); ++end) {
     open += words[end].text == "(" ? 1 : words[end].text == ")" ? -1 : 0;
@@ -117,7 +117,7 @@ std::string interrupt_numbers(const BoardSpec& board) {
 }
 
 /// Returns the problem with the call of attachInterrupt() at `at`; empty = none.
-std::string interrupt_warning(const std::vector<Word>& words, std::size_t at,
+std::string interrupt_warning(const std::vector<Token>& words, std::size_t at,
                               const std::map<std::string_view, int>& constants, const BoardSpec& board) {
   const auto warn = [&](const std::string& argument, const std::string& wrong) {
     return fmt::format("{}:{}: warning: attachInterrupt({}, …): {}", words[at].file, words[at].line, argument,
@@ -149,7 +149,7 @@ bool is_number(std::string_view word) {
 }
 
 /// Detects literal calls such as analogWrite(PIN, 300) and analogWrite(PIN, -100).
-std::string range_warning(const std::vector<Word>& words, std::size_t at) {
+std::string range_warning(const std::vector<Token>& words, std::size_t at) {
   if (words[at].text != "analogWrite" || words[at + 1].text != "(" || words[at + 3].text != ",") return "";
   std::size_t i = at + 4;
   const bool negative = i < words.size() && words[i].text == "-";
@@ -167,8 +167,8 @@ std::string range_warning(const std::vector<Word>& words, std::size_t at) {
 std::string serial_warning(const std::string& own_lines, const std::string& all, const BoardSpec& board) {
   if (board.chip->uart_count == 0 || board.chip->usb.address || all.find("Serial.begin") != all.npos)
     return "";
-  const std::vector<Word> words = words_in(own_lines);
-  const Word* first = nullptr;
+  const std::vector<Token> words = tokens_of(own_lines);
+  const Token* first = nullptr;
   for (std::size_t i = 0; i + 2 < words.size(); ++i) {
     if (words[i].text != "Serial") continue;
     if (words[i + 1].text != ".") return "";  // Serial is passed to code that may call begin()
@@ -185,9 +185,9 @@ std::string serial_warning(const std::string& own_lines, const std::string& all,
 std::string usb_warning(const std::string& own_lines, const BoardSpec& board) {
   if (!board.chip->usb.address) return "";
   constexpr std::string_view kLoop[] = {"while", "(", "!", "Serial", ")"};
-  const std::vector<Word> words = words_in(own_lines);
+  const std::vector<Token> words = tokens_of(own_lines);
   const auto waits = std::search(words.begin(), words.end(), std::begin(kLoop), std::end(kLoop),
-                                 [](const Word& word, std::string_view text) { return word.text == text; });
+                                 [](const Token& word, std::string_view text) { return word.text == text; });
   if (waits == words.end()) return "";
   return fmt::format(
       "{}:{}: warning: 'while (!Serial)' waits until a computer opens the port: without a USB cable, the "
@@ -197,12 +197,12 @@ std::string usb_warning(const std::string& own_lines, const BoardSpec& board) {
 }
 
 std::string pin_warnings(const std::string& own_lines, const BoardSpec& board) {
-  const std::vector<Word> words = words_in(own_lines);
+  const std::vector<Token> words = tokens_of(own_lines);
   const std::map<std::string_view, int> constants = constants_in(words);
   std::string text;
   std::set<std::string> told;
   const bool may_have_more_bits = std::any_of(
-      words.begin(), words.end(), [](const Word& word) { return word.text == "analogWriteResolution"; });
+      words.begin(), words.end(), [](const Token& word) { return word.text == "analogWriteResolution"; });
   for (std::size_t i = 1; i + 3 < words.size(); ++i) {
     // Declarations have a type before the name; method calls have a . or ->.
     if (words[i + 1].text != "(" || words[i - 1].text == "." || words[i - 1].text == ">") continue;

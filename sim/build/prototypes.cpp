@@ -15,6 +15,7 @@
 #include "sim/build/messages.h"
 #include "sim/build/process.h"
 #include "sim/build/source.h"
+#include "sim/build/tokens.h"
 #include "sim/build/toolchain.h"
 
 namespace robosim::build {
@@ -42,21 +43,15 @@ int to_int(std::string_view text) {
   return value;
 }
 
-// Parses `# 12 "Blink.ino" 2` or `#line 12 "Blink.ino"`, which give the number and file of the following
-// line.
+// Reads a line marker, and removes the escapes of the file name.
 bool parse_marker(std::string_view line, int& number, std::string& file) {
-  if (line.empty() || line[0] != '#') return false;
-  line.remove_prefix(1);
-  while (!line.empty() && line[0] == ' ') line.remove_prefix(1);
-  if (line.substr(0, 5) == "line ") line.remove_prefix(5);
-  const std::size_t quote = line.find('"');
-  if (line.empty() || !std::isdigit(static_cast<unsigned char>(line[0])) || quote == std::string_view::npos)
-    return false;
-  number = to_int(line);
+  const auto marker = line_marker(line);
+  if (!marker) return false;
+  number = marker->line;
   file.clear();
-  for (std::size_t i = quote + 1; i < line.size() && line[i] != '"'; ++i) {
-    if (line[i] == '\\' && i + 1 < line.size()) ++i;
-    file += line[i];
+  for (std::size_t i = 0; i < marker->file.size(); ++i) {
+    if (marker->file[i] == '\\' && i + 1 < marker->file.size()) ++i;
+    file += marker->file[i];
   }
   return true;
 }

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/build/source_words.h"
+#include "sim/build/tokens.h"
 
 namespace robosim::build {
 namespace fs = std::filesystem;
@@ -93,9 +93,9 @@ std::string vector_hint(const std::string& messages, const std::string& own_line
   if (!std::regex_search(messages, match, twice)) return "";
   const std::string vector = std::string(kVector) + match[2].str();
   const std::string name = vector_name(vectors, std::stoi(match[2]));
-  const std::vector<Word> words = words_in(own_lines);
+  const std::vector<Token> words = tokens_of(own_lines);
   const auto owner = [&](const std::string& place) {
-    for (const Word& word : words)
+    for (const Token& word : words)
       if (word.text == vector && word.file == place) return fmt::format("{}:{}", place, word.line);
     return owner_of(place);
   };
@@ -112,7 +112,7 @@ std::string core_handler_warnings(const std::string& own_lines, const BoardSpec&
   // If the board has a host model, the host simulates the interrupts of another chip.
   if (board.host_model || own_lines.find(kVector) == own_lines.npos) return "";
   constexpr int kToneTimer = 2;
-  const std::vector<Word> words = words_in(own_lines);
+  const std::vector<Token> words = tokens_of(own_lines);
   const auto calls = [&](std::string_view function) {
     for (std::size_t i = 1; i + 1 < words.size(); ++i)
       if (words[i].text == function && words[i + 1].text == "(" && words[i - 1].text != "." &&
@@ -122,7 +122,7 @@ std::string core_handler_warnings(const std::string& own_lines, const BoardSpec&
   };
   std::string text;
   std::optional<int> last;
-  for (const Word& word : words) {
+  for (const Token& word : words) {
     if (!word.text.starts_with(kVector)) continue;
     const auto number = number_of(word.text.substr(kVector.size()));
     if (!number || number == last) continue;  // ISR() declares the handler, and then defines it

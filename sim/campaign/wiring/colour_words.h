@@ -1,7 +1,7 @@
 // Finds black, white and the line in words, in the languages of published sketches.
 #pragma once
 
-#include "sim/campaign/wiring/tokens.h"
+#include "sim/campaign/wiring/name_words.h"
 
 namespace robosim::wiring {
 

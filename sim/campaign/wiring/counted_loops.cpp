@@ -12,20 +12,20 @@ std::optional<int> number_in(const std::string& text) {
 
 }  // namespace
 
-void CountedLoops::read(const std::vector<Token>& tokens, std::size_t at) {
+void CountedLoops::read(const std::vector<build::Token>& tokens, std::size_t at) {
   const auto is = [&](std::size_t i, const char* text) { return i < tokens.size() && tokens[i].is(text); };
   const auto is_word = [&](std::size_t i) {
-    return i < tokens.size() && tokens[i].kind == Token::Kind::word;
+    return i < tokens.size() && tokens[i].kind == build::Token::Kind::word;
   };
   std::size_t i = at + 2;
   while (is_word(i) && is_word(i + 1)) ++i;  // the type
   if (!is_word(i) || !is(i + 1, "=") || !is(i + 3, ";") || !is(i + 5, "<")) return;
-  const std::string& name = tokens[i].text;
-  if (!is(i + 4, name.c_str())) return;
+  const std::string name = tokens[i].str();
+  if (!tokens[i + 4].is(name)) return;
   const bool is_inclusive = is(i + 6, "=");
   const std::size_t limit = i + (is_inclusive ? 7 : 6);
   if (limit >= tokens.size()) return;
-  by_variable_[name] = {"", tokens[i + 2].text, tokens[limit].text, is_inclusive};
+  by_variable_[name] = {"", tokens[i + 2].str(), tokens[limit].str(), is_inclusive};
 }
 
 std::optional<PinRange> CountedLoops::range_of(const std::string& argument) const {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/campaign/wiring/tokens.h"
+#include "sim/build/tokens.h"
 
 namespace robosim::wiring {
 
@@ -21,7 +21,7 @@ struct PinRange {
 class CountedLoops {
  public:
   /// Reads the loop whose `for` is the token at index `at`.
-  void read(const std::vector<Token>& tokens, std::size_t at);
+  void read(const std::vector<build::Token>& tokens, std::size_t at);
   /// Returns the range of an argument that contains the variable of a loop: `i`, `FIRST + i`.
   std::optional<PinRange> range_of(const std::string& argument) const;
 

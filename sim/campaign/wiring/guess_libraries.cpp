@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "sim/campaign/wiring/guess.h"
-#include "sim/campaign/wiring/tokens.h"
 
 namespace robosim::wiring {
 namespace {

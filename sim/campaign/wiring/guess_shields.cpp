@@ -6,7 +6,6 @@
 #include <array>
 
 #include "sim/campaign/wiring/guess.h"
-#include "sim/campaign/wiring/tokens.h"
 
 namespace robosim::wiring {
 namespace {

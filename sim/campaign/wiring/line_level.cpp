@@ -11,24 +11,11 @@
 namespace robosim::wiring {
 namespace {
 
-using Tokens = std::vector<Token>;
-
 // A part of a condition: a comparison of a reading with a level or a threshold.
 struct Test {
   int sign = 0;  // 1: true for a high reading; -1: for a low one; 0: not a test of a sensor
   Side side = Side::unknown;
 };
-
-WordList words_in(const Tokens& tokens, bool with_texts) {
-  WordList words;
-  for (const Token& token : tokens) {
-    const bool is_text = token.kind == Token::Kind::text;
-    if (token.kind != Token::Kind::word && !(is_text && with_texts)) continue;
-    const WordList more = is_text ? words_of_text(token.text) : words_of(token.text);
-    words.insert(words.end(), more.begin(), more.end());
-  }
-  return words;
-}
 
 // Removes parentheses around the whole text.
 Tokens without_brackets(Tokens tokens) {
@@ -97,8 +84,8 @@ class TestReader {
       if (tokens[i].is("(") || tokens[i].is("[")) ++depth;
       if (tokens[i].is(")") || tokens[i].is("]")) --depth;
       if (depth > 0) continue;
-      const bool is_shift = (i > 0 && tokens[i].is(tokens[i - 1].text.c_str())) ||
-                            (i + 1 < tokens.size() && tokens[i + 1].is(tokens[i].text.c_str()));
+      const bool is_shift = (i > 0 && tokens[i].is(tokens[i - 1].text)) ||
+                            (i + 1 < tokens.size() && tokens[i + 1].is(tokens[i].text));
       if (is_shift && !tokens[i].is("=")) continue;
       const bool is_next_equal = i + 1 < tokens.size() && tokens[i + 1].is("=");
       if (tokens[i].is("<") || tokens[i].is(">") ||
@@ -110,7 +97,7 @@ class TestReader {
 
   bool is_constant(const Tokens& tokens) const {
     if (tokens.size() != 1) return false;
-    const std::string value = value_of(tokens[0].text);
+    const std::string value = value_of(tokens[0].str());
     return tokens[0].kind == Token::Kind::number || value == "HIGH" || value == "LOW" || value == "true" ||
            value == "false" || (!value.empty() && std::isdigit(static_cast<unsigned char>(value[0])) != 0);
   }
@@ -122,7 +109,7 @@ class TestReader {
   // Returns whether the tokens can be a sensor's reading.
   static bool is_reading(const Tokens& tokens) {
     if (tokens.empty() || tokens[0].kind != Token::Kind::word) return false;
-    return !says(words_in(tokens, false),
+    return !says(words_of(tokens),
                  {"dist",  "cm",   "time", "millis", "count", "sum",   "err",   "pos",   "speed", "serial",
                   "avail", "butt", "btn",  "bot",    "puls",  "start", "mode",  "flag",  "i",     "total",
                   "vel",   "dur",  "ping", "son",    "echo",  "batt",  "state", "timer", "delay", "ultra"}) ||
@@ -134,20 +121,20 @@ class TestReader {
         reading.size() > 2 && reading[0].kind == Token::Kind::number && reading[1].is("-");
     const Tokens inner = is_inverted ? Tokens(reading.begin() + 2, reading.end()) : reading;
     if (!is_reading(inner)) return {};
-    return {is_inverted ? -sign : sign, only_side(words_in(inner, false))};
+    return {is_inverted ? -sign : sign, only_side(words_of(inner))};
   }
 
   // Reads `digitalRead(LEFT)` without a comparison.
   Test plain(const Tokens& tokens, int sign) const {
     const bool is_read = !tokens.empty() && tokens[0].is("digitalRead");
-    const bool is_side = tokens.size() == 1 && only_side(words_in(tokens, false)) != Side::unknown;
+    const bool is_side = tokens.size() == 1 && only_side(words_of(tokens)) != Side::unknown;
     return is_read || is_side ? compared(tokens, sign) : Test{};
   }
 
   Test equality(Tokens left, Tokens right, int sign) const {
     if (is_constant(left)) std::swap(left, right);
     if (right.size() != 1) return {};
-    const std::string value = value_of(right[0].text);
+    const std::string value = value_of(right[0].str());
     const bool is_high = value == "HIGH" || value == "1" || value == "true";
     const bool is_low = value == "LOW" || value == "0" || value == "false";
     // A comparison with BLACK shows no level.
@@ -221,7 +208,7 @@ class LevelReader {
     bool white = false, black = false;
     for (const SourceText& source : sources) {
       for (const Comment& comment : source.comments) {
-        const WordList words = words_of_text(comment.text);
+        const WordList& words = comment.words;
         white |= has_white_line(words);
         black |= has_black_line(words);
       }
@@ -264,7 +251,7 @@ class LevelReader {
   void read_library() {
     for (const Token& token : source_->tokens)
       if (token.kind == Token::Kind::word && token.text.starts_with("QTRSensors")) {
-        add(Votes::Kind::code, 1, token.text, token.line);
+        add(Votes::Kind::code, 1, token.str(), token.line);
         return;
       }
   }
@@ -276,15 +263,16 @@ class LevelReader {
       const bool is_define = tokens[i].kind == Token::Kind::define && tokens[i + 2].is(kEndOfDefine);
       const bool is_value = tokens[i].kind == Token::Kind::word && tokens[i + 1].is("=") &&
                             i + 3 < tokens.size() && !tokens[i + 2].is("=") && is_end(tokens[i + 3]);
-      if (!is_define && !(is_value && is_assigned_once(tokens[i].text))) continue;
-      const std::string& value = tokens[i + (is_define ? 1 : 2)].text;
+      if (!is_define && !(is_value && is_assigned_once(tokens[i].str()))) continue;
+      const std::string_view value = tokens[i + (is_define ? 1 : 2)].text;
       const bool is_word = value == "HIGH" || value == "LOW";
       if (!is_word && value != "0" && value != "1" && value != "true" && value != "false") continue;
       const WordList words = words_of(tokens[i].text);
       if (says(words, {"led", "rgb", "pin", "max", "min", "count", "num"})) continue;
       const int meaning = colour_of(words) != 0 ? colour_of(words) : is_word ? meaning_of(words) : 0;
       const bool is_high = value == "HIGH" || value == "1" || value == "true";
-      add(Votes::Kind::code, is_high ? meaning : -meaning, tokens[i].text + " " + value, tokens[i].line);
+      add(Votes::Kind::code, is_high ? meaning : -meaning, fmt::format("{} {}", tokens[i].text, value),
+          tokens[i].line);
     }
   }
 
@@ -298,8 +286,8 @@ class LevelReader {
         const bool is_define = tokens[i].kind == Token::Kind::define && tokens[i + 2].is(kEndOfDefine);
         const bool is_set = tokens[i].kind == Token::Kind::word && tokens[i + 1].is("=") &&
                             i + 3 < tokens.size() && is_end(tokens[i + 3]) &&
-                            is_assigned_once(tokens[i].text);
-        if (is_define || is_set) constants_[tokens[i].text] = tokens[i + (is_define ? 1 : 2)].text;
+                            is_assigned_once(tokens[i].str());
+        if (is_define || is_set) constants_[tokens[i].str()] = tokens[i + (is_define ? 1 : 2)].str();
       }
   }
 
@@ -308,14 +296,25 @@ class LevelReader {
     return count != assignments_.end() && count->second == 1;
   }
 
+  // Replaces arrows by spaces, and signs by words.
+  static std::string with_signs_as_words(std::string_view text) {
+    std::string result;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const std::string_view two = text.substr(i, 2);
+      const bool is_arrow = two == "->" || two == "=>" || two == "<-";
+      if (is_arrow) ++i;
+      result += is_arrow        ? " "
+                : two[0] == '>' ? " gt "
+                : two[0] == '<' ? " lt "
+                : two[0] == '=' ? " eq "
+                                : two.substr(0, 1);
+    }
+    return result;
+  }
+
   // Reads "HIGH = black, LOW = white" and "1 sobre la linea".
   void read_comment(const Comment& comment) {
-    std::string text = comment.text;
-    for (const auto& [from, to] :
-         {std::pair{"->", " "}, {"=>", " "}, {"<-", " "}, {">", " gt "}, {"<", " lt "}, {"=", " eq "}})
-      for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + 1))
-        text.replace(at, std::string(from).size(), to);
-    const WordList words = words_of_text(text);
+    const WordList words = words_of_text(with_signs_as_words(comment.text));
     const auto numbers = std::count_if(words.begin(), words.end(), [](const std::string& word) {
       return std::isdigit(static_cast<unsigned char>(word[0])) != 0;
     });
@@ -366,7 +365,7 @@ class LevelReader {
     const auto equal = std::find_if(tokens.begin(), tokens.end(), [](const Token& t) { return t.is("="); });
     if (equal == tokens.end() || equal == tokens.begin() || equal + 1 == tokens.end() || (equal + 1)->is("="))
       return;
-    const WordList words = words_in({tokens.begin(), equal}, false);
+    const WordList words = words_of({tokens.begin(), equal});
     const bool is_plain = (equal + 1)->is("digitalRead");  // lineLeft = digitalRead(…) is only a name
     const int meaning = is_plain && statement.tokens.back().is(")") ? colour_of(words) : meaning_of(words);
     if (meaning == 0) return;
@@ -411,7 +410,7 @@ class LevelReader {
       const Tokens& tokens = statement.tokens;
       if (tokens.size() < 2 || !tokens[0].is("return")) continue;
       const Tokens value(tokens.begin() + 1, tokens.end());
-      const std::string& last = value.back().text;
+      const std::string last = value.back().str();
       const bool is_true = last == "true" || last == "1", is_false = last == "false" || last == "0";
       const int of_value = colour_of(words_of(last));
       if (value.size() == 1 && (is_true || is_false))
@@ -461,15 +460,16 @@ class LevelReader {
   }
 
   // Returns the words of the comment after the condition, or above it.
-  WordList words_beside(const Block& block) const {
+  const WordList& words_beside(const Block& block) const {
+    static const WordList kNone;
     const Condition& condition = block.conditions.back();
-    if (condition.is_negated) return {};
+    if (condition.is_negated) return kNone;
     for (const Comment& comment : source_->comments) {
       const bool is_above = comment.is_alone && comment.line == condition.line - 1;
       const bool is_after = !comment.is_alone && comment.line == condition.line;
-      if (is_above || is_after) return words_of_text(comment.text);
+      if (is_above || is_after) return comment.words;
     }
-    return {};
+    return kNone;
   }
 
   // Returns the words of the texts that the first statements of a block print.

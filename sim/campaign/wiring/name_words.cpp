@@ -1,6 +1,9 @@
 #include "sim/campaign/wiring/name_words.h"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
 #include <string_view>
 
 namespace robosim::wiring {
@@ -76,9 +79,74 @@ Side numbered(const std::string& number, bool is_input) {
   return both ? of_digit(number[0], false) : Side::unknown;
 }
 
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
+// Splits the word pin off a word that begins or ends with it: pinena, enapin.
+void split_pin(WordList& words) {
+  static const std::set<std::string> kWhole = {"ping",   "pinza", "pink", "pins",
+                                               "pinion", "spin",  "pino", "pini"};
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string word = words[i];
+    if (word.size() <= 3 || kWhole.count(word) != 0) continue;
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(i);
+    if (word.starts_with("pin")) {
+      words[i] = word.substr(3);
+      words.insert(words.begin() + at, "pin");
+      ++i;
+    } else if (word.ends_with("pin")) {
+      words[i] = word.substr(0, word.size() - 3);
+      words.insert(words.begin() + at + 1, "pin");
+      ++i;
+    }
+  }
+}
+
 }  // namespace
 
-Side spelled_side(const std::vector<std::string>& words) {
+WordList words_of_text(std::string_view text) {
+  // Letters with accents, which have two bytes each in UTF-8, and the plain letters.
+  static const std::map<std::string_view, const char*> kAccents = {
+      {"á", "a"}, {"à", "a"}, {"â", "a"}, {"ã", "a"}, {"ä", "a"}, {"é", "e"}, {"è", "e"}, {"ê", "e"},
+      {"í", "i"}, {"ì", "i"}, {"ı", "i"}, {"ó", "o"}, {"ò", "o"}, {"ô", "o"}, {"õ", "o"}, {"ö", "o"},
+      {"ú", "u"}, {"ù", "u"}, {"ü", "u"}, {"ñ", "n"}, {"ç", "c"}, {"ğ", "g"}, {"ş", "s"}, {"ß", "ss"},
+      {"É", "e"}, {"Ç", "c"}, {"İ", "i"}, {"Ş", "s"}, {"Ö", "o"}, {"Ü", "u"}, {"Í", "i"}, {"Ó", "o"}};
+  WordList words(1);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto accent = is_ascii(text[i]) ? kAccents.end() : kAccents.find(text.substr(i, 2));
+    if (accent != kAccents.end()) {
+      words.back() += accent->second;
+      ++i;
+    } else if (is_letter(text[i]) || is_digit(text[i])) {
+      words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(text[i])));
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  if (words.back().empty()) words.pop_back();
+  return words;
+}
+
+WordList words_of(std::string_view name) {
+  WordList words;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    if (!is_letter(c) && !is_digit(c)) continue;
+    if (c == '_') continue;
+    const char before = i > 0 ? name[i - 1] : '_';
+    const bool turns = is_upper(c) && (!is_upper(before) || (i + 1 < name.size() && is_letter(name[i + 1]) &&
+                                                             name[i + 1] != '_' && !is_upper(name[i + 1])));
+    if (before == '_' || is_digit(c) != is_digit(before) || turns) words.emplace_back();
+    if (words.empty()) words.emplace_back();
+    words.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  split_pin(words);
+  return words;
+}
+
+Side spelled_side(const WordList& words) {
   for (const std::string& word : words) {
     if (is_left(word)) return Side::left;
     if (is_right(word)) return Side::right;
@@ -90,7 +158,7 @@ Side spelled_side(const std::vector<std::string>& words) {
   return Side::unknown;
 }
 
-Side only_side(const std::vector<std::string>& words) {
+Side only_side(const WordList& words) {
   Side side = Side::unknown;
   for (const std::string& word : words) {
     const Side one = spelled_side({word});
@@ -101,7 +169,7 @@ Side only_side(const std::vector<std::string>& words) {
   return side;
 }
 
-Side side_of(const std::vector<std::string>& words) {
+Side side_of(const WordList& words) {
   if (const Side side = spelled_side(words); side != Side::unknown) return side;
   for (std::size_t i = 0; i + 1 < words.size(); ++i) {  // before the letters: motor1DirB
     if (!is_one_of(words[i], {"m", "motor", "wheel"})) continue;
@@ -119,37 +187,37 @@ Side side_of(const std::vector<std::string>& words) {
   return Side::unknown;
 }
 
-bool says(const std::vector<std::string>& words, Words beginnings) {
+bool says(const WordList& words, Words beginnings) {
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
     return std::any_of(beginnings.begin(), beginnings.end(),
                        [&](const char* one) { return word.rfind(one, 0) == 0; });
   });
 }
 
-bool says_forward(const std::vector<std::string>& words) {
+bool says_forward(const WordList& words) {
   return says(words, {"fwd", "forw", "farw", "fow", "front", "ahead", "avan", "cw", "plus", "pos", "adelante",
                       "frente", "vorw", "ileri", "maju", "aage"});
 }
 
-bool says_backward(const std::vector<std::string>& words) {
+bool says_backward(const WordList& words) {
   return says(words,
               {"bwd", "back", "rev", "ccw", "retro", "minus", "neg", "atras", "tras", "arriere", "rueckw",
                "ruckw", "zuruck", "zurueck", "indietro", "geri", "mundur", "peeche", "piche"});
 }
 
-bool function_goes_forward(const std::vector<std::string>& words) {
+bool function_goes_forward(const WordList& words) {
   const bool is_straight =
       says(words, {"fwd", "forw", "farw", "front", "ahead", "avan", "adelante", "frente", "vorw", "ileri",
                    "maju", "aage", "straight", "recto", "reto", "lurus", "duz", "gerade"});
   return is_straight && !function_goes_backward(words);
 }
 
-bool function_goes_backward(const std::vector<std::string>& words) {
+bool function_goes_backward(const WordList& words) {
   return says(words, {"bwd", "back", "revers", "retro", "atras", "tras", "arriere", "rueckw", "ruckw",
                       "zuruck", "zurueck", "indietro", "geri", "mundur", "peeche", "piche"});
 }
 
-Side turn_of_function(const std::vector<std::string>& words) {
+Side turn_of_function(const WordList& words) {
   if (function_goes_forward(words) || function_goes_backward(words)) return Side::unknown;
   for (const std::string& word : words) {
     if (is_one_of(word, {"sola", "soladon"})) return Side::left;
@@ -158,7 +226,7 @@ Side turn_of_function(const std::vector<std::string>& words) {
   return spelled_side(words);
 }
 
-bool names_motor(const std::vector<std::string>& words) {
+bool names_motor(const WordList& words) {
   return says(words, {"mot", "wheel", "rueda", "roda", "roue", "ruota", "teker", "engine"});
 }
 

@@ -7,16 +7,6 @@
 namespace robosim::wiring {
 namespace {
 
-WordList words_in(const std::vector<Token>& tokens) {
-  WordList words;
-  for (const Token& token : tokens) {
-    if (token.kind != Token::Kind::word) continue;
-    const WordList more = words_of(token.text);
-    words.insert(words.end(), more.begin(), more.end());
-  }
-  return words;
-}
-
 bool is_number(const std::string& text) {
   return !text.empty() && text.size() < 6 && text.find_first_not_of("0123456789") == std::string::npos;
 }
@@ -57,7 +47,7 @@ class BlockResolver {
   // LOW)`. The robot then drives straight.
   static bool reads_sensors_alike(const Block& block) {
     if (block.conditions.empty() || block.conditions.back().is_negated) return false;
-    const std::vector<Token>& tokens = block.conditions.back().tokens;
+    const Tokens& tokens = block.conditions.back().tokens;
     const auto count = [&](const char* text) {
       return std::count_if(tokens.begin(), tokens.end(), [&](const Token& token) { return token.is(text); });
     };
@@ -70,7 +60,7 @@ class BlockResolver {
 
   // Returns 1 for `speed >= 0`, -1 for `speed < 0`, 0 for other conditions.
   static int sign_of(const Condition& condition, const Block& block) {
-    const std::vector<Token>& tokens = condition.tokens;
+    const Tokens& tokens = condition.tokens;
     const bool has_equal = tokens.size() == 4 && tokens[2].is("=");
     if ((tokens.size() != 3 && !has_equal) || tokens[0].kind != Token::Kind::word || !tokens.back().is("0"))
       return 0;
@@ -87,16 +77,16 @@ class BlockResolver {
   }
 
   void add_write(const Block& block, const Statement& statement, PinBlock& result) const {
-    const std::vector<Token>& tokens = statement.tokens;
+    const Tokens& tokens = statement.tokens;
     if (tokens.size() < 5 || !tokens[1].is("(")) return;
     const bool is_pwm = tokens[0].is("analogWrite");
     if (!is_pwm && !tokens[0].text.starts_with("digitalWrite")) return;
     const auto comma = std::find_if(tokens.begin(), tokens.end(), [](const Token& t) { return t.is(","); });
     if (comma == tokens.end()) return;
-    const std::vector<Token> value(comma + 1, tokens.end() - 1);
+    const Tokens value(comma + 1, tokens.end() - 1);
     std::string argument;
     for (auto token = tokens.begin() + 2; token != comma; ++token)
-      argument += (argument.empty() ? "" : " ") + token->text;
+      argument += (argument.empty() ? "" : " ") + token->str();
     const std::vector<Pin> pins = resolver_.pins_of(argument);
     const auto parameter = std::find(block.parameters.begin(), block.parameters.end(), argument);
     const bool is_parameter = parameter != block.parameters.end();
@@ -104,7 +94,7 @@ class BlockResolver {
     PinWrite write{is_parameter ? kNoPin : pins[0], {}, is_pwm, commented_side(block, statement.line)};
     if (is_parameter) write.parameter = static_cast<int>(parameter - block.parameters.begin());
     write.is_said_off = says_off(statement.line);
-    if (value.size() == 1) write.level = level_of(resolver_.value_of(value[0].text));
+    if (value.size() == 1) write.level = level_of(resolver_.value_of(value[0].str()));
     // digitalWrite(IN1, speed > 0) also shows the level of forward.
     const auto condition_end =
         std::find_if(value.begin(), value.end(), [](const Token& t) { return t.is("?"); });
@@ -113,7 +103,7 @@ class BlockResolver {
       write.level = sign > 0 ? 1 : 0;
       if (result.sense == 0) result.sense = 1;
     }
-    if (write.side == Side::unknown && is_pwm) write.side = only_side(words_in(value));
+    if (write.side == Side::unknown && is_pwm) write.side = only_side(words_of(value));
     if (write.side == Side::unknown) write.side = side_of_conditions(block);
     result.writes.push_back(write);
   }
@@ -121,8 +111,7 @@ class BlockResolver {
   bool says_off(int line) const {
     return std::any_of(comments_.begin(), comments_.end(), [&](const Comment& comment) {
       return comment.line == line && !comment.is_alone &&
-             says(words_of_text(comment.text),
-                  {"deslig", "off", "apag", "stop", "parad", "aus", "arret", "spegn"});
+             says(comment.words, {"deslig", "off", "apag", "stop", "parad", "aus", "arret", "spegn"});
     });
   }
 
@@ -141,7 +130,7 @@ class BlockResolver {
       if (comment.line < block.first_line - 1) continue;
       const bool is_here = comment.line == line && !comment.is_alone;
       if (!is_here && !comment.is_alone) continue;
-      const WordList words = words_of_text(comment.text);
+      const WordList& words = comment.words;
       const Side one = names_motor(words) ? only_side(words) : Side::unknown;
       if (comment.is_alone || one != Side::unknown) side = one;
     }
@@ -153,7 +142,7 @@ class BlockResolver {
 };
 
 // Returns the pin of each argument of a call; kNoPin if it is not a pin.
-std::vector<Pin> arguments_of(const std::vector<Token>& call, const Resolver& resolver) {
+std::vector<Pin> arguments_of(const Tokens& call, const Resolver& resolver) {
   std::vector<Pin> pins;
   std::string argument;
   int depth = 0;
@@ -168,7 +157,7 @@ std::vector<Pin> arguments_of(const std::vector<Token>& call, const Resolver& re
     if (call[i].is(",") && depth == 1)
       finish();
     else
-      argument += (argument.empty() ? "" : " ") + call[i].text;
+      argument += (argument.empty() ? "" : " ") + call[i].str();
   }
   finish();
   return pins;
@@ -195,7 +184,7 @@ void inline_calls(const std::vector<Block>& blocks, const Resolver& resolver,
     if (!direct[i].writes.empty()) continue;
     for (const Statement& statement : blocks[i].statements) {
       if (statement.tokens.size() < 3 || !statement.tokens[1].is("(")) continue;
-      const auto callee = by_function.find(statement.tokens[0].text);
+      const auto callee = by_function.find(statement.tokens[0].str());
       if (callee == by_function.end() || callee->second.size() != 1) continue;
       std::vector<PinWrite> writes = direct[callee->second[0]].writes;
       substitute(arguments_of(statement.tokens, resolver), writes);
@@ -219,7 +208,7 @@ void insert_arguments(const std::vector<Block>& blocks, const Resolver& resolver
   for (const Block& block : blocks)
     for (const Statement& statement : block.statements) {
       const auto callee = statement.tokens.size() > 2 && statement.tokens[1].is("(")
-                              ? templates.find(statement.tokens[0].text)
+                              ? templates.find(statement.tokens[0].str())
                               : templates.end();
       if (callee == templates.end() || results.size() > kMostBlocks) continue;
       const std::vector<Pin> pins = arguments_of(statement.tokens, resolver);

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "sim/campaign/wiring/tokens.h"
-
 namespace robosim::wiring {
 namespace {
 

@@ -7,6 +7,7 @@ namespace robosim::wiring {
 namespace {
 
 constexpr std::size_t kLongestTitle = 5;
+const WordList kNone;
 
 // The comments of one file.
 class Remarks {
@@ -14,7 +15,7 @@ class Remarks {
   explicit Remarks(const SourceText& source) : source_(source) {
     std::set<Side> sides;
     for (const Comment& comment : source.comments) {
-      const WordList words = words_of_text(comment.text);
+      const WordList& words = comment.words;
       if (!comment.is_alone || words.size() > kLongestTitle) continue;
       sides.insert(only_side(words));
     }
@@ -22,21 +23,21 @@ class Remarks {
   }
 
   // Returns the words of the comment after the code of this line.
-  WordList beside(int line) const {
+  const WordList& beside(int line) const {
     for (const Comment& comment : source_.comments)
-      if (comment.line == line && !comment.is_alone) return words_of_text(comment.text);
-    return {};
+      if (comment.line == line && !comment.is_alone) return comment.words;
+    return kNone;
   }
 
   // Returns the words of the nearest comment above the line, if it names one side.
-  WordList title(int line) const {
-    WordList words;
-    if (!has_titles_) return words;
+  const WordList& title(int line) const {
+    const WordList* words = &kNone;
+    if (!has_titles_) return kNone;
     for (const Comment& comment : source_.comments) {
       if (comment.line >= line) break;
-      if (comment.is_alone) words = words_of_text(comment.text);
+      if (comment.is_alone) words = &comment.words;
     }
-    return words.size() <= kLongestTitle && only_side(words) != Side::unknown ? words : WordList();
+    return words->size() <= kLongestTitle && only_side(*words) != Side::unknown ? *words : kNone;
   }
 
  private:
@@ -63,7 +64,7 @@ std::map<Pin, WordList> remarks_of(const SketchNames& names, const std::vector<S
       for (const auto& [line, on_line] : pins) {
         if (on_line.size() != 1 || *on_line.begin() == kNoPin || result.count(*on_line.begin()) != 0)
           continue;
-        const WordList words = is_title ? remarks.title(line) : remarks.beside(line);
+        const WordList& words = is_title ? remarks.title(line) : remarks.beside(line);
         if (!words.empty()) result.emplace(*on_line.begin(), words);
       }
     }

@@ -11,7 +11,6 @@
 #include "sim/build/sketch.h"
 #include "sim/campaign/wiring/counted_loops.h"
 #include "sim/campaign/wiring/pin_remarks.h"
-#include "sim/campaign/wiring/tokens.h"
 
 namespace robosim::wiring {
 namespace {
@@ -55,19 +54,32 @@ struct Value {
   Spot spot;
 };
 
+// Returns the names in #include "name".
+std::vector<std::string> includes_of(const std::string& source) {
+  static const std::string kInclude = "#include \"";
+  std::vector<std::string> names;
+  for (std::size_t at = source.find(kInclude); at != std::string::npos; at = source.find(kInclude, at + 1)) {
+    const std::size_t begin = at + kInclude.size(), end = source.find_first_of("\"\n", begin);
+    const bool is_first = at == 0 || source[at - 1] == '\n';
+    if (is_first && end != std::string::npos && source[end] == '"')
+      names.push_back(source.substr(begin, end - begin));
+  }
+  return names;
+}
+
 class Reader {
  public:
   explicit Reader(const BoardSpec& board) : board_(board) {}
 
   void read(const std::string& text, const std::string& file) {
     file_ = file;
-    tokens_ = tokens_of(text);
-    sources_.push_back({file, tokens_, comments_of(text), blocks_of(tokens_)});
+    sources_.emplace_back(file, text);
+    tokens_ = sources_.back().tokens;
     for (at_ = 0; at_ < tokens_.size(); ++at_) {
       const Token& token = tokens_[at_];
       if (token.kind == Token::Kind::word && token.text.size() > 1 && token.text[0] == 'A' &&
           token.text.find_first_not_of("0123456789", 1) == std::string::npos)
-        analog_words_.insert(token.text);
+        analog_words_.insert(token.str());
       reads_ports_ |= token.kind == Token::Kind::word && token.text.size() == 4 &&
                       token.text.starts_with("PIN") && token.text[3] >= 'A' && token.text[3] <= 'L';
       if (token.kind == Token::Kind::word && token.text.size() == 7 && token.text.starts_with("Serial")) {
@@ -164,7 +176,7 @@ class Reader {
     bool is_named = false;
     for (const SourceText& source : sources_)
       for (const Comment& comment : source.comments) {
-        const WordList words = words_of_text(comment.text);
+        const WordList& words = comment.words;
         if (!says(words, {"arduino", "board", "placa", "carte", "kart", "tarjeta", "scheda"})) continue;
         for (const std::string& name : build::boards_of("avr")) {
           if (std::count(words.begin(), words.end(), name) == 0) continue;
@@ -226,7 +238,7 @@ class Reader {
 
  private:
   const Token& ahead(std::size_t n) const {
-    static const Token nothing{Token::Kind::punctuation, "", 0};
+    static const Token nothing;
     return at_ + n < tokens_.size() ? tokens_[at_ + n] : nothing;
   }
   Spot spot() const { return {file_, tokens_[at_].line}; }
@@ -236,16 +248,16 @@ class Reader {
     constexpr std::size_t kMost = 12;
     for (const SourceText& source : sources_)
       for (std::size_t i = 2; i + 1 < source.tokens.size(); ++i) {
-        const std::vector<Token>& tokens = source.tokens;
+        const Tokens& tokens = source.tokens;
         if (tokens[i].is("read") && tokens[i - 1].is(".") && tokens[i + 1].is("("))
-          names.serial_object = tokens[i - 2].text;
+          names.serial_object = tokens[i - 2].str();
         const bool is_compared = (tokens[i - 1].is("=") && tokens[i - 2].is("=")) || tokens[i - 1].is("case");
-        const std::string& text = tokens[i].text;
-        if (!is_compared || tokens[i].kind != Token::Kind::text || text.size() != 1 ||
-            std::isalnum(static_cast<unsigned char>(text[0])) == 0 || names.serial_keys.size() == kMost)
+        const std::string_view text = tokens[i].text;
+        if (!is_compared || tokens[i].kind != Token::Kind::text || text.size() != 3 ||
+            std::isalnum(static_cast<unsigned char>(text[1])) == 0 || names.serial_keys.size() == kMost)
           continue;
-        if (std::count(names.serial_keys.begin(), names.serial_keys.end(), text[0]) == 0)
-          names.serial_keys.push_back(text[0]);
+        if (std::count(names.serial_keys.begin(), names.serial_keys.end(), text[1]) == 0)
+          names.serial_keys.push_back(text[1]);
       }
   }
 
@@ -267,11 +279,11 @@ class Reader {
 
   // Reads `#define NAME 5`, or `#define NAME (5)`.
   void read_define() {
-    const std::string name = tokens_[at_].text;
+    const std::string name = tokens_[at_].str();
     std::vector<std::string> words;
     Value value{{}, false, spot()};
     for (std::size_t i = 1; !ahead(i).text.empty() && !ahead(i).is(kEndOfDefine); ++i)
-      if (!ahead(i).is("(") && !ahead(i).is(")")) words.push_back(ahead(i).text);
+      if (!ahead(i).is("(") && !ahead(i).is(")")) words.push_back(ahead(i).str());
     if (words.size() == 1) {
       value.words = words;
       set(name, std::move(value));
@@ -283,30 +295,30 @@ class Reader {
     while (!ahead(0).text.empty() && !ahead(0).is("{") && !ahead(0).is(";")) ++at_;
     for (; !ahead(0).text.empty() && !ahead(0).is("}") && !ahead(0).is(";"); ++at_)
       if (ahead(0).kind == Token::Kind::word && ahead(1).is("=") && (ahead(3).is(",") || ahead(3).is("}")))
-        set(ahead(0).text, {{ahead(2).text}, false, spot()});
+        set(ahead(0).str(), {{ahead(2).str()}, false, spot()});
   }
 
   void read_word() {
     const Token& token = tokens_[at_];
-    if (ahead(1).is("(") && pin_functions().count(token.text) != 0) {
-      read_call(at_ > 1 && tokens_[at_ - 1].is(".") ? tokens_[at_ - 2].text : "");
-    } else if (is_number_type(token.text) && ahead(1).kind == Token::Kind::word) {
-      if (is_number_type(ahead(1).text)) return;  // a type of several words: unsigned int
+    if (ahead(1).is("(") && pin_functions().count(token.str()) != 0) {
+      read_call(at_ > 1 && tokens_[at_ - 1].is(".") ? tokens_[at_ - 2].str() : "");
+    } else if (is_number_type(token.str()) && ahead(1).kind == Token::Kind::word) {
+      if (is_number_type(ahead(1).str())) return;  // a type of several words: unsigned int
       ++at_;
       read_variables();
-    } else if (ahead(1).kind == Token::Kind::word && ahead(2).is("=") && ahead(3).text == token.text &&
+    } else if (ahead(1).kind == Token::Kind::word && ahead(2).is("=") && ahead(3).str() == token.str() &&
                ahead(4).is("(")) {
       read_made();
-    } else if (ahead(1).kind == Token::Kind::word && ahead(2).is(";") && is_device(token.text)) {
-      given_.push_back({token.text, ahead(1).text, {}, {}, spot()});
+    } else if (ahead(1).kind == Token::Kind::word && ahead(2).is(";") && is_device(token.str())) {
+      given_.push_back({token.str(), ahead(1).str(), {}, {}, spot()});
     } else if (token.is("new") && ahead(2).is("(")) {
       read_new();
     } else if (ahead(1).kind == Token::Kind::word && (ahead(2).is("(") || ahead(2).is("{"))) {
       read_object();
     } else if (ahead(1).is("(") && at_ > 1 && tokens_[at_ - 1].is(".")) {
-      read_call(tokens_[at_ - 2].text);  // such as qtr.setSensorPins(…)
+      read_call(tokens_[at_ - 2].str());  // such as qtr.setSensorPins(…)
     } else if (token.is("randomSeed") && ahead(2).is("analogRead") && ahead(3).is("(")) {
-      if (const auto pin = channel_of(ahead(4).text))
+      if (const auto pin = channel_of(ahead(4).str()))
         given_.push_back({"randomSeed", "", {}, {board_.pins[*pin].name}, spot()});
       at_ += 4;
     } else if (ahead(1).is("(")) {
@@ -318,7 +330,7 @@ class Reader {
   // Reads `NAME = 5, OTHER = 6;` or `NAME[] = {A0, A1};`, from the first name.
   void read_variables() {
     for (;;) {
-      const std::string name = ahead(0).text;
+      const std::string name = ahead(0).str();
       Value value{{}, false, spot()};
       std::size_t i = 1;
       if (ahead(i).is("[")) {
@@ -329,16 +341,16 @@ class Reader {
       if (ahead(i).is("=")) ++i;
       if (ahead(i).is("{")) {
         for (++i; !ahead(i).text.empty() && !ahead(i).is("}"); ++i)
-          if (!ahead(i).is(",")) value.words.push_back(ahead(i).text);
+          if (!ahead(i).is(",")) value.words.push_back(ahead(i).str());
         ++i;
       } else if (!value.is_array && (ahead(i + 1).is(";") || ahead(i + 1).is(","))) {
-        value.words.push_back(ahead(i).text);
+        value.words.push_back(ahead(i).str());
         ++i;
       }
       if (value.is_array) handed_on_.insert(value.words.begin(), value.words.end());
       const bool is_loop = name.size() == 1 && name >= "a" && !value.is_array;  // probably a loop's variable
       if (!value.words.empty() && !is_loop) set(name, std::move(value));
-      if (!ahead(i).is(",") || ahead(i + 1).kind != Token::Kind::word || is_number_type(ahead(i + 1).text))
+      if (!ahead(i).is(",") || ahead(i + 1).kind != Token::Kind::word || is_number_type(ahead(i + 1).str()))
         return;
       at_ += i + 1;
     }
@@ -360,7 +372,7 @@ class Reader {
       if (ahead(i).is(",") && depth == 1)
         list.emplace_back();
       else if (depth > 0)
-        list.back() += (list.back().empty() ? "" : " ") + ahead(i).text;
+        list.back() += (list.back().empty() ? "" : " ") + ahead(i).str();
       if (opens) ++depth;
     }
     if (list.back().empty()) list.pop_back();
@@ -401,10 +413,10 @@ class Reader {
 
   void read_call(const std::string& object) {
     const auto list = arguments(1);
-    const bool is_pin_function = pin_functions().count(tokens_[at_].text) != 0;
+    const bool is_pin_function = pin_functions().count(tokens_[at_].str()) != 0;
     if (!list.empty() && (tokens_[at_].is("digitalRead") || tokens_[at_].is("analogRead")))
       read_result(list[0]);
-    if (is_pin_function && !list.empty()) note_pin(object.empty() ? tokens_[at_].text : "attach", list);
+    if (is_pin_function && !list.empty()) note_pin(object.empty() ? tokens_[at_].str() : "attach", list);
     if (tokens_[at_].is("shiftOut")) note_arguments(list);
     if (tokens_[at_].is("shiftOut") && list.size() > 1)
       given_.push_back({"shiftOut", "", {}, {list[0], list[1]}, spot()});
@@ -420,12 +432,12 @@ class Reader {
     if (!tells) return;
     static const std::set<std::string> kTakesPins = {"attach", "setSensorPins", "setEmitterPin", "setPins",
                                                      "setPin", "init",          "begin"};
-    const bool takes_pins = kTakesPins.count(tokens_[at_].text) != 0;
+    const bool takes_pins = kTakesPins.count(tokens_[at_].str()) != 0;
     if (!object.empty() && takes_pins) note_arguments(list);
     // Arguments of other methods are not pins: lcd.setCursor(0, 14).
     if (!object.empty() && !takes_pins && !tokens_[at_].is("getMotor")) return;
     if (tokens_[at_].is("begin") && is_size_of_display(list)) return;
-    given_.push_back({tokens_[at_].text, object, {}, list, spot()});
+    given_.push_back({tokens_[at_].str(), object, {}, list, spot()});
   }
 
   // Returns whether the arguments are a display's size: lcd.begin(16, 2).
@@ -441,14 +453,14 @@ class Reader {
     const bool is_element = at_ > 5 && tokens_[at_ - 2].is("]") && tokens_[at_ - 4].is("[") &&
                             tokens_[at_ - 3].kind == Token::Kind::number && tokens_[at_ - 3].text.size() < 3;
     if (is_element)
-      fills_[tokens_[at_ - 5].text].emplace(std::stoi(tokens_[at_ - 3].text),
-                                            Element{argument, tokens_[at_].is("analogRead")});
+      fills_[tokens_[at_ - 5].str()].emplace(std::stoi(tokens_[at_ - 3].str()),
+                                             Element{argument, tokens_[at_].is("analogRead")});
     const std::size_t end = behind_brackets(1);
     const bool is_compared =
         ahead(end).is("<") || ahead(end).is(">") || ahead(end).is("=") || ahead(end).is("!");
     if (tokens_[at_ - 2].kind != Token::Kind::word || is_compared) return;
     if (argument.find(' ') != std::string::npos || values_.count(argument) != 0) return;
-    const std::string& name = tokens_[at_ - 2].text;
+    const std::string name = tokens_[at_ - 2].str();
     values_.erase(name);
     order_.erase(std::remove(order_.begin(), order_.end(), name), order_.end());
     set(name, {{argument}, false, spot()});
@@ -460,15 +472,15 @@ class Reader {
     static const std::set<std::string> no_types = {"return", "else",    "new",    "case",   "void",
                                                    "bool",   "boolean", "float",  "double", "String",
                                                    "const",  "static",  "struct", "class"};
-    if (no_types.count(tokens_[at_].text) != 0) return;
+    if (no_types.count(tokens_[at_].str()) != 0) return;
     // Reads all objects of a declaration: `Wheel left(5, 7, 8), right(6, 9, 10);`
     for (std::size_t i = 1;
          ahead(i).kind == Token::Kind::word && (ahead(i + 1).is("(") || ahead(i + 1).is("{"));) {
       const auto list = arguments(i + 1);
       if (list.empty()) return;
       note_arguments(list);
-      given_.push_back({tokens_[at_].text, ahead(i).text, {}, list, spot()});
-      for (const std::string& argument : list) read_inner_object(ahead(i).text, argument);
+      given_.push_back({tokens_[at_].str(), ahead(i).str(), {}, list, spot()});
+      for (const std::string& argument : list) read_inner_object(ahead(i).str(), argument);
       i = behind_brackets(i + 1);
       if (!ahead(i).is(",")) return;
       ++i;
@@ -479,7 +491,7 @@ class Reader {
   void read_made() {
     const auto list = arguments(4);
     note_arguments(list);
-    given_.push_back({tokens_[at_].text, ahead(1).text, {}, list, spot()});
+    given_.push_back({tokens_[at_].str(), ahead(1).str(), {}, list, spot()});
   }
 
   // Reads `name = new Type(5, 6);`.
@@ -487,18 +499,18 @@ class Reader {
     const bool has_name = at_ > 1 && tokens_[at_ - 1].is("=") && tokens_[at_ - 2].kind == Token::Kind::word;
     const auto list = arguments(2);
     note_arguments(list);
-    given_.push_back({ahead(1).text, has_name ? tokens_[at_ - 2].text : ahead(1).text, {}, list, spot()});
+    given_.push_back({ahead(1).str(), has_name ? tokens_[at_ - 2].str() : ahead(1).str(), {}, list, spot()});
   }
 
   // Reads each argument of Motors motors(Motor(5, 7, 8), Motor(6, 9, 10)).
   void read_inner_object(const std::string& outer, const std::string& argument) {
-    const std::vector<Token> inner = tokens_of(argument);
+    const Tokens inner = tokens_of(argument);
     if (inner.size() < 4 || inner[0].kind != Token::Kind::word || !inner[1].is("(")) return;
     std::vector<std::string> list;
     for (const Token& token : inner)
-      if (&token != &inner[0] && token.kind != Token::Kind::punctuation) list.push_back(token.text);
+      if (&token != &inner[0] && token.kind != Token::Kind::punctuation) list.push_back(token.str());
     note_arguments(list);
-    given_.push_back({inner[0].text, outer, {}, list, spot()});
+    given_.push_back({inner[0].str(), outer, {}, list, spot()});
   }
 
   // Returns the word of the pin: attachInterrupt(digitalPinToInterrupt(BUMPER), …).
@@ -577,8 +589,9 @@ class Reader {
     if (const auto array = values_.find(argument); array != values_.end()) {
       words = array->second.words;
     } else if (const std::size_t brace = argument.find('{'); brace != std::string::npos) {
-      for (const Token& token : tokens_of(argument.substr(brace)))
-        if (token.kind == Token::Kind::word || token.kind == Token::Kind::number) words.push_back(token.text);
+      for (const Token& token : tokens_of(std::string_view(argument).substr(brace)))
+        if (token.kind == Token::Kind::word || token.kind == Token::Kind::number)
+          words.push_back(token.str());
     }
     std::vector<Pin> pins;
     for (const std::string& word : words)
@@ -614,7 +627,7 @@ class Reader {
   const BoardSpec& board_;
   std::string file_;
   std::vector<SourceText> sources_;
-  std::vector<Token> tokens_;
+  Tokens tokens_;
   std::size_t at_ = 0;
   std::map<std::string, Value> values_;
   std::vector<std::string> order_;

@@ -11,7 +11,7 @@ constexpr std::size_t kLongestHead = 400;  // tokens of a function's head
 
 class BlockReader {
  public:
-  explicit BlockReader(const std::vector<Token>& tokens) : tokens_(tokens) {}
+  explicit BlockReader(const Tokens& tokens) : tokens_(tokens) {}
 
   std::vector<Block> run() {
     while (at_ < tokens_.size()) {
@@ -28,7 +28,7 @@ class BlockReader {
   }
 
  private:
-  bool is(const char* text, std::size_t ahead = 0) const {
+  bool is(std::string_view text, std::size_t ahead = 0) const {
     return at_ + ahead < tokens_.size() && tokens_[at_ + ahead].is(text);
   }
   bool is_word(std::size_t ahead) const {
@@ -68,7 +68,7 @@ class BlockReader {
     const std::size_t end = after_pair(at_ + 1, "(", ")");
     for (std::size_t i = at_ + 2; i < end; ++i)
       if ((tokens_[i].is(",") || i + 1 == end) && tokens_[i - 1].kind == Token::Kind::word)
-        head.parameters.push_back(tokens_[i - 1].text);
+        head.parameters.emplace_back(tokens_[i - 1].text);
     at_ = end;
     while (at_ < tokens_.size() && !is("{")) ++at_;
     read_body(head, 0);
@@ -148,7 +148,7 @@ class BlockReader {
     block.statements.clear();
     block.first_line = line();
     const bool is_default = is("default");
-    std::vector<Token> label;
+    Tokens label;
     for (++at_; at_ < tokens_.size() && !is(":"); ++at_) label.push_back(tokens_[at_]);
     if (at_ < tokens_.size()) ++at_;
     if (block.has_case) block.conditions.pop_back();
@@ -157,7 +157,7 @@ class BlockReader {
     // The label is a comparison with the value of the switch.
     Condition condition = block.conditions.back();
     condition.line = block.first_line;
-    const Token equal{Token::Kind::punctuation, "=", block.first_line};
+    const Token equal{"=", {}, block.first_line};
     condition.tokens.insert(condition.tokens.end(), {equal, equal});
     condition.tokens.insert(condition.tokens.end(), label.begin(), label.end());
     block.conditions.push_back(std::move(condition));
@@ -186,7 +186,7 @@ class BlockReader {
     return one;
   }
 
-  const std::vector<Token>& tokens_;
+  const Tokens& tokens_;
   std::size_t at_ = 0;
   std::vector<Block> blocks_;
 };
@@ -201,11 +201,33 @@ std::map<std::string, int> assignments_in(const std::vector<SourceText>& sources
       if (word.kind != Token::Kind::word) continue;
       const bool is_sign = next.is("+") || next.is("-");
       const bool is_set = next.is("=") && !after.is("=");
-      if (is_set || (is_sign && (after.is("=") || after.is(next.text.c_str())))) ++counts[word.text];
+      if (is_set || (is_sign && (after.is("=") || after.is(next.text)))) ++counts[std::string(word.text)];
     }
   return counts;
 }
 
-std::vector<Block> blocks_of(const std::vector<Token>& tokens) { return BlockReader(tokens).run(); }
+std::vector<Block> blocks_of(const Tokens& tokens) { return BlockReader(tokens).run(); }
+
+WordList words_of(const Tokens& tokens) {
+  WordList words;
+  for (const Token& token : tokens) {
+    if (token.kind != Token::Kind::word) continue;
+    const WordList more = words_of(token.text);
+    words.insert(words.end(), more.begin(), more.end());
+  }
+  return words;
+}
+
+SourceText::SourceText(std::string name, std::string content)
+    : file(std::move(name)),
+      text(std::make_shared<const std::string>(std::move(content))),
+      tokens(tokens_of(*text)),
+      blocks(blocks_of(tokens)) {
+  constexpr std::size_t kLongestComment = 10'000;  // the rest of a longer line is not read
+  for (build::Comment comment : build::comments_of(*text)) {
+    comment.text = comment.text.substr(0, kLongestComment);
+    comments.push_back({comment, words_of_text(comment.text)});
+  }
+}
 
 }  // namespace robosim::wiring

@@ -3,21 +3,28 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "sim/campaign/wiring/tokens.h"
+#include "sim/build/tokens.h"
+#include "sim/campaign/wiring/name_words.h"
 
 namespace robosim::wiring {
 
+using build::kEndOfDefine;
+using build::Token;
+using build::tokens_of;
+using Tokens = std::vector<Token>;
+
 struct Condition {
-  std::vector<Token> tokens;  ///< without the outer parentheses; for a case label, `value == label`
-  bool is_negated = false;    ///< the block is in the else branch
+  Tokens tokens;            ///< without the outer parentheses; for a case label, `value == label`
+  bool is_negated = false;  ///< the block is in the else branch
   int line = 0;
 };
 
 struct Statement {
-  std::vector<Token> tokens;  ///< without the semicolon
+  Tokens tokens;  ///< without the semicolon
   int line = 0;
 };
 
@@ -31,16 +38,27 @@ struct Block {
   int first_line = 0, last_line = 0;
 };
 
+/// One line of a comment.
+struct Comment : build::Comment {
+  WordList words;
+};
+
 /// A file of the sketch.
 struct SourceText {
+  SourceText(std::string name, std::string content);
+
   std::string file;
-  std::vector<Token> tokens;
+  std::shared_ptr<const std::string> text;  ///< tokens and comments refer to it
+  Tokens tokens;
   std::vector<Comment> comments;
   std::vector<Block> blocks;
 };
 
 /// Returns the blocks of all functions, also of methods. Skips initialisers of variables.
-std::vector<Block> blocks_of(const std::vector<Token>& tokens);
+std::vector<Block> blocks_of(const Tokens& tokens);
+
+/// Returns the words of all names in the tokens.
+WordList words_of(const Tokens& tokens);
 
 /// Returns how often each word is assigned, also by ++ or +=. Does not count definitions by #define.
 std::map<std::string, int> assignments_in(const std::vector<SourceText>& sources);

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/campaign/wiring/tokens.h"
-
 namespace robosim::wiring {
 namespace name_words_test {
 

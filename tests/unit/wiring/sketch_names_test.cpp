@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/campaign/wiring/tokens.h"
-
 namespace robosim::wiring {
 namespace sketch_names_test {
 
