@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "sim/campaign/wiring/colour_words.h"
 #include "sim/campaign/wiring/name_words.h"
@@ -171,6 +172,8 @@ class Votes {
     add(Kind::remark, sign, "the turn", file, line);
   }
 
+  bool is_empty() const { return counts_.empty(); }
+
   std::optional<StatedLevel> result() const {
     Count all;
     for (const Kind kind : {Kind::code, Kind::remark, Kind::inversion}) {
@@ -222,17 +225,29 @@ class LevelReader {
   }
 
   std::optional<StatedLevel> read() {
-    for (const SourceText& source : sources_) {
-      source_ = &source;
-      read_library();
-      read_constants();
-      for (const Comment& comment : source.comments) read_comment(comment);
-      for (const Block& block : source.blocks) read_block(block);
+    // Code that does not run only counts if the rest states nothing.
+    for (const bool only_running : {true, false}) {
+      for (const SourceText& source : sources_) read_source(source, only_running);
+      if (!votes_.is_empty()) break;
     }
     return votes_.result();
   }
 
  private:
+  void read_source(const SourceText& source, bool only_running) {
+    source_ = &source;
+    read_library();
+    read_constants();
+    std::set<int> idle;  // lines
+    for (const Block& block : source.blocks)
+      if (only_running && !block.runs)
+        for (int line = block.first_line; line <= block.last_line; ++line) idle.insert(line);
+      else
+        read_block(block);
+    for (const Comment& comment : source.comments)
+      if (!idle.contains(comment.line)) read_comment(comment);
+  }
+
   // Returns 1 if the words name black or the black line, -1 for white.
   int meaning_of(const WordList& words) const {
     const int colour = colour_of(words);

@@ -25,7 +25,7 @@ class BlockResolver {
       : comments_(comments), resolver_(resolver) {}
 
   PinBlock resolve(const Block& block) const {
-    PinBlock result{block.function, words_of(block.function), false, sense_of(block), {}};
+    PinBlock result{block.function, words_of(block.function), false, sense_of(block), {}, block.runs};
     for (const Statement& statement : block.statements) {
       add_write(block, statement, result);
       result.shifts_out |= statement.tokens[0].is("shiftOut");
@@ -214,6 +214,7 @@ void insert_arguments(const std::vector<Block>& blocks, const Resolver& resolver
       const std::vector<Pin> pins = arguments_of(statement.tokens, resolver);
       for (PinBlock copy : callee->second) {
         substitute(pins, copy.writes);
+        copy.runs &= block.runs;
         results.push_back(std::move(copy));
       }
     }
@@ -248,6 +249,66 @@ std::optional<int> speed_in(const PinBlock& block, const MotorPins& motor, int f
   return turn * *enable;
 }
 
+// Returns `answer(blocks)` for the blocks that run; if that leaves it open, for all blocks.
+template <typename Answer>
+auto from_running_first(const std::vector<PinBlock>& blocks, Answer answer) {
+  std::vector<PinBlock> running;
+  std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(running),
+               [](const PinBlock& block) { return block.runs; });
+  const auto result = answer(running);
+  return result != decltype(result){} ? result : answer(blocks);
+}
+
+Side side_of_pin(const std::vector<PinBlock>& blocks, Pin pin) {
+  constexpr std::size_t kMostOfOneMotor = 3;
+  std::map<std::string, std::set<Pin>> written;
+  for (const PinBlock& block : blocks)
+    for (const PinWrite& write : block.writes) written[block.function].insert(write.pin);
+  Side side = Side::unknown;
+  for (const PinBlock& block : blocks)
+    for (const PinWrite& write : block.writes) {
+      if (write.pin != pin) continue;
+      const bool is_one_motor =
+          written[block.function].size() <= kMostOfOneMotor && written[block.function].size() > 1;
+      const Side one = write.side != Side::unknown ? write.side
+                       : is_one_motor              ? only_side(block.words)
+                                                   : Side::unknown;
+      if (one == Side::unknown) continue;
+      if (side != Side::unknown && side != one) return Side::unknown;
+      side = one;
+    }
+  return side;
+}
+
+int forward_of(const std::vector<PinBlock>& blocks, const MotorPins& motor) {
+  if (motor.in1 == kNoPin) return 0;
+  int forward = 0, backward = 0;
+  std::set<int> seen;
+  for (const PinBlock& block : blocks) {
+    const int turn = turn_in(block, motor);
+    if (turn == 0) continue;
+    seen.insert(turn);
+    if (block.sense != 0) ++(turn * block.sense > 0 ? forward : backward);
+  }
+  if (forward != backward && std::min(forward, backward) == 0) return forward > 0 ? 1 : -1;
+  if (forward + backward > 0 || seen.size() != 1) return 0;
+  return *seen.begin();
+}
+
+int order_of(const std::vector<PinBlock>& blocks, const MotorPins& left, const MotorPins& right,
+             int left_forward, int right_forward) {
+  int confirms = 0, contradicts = 0;
+  for (const PinBlock& block : blocks) {
+    const Side turn = turn_of_function(block.words);
+    const std::optional<int> l = speed_in(block, left, left_forward),
+                             r = speed_in(block, right, right_forward);
+    if (turn == Side::unknown || !l || !r || *l == *r) continue;
+    ++((*l < *r) == (turn == Side::left) ? confirms : contradicts);
+  }
+  if (confirms > 0 && contradicts == 0) return 1;
+  return contradicts > 0 && confirms == 0 ? -1 : 0;
+}
+
 }  // namespace
 
 std::vector<PinBlock> pin_blocks(const std::vector<SourceText>& sources, const Resolver& resolver) {
@@ -265,53 +326,18 @@ std::vector<PinBlock> pin_blocks(const std::vector<SourceText>& sources, const R
 }
 
 Side side_in_blocks(const std::vector<PinBlock>& blocks, Pin pin) {
-  constexpr std::size_t kMostPinsOfAMotor = 3;
-  std::map<std::string, std::set<Pin>> written;
-  for (const PinBlock& block : blocks)
-    for (const PinWrite& write : block.writes) written[block.function].insert(write.pin);
-  Side side = Side::unknown;
-  for (const PinBlock& block : blocks)
-    for (const PinWrite& write : block.writes) {
-      if (write.pin != pin) continue;
-      const bool is_one_motor =
-          written[block.function].size() <= kMostPinsOfAMotor && written[block.function].size() > 1;
-      const Side one = write.side != Side::unknown ? write.side
-                       : is_one_motor              ? only_side(block.words)
-                                                   : Side::unknown;
-      if (one == Side::unknown) continue;
-      if (side != Side::unknown && side != one) return Side::unknown;
-      side = one;
-    }
-  return side;
+  return from_running_first(blocks, [&](const std::vector<PinBlock>& all) { return side_of_pin(all, pin); });
 }
 
 int forward_in_blocks(const std::vector<PinBlock>& blocks, const MotorPins& motor) {
-  if (motor.in1 == kNoPin) return 0;
-  int forward = 0, backward = 0;
-  std::set<int> seen;
-  for (const PinBlock& block : blocks) {
-    const int turn = turn_in(block, motor);
-    if (turn == 0) continue;
-    seen.insert(turn);
-    if (block.sense != 0) ++(turn * block.sense > 0 ? forward : backward);
-  }
-  if (forward != backward && std::min(forward, backward) == 0) return forward > 0 ? 1 : -1;
-  if (forward + backward > 0 || seen.size() != 1) return 0;
-  return *seen.begin();
+  return from_running_first(blocks, [&](const std::vector<PinBlock>& all) { return forward_of(all, motor); });
 }
 
 int order_in_blocks(const std::vector<PinBlock>& blocks, const MotorPins& left, const MotorPins& right,
                     int left_forward, int right_forward) {
-  int confirms = 0, contradicts = 0;
-  for (const PinBlock& block : blocks) {
-    const Side turn = turn_of_function(block.words);
-    const std::optional<int> l = speed_in(block, left, left_forward),
-                             r = speed_in(block, right, right_forward);
-    if (turn == Side::unknown || !l || !r || *l == *r) continue;
-    ++((*l < *r) == (turn == Side::left) ? confirms : contradicts);
-  }
-  if (confirms > 0 && contradicts == 0) return 1;
-  return contradicts > 0 && confirms == 0 ? -1 : 0;
+  return from_running_first(blocks, [&](const std::vector<PinBlock>& all) {
+    return order_of(all, left, right, left_forward, right_forward);
+  });
 }
 
 }  // namespace robosim::wiring

@@ -29,6 +29,7 @@ struct PinBlock {
   bool shifts_out = false;         ///< calls shiftOut()
   int sense = 0;                   ///< 1: drives forward; -1: backward; 0: unknown
   std::vector<PinWrite> writes;
+  bool runs = true;  ///< false if nothing calls the function
 };
 
 /// A motor's pins, as in RobotDraft. kNoPin = none.
@@ -44,6 +45,8 @@ struct Resolver {
 
 /// Returns the blocks that write to pins. A block without writes has those of the functions that it calls.
 std::vector<PinBlock> pin_blocks(const std::vector<SourceText>& sources, const Resolver& resolver);
+
+// Blocks that do not run only count if those that run leave the answer open.
 
 /// Returns the side of a pin, if all blocks that name one agree.
 Side side_in_blocks(const std::vector<PinBlock>& blocks, Pin pin);

@@ -121,7 +121,8 @@ class Reader {
     }
   }
 
-  SketchNames names() const {
+  SketchNames names() {
+    mark_running(sources_);
     SketchNames names;
     names.reads_ports = reads_ports_;
     names.reads_levels = reads_levels_;
@@ -189,7 +190,7 @@ class Reader {
 
   /// Counts the calls of analogWrite() for digital pins that have PWM on this board (`has`), or do not. Skips
   /// the values 0 and 255, which need no PWM.
-  std::ptrdiff_t count_pwm(bool has) const {
+  std::ptrdiff_t count_pwm(bool has) {
     std::ptrdiff_t count = 0;
     for (const PinBlock& block : names().blocks)
       count += std::count_if(block.writes.begin(), block.writes.end(), [&](const PinWrite& write) {

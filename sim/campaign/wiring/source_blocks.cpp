@@ -63,8 +63,10 @@ class BlockReader {
   }
 
   void read_function() {
+    const std::size_t first_block = blocks_.size();
     Block head;
     head.function = tokens_[at_].text;
+    head.function_begin = at_;
     const std::size_t end = after_pair(at_ + 1, "(", ")");
     for (std::size_t i = at_ + 2; i < end; ++i)
       if ((tokens_[i].is(",") || i + 1 == end) && tokens_[i - 1].kind == Token::Kind::word)
@@ -72,6 +74,7 @@ class BlockReader {
     at_ = end;
     while (at_ < tokens_.size() && !is("{")) ++at_;
     read_body(head, 0);
+    for (std::size_t i = first_block; i < blocks_.size(); ++i) blocks_[i].function_end = at_;
   }
 
   // Reads a block with its braces, or one statement.
@@ -191,7 +194,64 @@ class BlockReader {
   std::vector<Block> blocks_;
 };
 
+// Follows the names in code that runs to the functions of these names.
+class RunningCode {
+ public:
+  explicit RunningCode(std::vector<SourceText>& sources) {
+    for (SourceText& source : sources)
+      for (Block& block : source.blocks) by_name_[block.function].push_back({&block, &source.tokens});
+  }
+
+  void mark(std::vector<SourceText>& sources) {
+    if (by_name_.count("setup") + by_name_.count("loop") == 0) return;
+    for (auto& [name, blocks] : by_name_)
+      for (const BlockOf& one : blocks) one.block->runs = false;
+    for (const char* const root : {"setup", "loop", "main", "ISR", "SIGNAL", "serialEvent"}) reach(root);
+    for (const SourceText& source : sources) reach_from_globals(source);
+    while (!reached_.empty()) {
+      const BlockOf one = reached_.back();
+      reached_.pop_back();
+      for (std::size_t i = one.block->function_begin + 1; i < one.block->function_end; ++i)
+        reach((*one.tokens)[i].text);
+    }
+  }
+
+ private:
+  struct BlockOf {
+    Block* block;
+    const Tokens* tokens;
+  };
+
+  void reach(std::string_view name) {
+    const auto found = by_name_.find(name);
+    if (found == by_name_.end()) return;
+    for (const BlockOf& one : found->second) {
+      one.block->runs = true;
+      reached_.push_back(one);
+    }
+    by_name_.erase(found);
+  }
+
+  // Reaches the names outside of functions, except those of declarations: void turn(int angle);
+  void reach_from_globals(const SourceText& source) {
+    const Tokens& tokens = source.tokens;
+    std::map<std::size_t, std::size_t> functions;  // begin and end
+    for (const Block& block : source.blocks) functions.emplace(block.function_begin, block.function_end);
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      if (const auto function = functions.find(i); function != functions.end()) i = function->second;
+      const bool is_declared = i > 0 && i + 1 < tokens.size() && tokens[i + 1].is("(") &&
+                               (tokens[i - 1].kind == Token::Kind::word || tokens[i - 1].is("*"));
+      if (i < tokens.size() && !is_declared) reach(tokens[i].text);
+    }
+  }
+
+  std::map<std::string, std::vector<BlockOf>, std::less<>> by_name_;
+  std::vector<BlockOf> reached_;
+};
+
 }  // namespace
+
+void mark_running(std::vector<SourceText>& sources) { RunningCode(sources).mark(sources); }
 
 std::map<std::string, int> assignments_in(const std::vector<SourceText>& sources) {
   std::map<std::string, int> counts;

@@ -36,6 +36,8 @@ struct Block {
   bool has_case = false;              ///< the last condition is a case label
   std::vector<Statement> statements;
   int first_line = 0, last_line = 0;
+  std::size_t function_begin = 0, function_end = 0;  ///< indexes of the function's tokens
+  bool runs = true;                                  ///< false if nothing calls the function
 };
 
 /// One line of a comment.
@@ -53,6 +55,10 @@ struct SourceText {
   std::vector<Comment> comments;
   std::vector<Block> blocks;
 };
+
+/// Finds the blocks that run: those that setup(), loop(), an interrupt or the value of a global variable can
+/// reach. All blocks run in a source without setup() and loop().
+void mark_running(std::vector<SourceText>& sources);
 
 /// Returns the blocks of all functions, also of methods. Skips initialisers of variables.
 std::vector<Block> blocks_of(const Tokens& tokens);

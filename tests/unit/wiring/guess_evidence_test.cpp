@@ -1,4 +1,5 @@
 // Tests guesses from evidence outside of the pins' names: comments, functions, loops, interrupts.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -85,6 +86,31 @@ TEST(GuessMotors, ContradictoryFunctionsLeaveTheSidesOpen) {
       << "the wheel that turns back is at the right";
   EXPECT_THAT(guessed(pins + "  analogWrite(ENA, leftSpeed); analogWrite(ENB, rightSpeed); }"),
               HasSubstr("which motor is the left one is guessed"));
+}
+
+TEST(GuessMotors, FunctionsThatNothingCallsDoNotOutweighThoseThatRun) {
+  const std::string pins = "const int ENA = 5, IN1 = 7, IN2 = 8, ENB = 6, IN3 = 9, IN4 = 10;\n";
+  const auto drive = [](const char* name, int a, int b) {
+    return fmt::format(
+        "void {}() {{ digitalWrite(IN1, {}); digitalWrite(IN2, {}); digitalWrite(IN3, {}); digitalWrite(IN4, "
+        "{}); analogWrite(ENA, v); analogWrite(ENB, v); }}\n",
+        name, a, 1 - a, b, 1 - b);
+  };
+  const std::string loop = "void loop() { forward(); left(); }\n";
+  const auto runs = pins + loop + drive("forward", 0, 0) + drive("left", 1, 0);
+  EXPECT_THAT(guessed(runs + drive("goForward", 1, 1)), HasSubstr("{ en = 5, in1 = 8, in2 = 7 }"))
+      << "the directions";
+  EXPECT_THAT(guessed(runs + drive("turnLeft", 0, 1)),
+              AllOf(HasSubstr("name = \"left\"                       # ENA, IN2, IN1"),
+                    Not(HasSubstr("which motor is the left one"))))
+      << "the sides";
+  EXPECT_THAT(guessed(pins +
+                      "void loop() { go(); }\nvoid go() { analogWrite(ENA, speedRight); analogWrite(ENB, "
+                      "speedLeft); }\nvoid test() { analogWrite(ENA, speedLeft); analogWrite(ENB, "
+                      "speedRight); }\n" +
+                      drive("spin", 1, 0)),
+              HasSubstr("name = \"right\"                      # ENA, IN1, IN2"))
+      << "the sides of values";
 }
 
 TEST(GuessMotors, ACommentThatHighStopsAMotorIsAskedFor) {

@@ -70,6 +70,25 @@ TEST(LineLevel, ContradictionsLeaveTheLevelOpenButCodeOutranksComments) {
   EXPECT_EQ(level("// 1 = black line\nvoid loop() { int v = 1023 - analogRead(A0); }\n"), "");
 }
 
+TEST(LineLevel, CodeThatNothingCallsDoesNotOutweighCodeThatRuns) {
+  const std::string runs =
+      "void loop() { follow(); }\nvoid follow() { bool black = digitalRead(2) == LOW; }\n";
+  const std::string old =
+      "bool isBlack(int pin) { return digitalRead(pin) == HIGH; }\n"
+      "void oldLoop() { bool black = digitalRead(2) == HIGH; if (isBlack(3)) oldLoop(); }\n";
+  EXPECT_EQ(level(runs + old), "LOW");
+  EXPECT_EQ(level(runs + old + "void oldLoop();\n"), "LOW") << "a declaration is no call";
+  EXPECT_EQ(level("void loop() { go(); }\n" + old), "HIGH") << "better than nothing";
+  EXPECT_EQ(level(old), "HIGH") << "a file without setup() and loop()";
+  EXPECT_EQ(level(runs + old + "ISR(TIMER1_OVF_vect) { oldLoop(); }\n"), "");
+  EXPECT_EQ(level(runs + old + "Task task(oldLoop);\n"), "") << "a constructor of a global gets the function";
+  EXPECT_EQ(level(runs + old + "void setup() { attachInterrupt(0, oldLoop, RISING); }\n"), "");
+  EXPECT_EQ(level("void loop() { v = digitalRead(2); // HIGH = black\n}\n"
+                  "void test() {\n // LOW = black\n f();\n}\n"),
+            "HIGH")
+      << "a comment in such code";
+}
+
 TEST(LineLevel, AWhiteLineReversesWhatAFlagMeans) {
   const std::string flag = "void loop() { if (s <= THRESHOLD) p = 1; else p = 0; }\n";
   EXPECT_EQ(level("#define THRESHOLD 700\n" + flag), "LOW");
