@@ -83,6 +83,22 @@ int line_in_sentence(const WordList& words) {
 bool has_white_line(const WordList& words) { return has_pair(words, is_white); }
 bool has_black_line(const WordList& words) { return has_pair(words, is_black); }
 
+bool is_instruction(const WordList& words) {
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return is_in(word, {"use",   "change", "set",    "put",    "make",  "swap",    "select",  "choose",
+                        "flip",  "usa",    "usar",   "use",    "poner", "pon",     "ponga",   "troque",
+                        "mude",  "trocar", "mudar",  "mettez", "metti", "mettere", "usare",   "ersetzen",
+                        "setze", "setzen", "kullan", "yap",    "ganti", "ubah",    "gunakan", "mettre"}) ||
+           begins(word, {"replac", "invert", "cambi", "chang", "utili", "verwend", "anpass", "degisti"});
+  });
+}
+
+bool is_condition(const WordList& words) {
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return is_in(word, {"if", "si", "se", "wenn", "falls", "eger", "jika", "kalau", "unless", "your"});
+  });
+}
+
 int level_of_word(const std::string& word) {
   if (is_in(word, {"high", "1", "alto", "haut", "hoch", "yuksek", "tinggi", "gt"})) return 1;
   if (is_in(word, {"low", "0", "bajo", "baixo", "bas", "basso", "niedrig", "dusuk", "rendah", "lt"}))

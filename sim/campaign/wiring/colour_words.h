@@ -18,6 +18,10 @@ int line_in_sentence(const WordList& words);
 /// Returns whether the words contain "white line", in either order.
 bool has_white_line(const WordList& words);
 bool has_black_line(const WordList& words);
+/// Returns whether the words tell the reader what to change: "use HIGH for a white line".
+bool is_instruction(const WordList& words);
+/// Returns whether the words state a condition: "if the line is white".
+bool is_condition(const WordList& words);
 /// Returns 1 for HIGH, alto, 1; -1 for LOW, bajo, 0; 0 for other words.
 int level_of_word(const std::string& word);
 

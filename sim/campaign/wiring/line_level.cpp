@@ -212,6 +212,7 @@ class LevelReader {
     for (const SourceText& source : sources) {
       for (const Comment& comment : source.comments) {
         const WordList& words = comment.words;
+        if (is_instruction(words) || is_condition(words)) continue;
         white |= has_white_line(words);
         black |= has_black_line(words);
       }
@@ -245,7 +246,7 @@ class LevelReader {
       else
         read_block(block);
     for (const Comment& comment : source.comments)
-      if (!idle.contains(comment.line)) read_comment(comment);
+      if (!idle.contains(comment.line) && !is_instruction(comment.words)) read_comment(comment);
   }
 
   // Returns 1 if the words name black or the black line, -1 for white.
@@ -482,7 +483,7 @@ class LevelReader {
     for (const Comment& comment : source_->comments) {
       const bool is_above = comment.is_alone && comment.line == condition.line - 1;
       const bool is_after = !comment.is_alone && comment.line == condition.line;
-      if (is_above || is_after) return comment.words;
+      if (is_above || is_after) return is_instruction(comment.words) ? kNone : comment.words;
     }
     return kNone;
   }

@@ -89,6 +89,21 @@ TEST(LineLevel, CodeThatNothingCallsDoesNotOutweighCodeThatRuns) {
       << "a comment in such code";
 }
 
+TEST(LineLevel, ACommentThatStatesAConditionIsNoStatement) {
+  EXPECT_EQ(level("int s = 2;  // if the line is black, change this to LOW\n"), "");
+  EXPECT_EQ(level("// use HIGH for a white line\n"), "");
+  EXPECT_EQ(level("// wenn die Linie schwarz wird, auf LOW setzen\n"), "");
+  EXPECT_EQ(level("// para linea negra cambiar HIGH por LOW\n"), "");
+  EXPECT_EQ(level("// use HIGH for a white line\nvoid loop() { bool onLine = analogRead(A0) > 500; }\n"),
+            "HIGH")
+      << "the sketch's line is black";
+  EXPECT_EQ(
+      level(
+          "void loop() {\n // replace HIGH by LOW for a white line\n if (digitalRead(2) == HIGH) { f(); } }"),
+      "");
+  EXPECT_EQ(level("// the sensor is HIGH if it is on black\n"), "HIGH") << "states what the sensor does";
+}
+
 TEST(LineLevel, AWhiteLineReversesWhatAFlagMeans) {
   const std::string flag = "void loop() { if (s <= THRESHOLD) p = 1; else p = 0; }\n";
   EXPECT_EQ(level("#define THRESHOLD 700\n" + flag), "LOW");
