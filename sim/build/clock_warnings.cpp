@@ -68,6 +68,8 @@ class ClockCheck {
   }
   bool is_adjacent(std::size_t at) const { return text(at).data() + text(at).size() == text(at + 1).data(); }
 
+  bool is_assignment(std::size_t at) const { return text(at) == "=" && text(at + 1) != "="; }
+
   bool begins_operand(std::size_t at) const {
     if (!is_name(text(at)) || at == 0) return false;
     const std::string_view before = text(at - 1);
@@ -131,8 +133,7 @@ class ClockCheck {
       const bool initialises = (text(open) == "(" || text(open) == "{") && names_.partner(open) != kNone;
       if (initialises) mark({open, i, false}, unit_of(open + 1, 0));
       const auto operand = read_operand(i);
-      if (operand && text(operand->end) == "=" && text(operand->end + 1) != "=")
-        mark(*operand, unit_of(operand->end + 1, 0));
+      if (operand && is_assignment(operand->end)) mark(*operand, unit_of(operand->end + 1, 0));
     }
     return more;
   }
@@ -157,15 +158,20 @@ class ClockCheck {
     if (end == at) {
       const auto operand = read_operand(at);
       if (!operand) return TimeUnit::none;
-      if (text(operand->end) == "=" && text(operand->end + 1) != "=")
-        return unit_of(operand->end + 1, depth + 1);
+      if (is_assignment(operand->end)) return unit_of(operand->end + 1, depth + 1);
       unit = unit_of_variable(names_.resolve(operand->name, operand->is_member));
       end = operand->end;
     }
-    if (text(end) == "+" && !is_pair(end, '+', '+') && !is_pair(end, '+', '='))
-      while (is_sum(text(end)) && end - at < kMostOfExpression) ++end;
+    if (!is_pair(end, '+', '+') && !is_pair(end, '+', '=')) end = end_of_sum(end);
     const bool ends = text(end) == ";" || text(end) == "," || text(end) == ")" || text(end) == "}";
     return ends ? unit : TimeUnit::none;
+  }
+  /// Returns the index after the summands that follow `at`; `at` itself if there are none.
+  std::size_t end_of_sum(std::size_t at) const {
+    std::size_t end = at;
+    if (text(at) == "+")
+      while (is_sum(text(end)) && end - at < kMostOfExpression) ++end;
+    return end;
   }
   static bool is_sum(std::string_view word) {
     return !word.empty() &&
@@ -181,9 +187,7 @@ class ClockCheck {
     } else if (const std::size_t after = comparison_at(end); after != end && may_precede(begin)) {
       const auto operand = read_operand(after);
       if (!operand || !is_time(declared(*operand, is_narrow))) return;
-      std::size_t last = operand->end;
-      if (text(last) == "+")
-        while (is_sum(text(last)) && last - end < kMostOfExpression) ++last;
+      const std::size_t last = end_of_sum(operand->end);
       if (may_follow(last)) report({begin, last}, *operand, unit, false, found);
     }
   }
@@ -192,9 +196,7 @@ class ClockCheck {
     if (const TimeUnit unit = unit_of_variable(declared(operand, is_wide)); unit != TimeUnit::none)
       return check(begin, operand.end, unit, found);
     if (!is_time(declared(operand, is_narrow)) || !may_precede(begin)) return;
-    std::size_t end = operand.end;
-    if (text(end) == "+")
-      while (is_sum(text(end)) && end - begin < kMostOfExpression) ++end;
+    const std::size_t end = end_of_sum(operand.end);
     const std::size_t after = comparison_at(end);
     if (after == end || !begins_operand(after)) return;
     const std::size_t last = read_clock(after);
@@ -297,14 +299,13 @@ class ClockCheck {
   bool may_precede(std::size_t at) const {
     if (at == 0) return true;
     const std::string_view before = text(at - 1);
-    if (before == "(" || before == "{" || before == "}" || before == ";" || before == "," || before == "?" ||
-        before == ":" || before == "=" || before == "return")
-      return true;
-    return at > 1 && (is_pair(at - 2, '&', '&') || is_pair(at - 2, '|', '|'));
+    return (before.size() == 1 && std::string_view("({};,?:=").find(before) != before.npos) ||
+           before == "return" || (at > 1 && (is_pair(at - 2, '&', '&') || is_pair(at - 2, '|', '|')));
   }
   /// Returns whether a comparison can end before `at`.
   bool may_follow(std::size_t at) const {
-    return text(at) == ")" || text(at) == ";" || text(at) == "," || text(at) == "?" || text(at) == ":" ||
+    const std::string_view after = text(at);
+    return (after.size() == 1 && std::string_view(");,?:").find(after) != after.npos) ||
            is_pair(at, '&', '&') || is_pair(at, '|', '|');
   }
 
@@ -341,8 +342,7 @@ class ClockCheck {
     return result;
   }
   static bool is_operator(std::string_view word) {
-    return word == "-" || word == "+" || word == "*" || word == "<" || word == ">" || word == "=" ||
-           word == "!";
+    return word.size() == 1 && std::string_view("-+*<>=!").find(word) != word.npos;
   }
 
   const std::vector<Token>& words_;

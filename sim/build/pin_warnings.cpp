@@ -72,7 +72,7 @@ std::string complaint(const BoardSpec& board, int number, Use use) {
   if (use == Use::interrupt && spec.interrupt < 0)
     return fmt::format(
         "pin {} of the {} has no external interrupt: its handler never runs; these pins have one: {}",
-        spec.name, board.name, pins_that(board, [](const PinSpec& one) { return one.interrupt >= 0; }));
+        spec.name, board.name, interrupt_pins(board));
   return "";
 }
 
@@ -163,6 +163,10 @@ std::string range_warning(const std::vector<Token>& words, std::size_t at) {
 }
 
 }  // namespace
+
+std::string interrupt_pins(const BoardSpec& board) {
+  return pins_that(board, [](const PinSpec& one) { return one.interrupt >= 0; });
+}
 
 std::string serial_warning(const std::string& own_lines, const std::string& all, const BoardSpec& board) {
   if (board.chip->uart_count == 0 || board.chip->usb.address || all.find("Serial.begin") != all.npos)

@@ -22,4 +22,7 @@ std::string serial_warning(const std::string& own_lines, const std::string& all,
 /// that drives without a cable then never starts. Returns an empty text for other boards.
 std::string usb_warning(const std::string& own_lines, const BoardSpec& board);
 
+/// Returns the names of the pins with an external interrupt.
+std::string interrupt_pins(const BoardSpec& board);
+
 }  // namespace robosim::build

@@ -1,7 +1,6 @@
 #include "sim/build/vector_hints.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <fstream>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/build/pin_warnings.h"
 #include "sim/build/tokens.h"
 
 namespace robosim::build {
@@ -32,14 +32,6 @@ std::string owner_of(const std::string& place) {
 
 bool is_one_of(const std::string& owner, const std::string& first, const std::string& second) {
   return owner == first || owner == second;
-}
-
-std::string interrupt_pins(const BoardSpec& board) {
-  std::vector<std::string> names;
-  for (Pin pin = 0; pin < board.pin_count; ++pin)
-    if (board.pins[pin].interrupt >= 0 && first_number(board, pin) == pin)
-      names.emplace_back(board.pins[pin].name);
-  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// Returns advice for a program with two handlers of the vector called `name`.
