@@ -152,9 +152,7 @@ class Finder {
       const auto line = std::lower_bound(lines_.begin(), lines_.end(), function->address);
       if (line == lines_.end() || *line >= function->address + function->size) return false;
     }
-    const auto frames = debug_.frames(2 * pc);
-    return std::any_of(frames.begin(), frames.end(),
-                       [](const SourceLine& frame) { return !is_core_file(frame.file); });
+    return !debug_.place(2 * pc).file.empty();
   }
 
   void add_group(std::uint32_t pc, std::size_t number);
