@@ -91,6 +91,7 @@ std::string cause_of(const Ending& ending) {
   if (ending.signal > 0)
     return fmt::format("it ended its process with signal {} ({})", ending.signal, ::strsignal(ending.signal));
   if (ending.status == kWatchdogStatus) return kLoops;
+  if (ending.status == kLoadingStatus) return kNeverLoads;
   return fmt::format("it ended its process with exit status {}", ending.status);
 }
 

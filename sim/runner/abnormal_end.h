@@ -14,10 +14,10 @@
 namespace robosim::runner {
 
 /// Exit status of a process whose watchdog has detected an endless loop.
-constexpr int kWatchdogStatus = 99;
+constexpr int kWatchdogStatus = 99, kLoadingStatus = 98;
 
 constexpr const char* kLoops = "it loops without end, and simulated time does not advance";
-constexpr const char* kNeverLoads = "it loops without end while it is loaded";
+constexpr const char* kNeverLoads = "loading it takes too much processor time";
 
 /// Returns the number of the robot whose sketch ended the process. `suspects` are the robots whose sketches
 /// run as native code. `acting` is the last robot number that the process recorded. Throws InputError if a

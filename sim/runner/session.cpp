@@ -40,7 +40,7 @@ namespace {
 constexpr int kLongestEnd_us = 2'000'000;
 
 std::atomic<bool> interrupted{false};
-std::atomic<SimTime> reached{-1};
+std::atomic<SimTime> reached{run::kLoading};
 std::atomic<int> acting_robot{0};
 SimTime reached_at_last_look = -2;  // at the watchdog's last check
 int acting_at_last_look = 0;        // at the watchdog's last check
@@ -50,7 +50,8 @@ void on_interrupt(int) { interrupted.store(true, std::memory_order_relaxed); }
 void on_watchdog(int) {
   const SimTime now = reached.load(std::memory_order_relaxed);
   const int who = acting_robot.load(std::memory_order_relaxed);
-  if (now == reached_at_last_look && who == acting_at_last_look) ::_exit(kWatchdogStatus);
+  if (now == reached_at_last_look && who == acting_at_last_look)
+    ::_exit(now == run::kLoading ? kLoadingStatus : kWatchdogStatus);
   reached_at_last_look = now;
   acting_at_last_look = who;
 }
@@ -142,6 +143,10 @@ void keep_counters(const wire::RunRequest& request, const std::string& counters,
 
 result::RunResult run_request(const ExecutorFactory& factory, const wire::RunRequest& request,
                               const wire::Id& id, SandboxProxy* proxy, const ReadAhead& ahead) {
+  // A run with a proxy is watched by the proxy. A run with a debugger is on an emulated chip, which never
+  // hangs within a tick. Loading is watched, too: debug information can take any time to read.
+  const bool watches = !proxy && request.gdb_port == 0;
+  if (watches) start_watchdog();
   // Never destroyed, since the end of the process frees everything.
   RequestedRun& run = *new RequestedRun(
       [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {
@@ -158,10 +163,6 @@ result::RunResult run_request(const ExecutorFactory& factory, const wire::RunReq
   run.setup().interrupted = &interrupted;
   run.setup().reached = proxy ? &proxy->reached() : &reached;
   if (!request.agents.empty()) run.setup().acting = proxy ? &proxy->acting() : &acting_robot;
-  // A run with a proxy is watched by the proxy. A run with a debugger is on an emulated chip, which never
-  // hangs within a tick.
-  if (!debugger && !proxy) start_watchdog();
-
   RemoteController controller(id, request.script_file, interrupted, [&](SimTime t) { run.flush(t); });
   if (request.interactive) run.setup().controller = &controller;
   if (proxy) {

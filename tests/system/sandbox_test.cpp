@@ -319,7 +319,7 @@ TEST_F(Sandbox, EndsASketchThatIsNeverLoaded) {
                            "asm volatile(\"nop\"); }\n"
                            "void one() __attribute__((ifunc(\"which\"))); }\nvoid setup() { one(); }\n"}) {
     const auto r = run_text(std::string(text) + "void loop() {}\n");
-    EXPECT_EQ(r.why, "The sketch crashed: it loops without end while it is loaded.");
+    EXPECT_EQ(r.why, "The sketch crashed: loading it takes too much processor time.");
   }
 }
 

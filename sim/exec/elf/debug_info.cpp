@@ -19,14 +19,15 @@ constexpr std::size_t kMostRows = 300'000;
 
 /// Collects the functions and inlined functions that contain `pc`, from the outermost to the innermost.
 /// Returns whether there are any.
-bool find_scopes(Dwarf_Die parent, Dwarf_Addr pc, std::vector<Dwarf_Die>& scopes, int depth = 0) {
-  return depth <= kMostNested && any_child(parent, [&](Dwarf_Die child) {
-           const bool is_function = is_code(child);
-           if (!is_function && dwarf_tag(&child) != DW_TAG_lexical_block) return false;
-           if (dwarf_haspc(&child, pc) != 1) return false;
-           if (is_function) scopes.push_back(child);
-           return find_scopes(child, pc, scopes, depth + 1) || is_function;
-         });
+bool find_scopes(DwarfSearch& search, Dwarf_Die parent, Dwarf_Addr pc, std::vector<Dwarf_Die>& scopes,
+                 int depth = 0) {
+  return depth <= kMostNested && search.any_child(parent, [&](Dwarf_Die child) {
+    const bool is_function = is_code(child);
+    if (!is_function && dwarf_tag(&child) != DW_TAG_lexical_block) return false;
+    if (!search.may_contain(child, pc)) return false;
+    if (is_function) scopes.push_back(child);
+    return find_scopes(search, child, pc, scopes, depth + 1) || is_function;
+  });
 }
 
 bool is_free_function(Dwarf_Die& die, const std::string& name) {
@@ -72,8 +73,8 @@ void add_rows(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
 }
 
 /// Adds the lines of calls that were inlined. Such a line may have no other code.
-void add_calls(Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
-  any_descendant(unit, [&](Dwarf_Die die) {
+void add_calls(DwarfSearch& search, Dwarf_Die& unit, std::vector<DebugInfo::CodeLine>& lines) {
+  search.any_descendant(unit, [&](Dwarf_Die die) {
     Dwarf_Addr base = 0, begin = 0, end = 0;
     const bool inlined = dwarf_tag(&die) == DW_TAG_inlined_subroutine;
     if (inlined && (dwarf_entrypc(&die, &begin) == 0 || dwarf_ranges(&die, 0, &base, &begin, &end) > 0) &&
@@ -128,9 +129,10 @@ DebugInfo::~DebugInfo() {
 
 std::vector<SourceLine> DebugInfo::frames(std::uint32_t pc) const {
   std::vector<SourceLine> frames;
-  any_unit(dwarf_, [&](Dwarf_Die unit) {
+  DwarfSearch search(dwarf_, steps_left_);
+  search.any_unit([&](Dwarf_Die unit) {
     std::vector<Dwarf_Die> scopes;
-    if (!find_scopes(unit, pc, scopes)) return false;
+    if (!search.may_contain(unit, pc) || !find_scopes(search, unit, pc, scopes)) return false;
     SourceLine at;
     if (Dwarf_Line* line = dwarf_getsrc_die(&unit, pc)) {
       dwarf_lineno(line, &at.line);
@@ -171,10 +173,11 @@ const SourceLine& DebugInfo::sketch_place(std::uint32_t pc) const {
 
 std::vector<DebugInfo::CodeLine> DebugInfo::lines() const {
   std::vector<CodeLine> all;
-  any_unit(dwarf_, [&](Dwarf_Die unit) {
+  DwarfSearch search(dwarf_, steps_left_);
+  search.any_unit([&](Dwarf_Die unit) {
     std::vector<CodeLine> calls;
     add_rows(unit, all);
-    add_calls(unit, calls);
+    add_calls(search, unit, calls);
     std::set<std::pair<std::string_view, int>> known;
     for (const CodeLine& row : all) known.emplace(row.file, row.line);
     std::erase_if(calls, [&](const CodeLine& call) { return known.contains({call.file, call.line}); });
@@ -187,12 +190,13 @@ std::vector<DebugInfo::CodeLine> DebugInfo::lines() const {
 
 DebugInfo::CodeOf DebugInfo::code_of(const std::string& function) const {
   CodeOf code;
-  any_unit(dwarf_, [&](Dwarf_Die unit) {
-    return any_descendant(unit, [&](Dwarf_Die die) {
+  DwarfSearch search(dwarf_, steps_left_);
+  search.any_unit([&](Dwarf_Die unit) {
+    return search.any_descendant(unit, [&](Dwarf_Die die) {
       if (!is_code(die) || !is_free_function(die, function)) return false;
       auto& ranges = dwarf_tag(&die) == DW_TAG_subprogram ? code.itself : code.inlined;
-      for (const Range range : ranges_of(die)) ranges.push_back(range);
-      return false;
+      for (const Range range : search.ranges_of(die)) ranges.push_back(range);
+      return ranges.size() >= kMostRanges;
     });
   });
   return code;

@@ -97,9 +97,13 @@ class DebugInfo {
   template <class Wanted>
   const SourceLine& first(std::map<std::uint32_t, SourceLine>& places, std::uint32_t pc, Wanted wanted) const;
 
+  /// The limit of the steps of all searches (dwarf_access.h). Programs by compilers stay far below.
+  static constexpr std::int64_t kMostSteps = 20'000'000;
+
   std::string content_;  ///< content of the file; a confined process could not read the file later
   Elf* elf_ = nullptr;
   Dwarf* dwarf_ = nullptr;
+  mutable std::int64_t steps_left_ = kMostSteps;
   mutable std::map<std::uint32_t, SourceLine> places_, sketch_places_;
 };
 

@@ -21,34 +21,75 @@ namespace robosim::exec {
 inline constexpr int kMostNested = 256;
 inline constexpr std::size_t kMostRanges = 4096, kLongestName = 1000;
 
-/// Calls `visit` for each compilation unit, until `visit` returns true. Returns whether it did.
-template <typename Visit>
-bool any_unit(Dwarf* dwarf, Visit visit) {
-  Dwarf_CU* unit = nullptr;
-  Dwarf_Die die;
-  while (dwarf && dwarf_get_units(dwarf, unit, &unit, nullptr, nullptr, &die, nullptr) == 0)
-    if (visit(die)) return true;
-  return false;
-}
+/// Searches debug information. Hostile information could make a search endless: a DIE may be its own sibling,
+/// and any number of DIEs may share a long table. Therefore each DIE and each row of a table costs a step.
+/// A search without steps finds nothing more.
+class DwarfSearch {
+ public:
+  /// `steps_left` must outlive the search, which reduces it.
+  DwarfSearch(Dwarf* dwarf, std::int64_t& steps_left) : dwarf_(dwarf), steps_left_(steps_left) {}
 
-/// Calls `visit` for each child of a DIE, until `visit` returns true. Returns whether it did.
-template <typename Visit>
-bool any_child(Dwarf_Die parent, Visit visit) {
-  Dwarf_Die child;
-  if (dwarf_child(&parent, &child) != 0) return false;
-  do {
-    if (visit(child)) return true;
-  } while (dwarf_siblingof(&child, &child) == 0);
-  return false;
-}
+  /// Takes steps. Returns false if there were fewer.
+  bool spend(std::size_t steps = 1) {
+    steps_left_ -= static_cast<std::int64_t>(steps);
+    return steps_left_ >= 0;
+  }
 
-/// Calls `visit` for each DIE below a DIE, parents first, until `visit` returns true. Returns whether it did.
-template <typename Visit>
-bool any_descendant(Dwarf_Die parent, const Visit& visit, int depth = 0) {
-  return depth <= kMostNested && any_child(parent, [&](Dwarf_Die child) {
-           return visit(child) || any_descendant(child, visit, depth + 1);
-         });
-}
+  /// Calls `visit` for each compilation unit, until `visit` returns true. Returns whether it did.
+  template <typename Visit>
+  bool any_unit(Visit visit) {
+    Dwarf_CU* unit = nullptr;
+    Dwarf_Die die;
+    while (dwarf_ && spend() && dwarf_get_units(dwarf_, unit, &unit, nullptr, nullptr, &die, nullptr) == 0)
+      if (visit(die)) return true;
+    return false;
+  }
+
+  /// Calls `visit` for each child of a DIE, until `visit` returns true. Returns whether it did.
+  template <typename Visit>
+  bool any_child(Dwarf_Die parent, Visit visit) {
+    Dwarf_Die child;
+    if (dwarf_child(&parent, &child) != 0) return false;
+    do {
+      if (!spend()) return false;
+      if (visit(child)) return true;
+    } while (dwarf_siblingof(&child, &child) == 0);
+    return false;
+  }
+
+  /// Calls `visit` for each DIE below a DIE, parents first, until `visit` returns true. Returns whether it
+  /// did.
+  template <typename Visit>
+  bool any_descendant(Dwarf_Die parent, const Visit& visit, int depth = 0) {
+    return depth <= kMostNested && any_child(parent, [&](Dwarf_Die child) {
+             return visit(child) || any_descendant(child, visit, depth + 1);
+           });
+  }
+
+  /// Returns whether the code of a DIE contains the address. Returns true for a unit without addresses.
+  bool may_contain(Dwarf_Die die, Dwarf_Addr pc) {
+    Dwarf_Addr base = 0, begin = 0, end = 0;
+    std::ptrdiff_t next = 0;
+    bool has_ranges = false;
+    for (; spend() && (next = dwarf_ranges(&die, next, &base, &begin, &end)) > 0; has_ranges = true)
+      if (begin <= pc && pc < end) return true;
+    return !has_ranges && next == 0 && dwarf_tag(&die) == DW_TAG_compile_unit;
+  }
+
+  /// Returns the contiguous parts of a function's code.
+  std::vector<DebugInfo::Range> ranges_of(Dwarf_Die function) {
+    std::vector<DebugInfo::Range> ranges;
+    Dwarf_Addr base = 0, begin = 0, end = 0;
+    for (std::ptrdiff_t next = 0; ranges.size() < kMostRanges && spend() &&
+                                  (next = dwarf_ranges(&function, next, &base, &begin, &end)) > 0;)
+      ranges.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
+    return ranges;
+  }
+
+ private:
+  Dwarf* const dwarf_;
+  std::int64_t& steps_left_;
+};
 
 /// Returns the name of a DIE; empty if there is none.
 inline std::string_view name_of(Dwarf_Die die) {
@@ -74,16 +115,6 @@ inline std::string tidy_file(const char* file) {
 inline bool is_code(Dwarf_Die die) {
   const int tag = dwarf_tag(&die);
   return tag == DW_TAG_subprogram || tag == DW_TAG_inlined_subroutine;
-}
-
-/// Returns the contiguous parts of a function's code.
-inline std::vector<DebugInfo::Range> ranges_of(Dwarf_Die function) {
-  std::vector<DebugInfo::Range> ranges;
-  Dwarf_Addr base = 0, begin = 0, end = 0;
-  for (std::ptrdiff_t next = 0;
-       ranges.size() < kMostRanges && (next = dwarf_ranges(&function, next, &base, &begin, &end)) > 0;)
-    ranges.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
-  return ranges;
 }
 
 }  // namespace robosim::exec

@@ -12,9 +12,9 @@ namespace {
 constexpr std::size_t kMostEntries = 4096, kMostParameters = 16, kMostBegins = 256;
 
 /// Returns the DIEs of a function's parameters, in the order of the declaration.
-std::vector<Dwarf_Die> parameters_of(Dwarf_Die function) {
+std::vector<Dwarf_Die> parameters_of(DwarfSearch& search, Dwarf_Die function) {
   std::vector<Dwarf_Die> all;
-  any_child(function, [&](Dwarf_Die child) {
+  search.any_child(function, [&](Dwarf_Die child) {
     if (dwarf_tag(&child) == DW_TAG_formal_parameter) all.push_back(child);
     return all.size() >= kMostParameters;
   });
@@ -58,23 +58,27 @@ DebugInfo::Argument argument_at(Dwarf_Die parameter, Dwarf_Addr pc) {
   return argument;
 }
 
-/// Adds each address from which on the parameter's location is known.
-void add_begins(Dwarf_Die parameter, std::vector<Dwarf_Addr>& begins) {
+/// Adds each address from which on the parameter's location is known. Returns false if the parameter has too
+/// many locations.
+bool add_begins(Dwarf_Die parameter, std::vector<Dwarf_Addr>& begins) {
   Dwarf_Attribute attribute;
   Dwarf_Addr base = 0, begin = 0, end = 0;
   Dwarf_Op* operations = nullptr;
   std::size_t count = 0;
-  if (!dwarf_attr(&parameter, DW_AT_location, &attribute)) return;
-  for (std::ptrdiff_t next = 0; begins.size() < kMostBegins; begins.push_back(begin))
-    if ((next = dwarf_getlocations(&attribute, next, &base, &begin, &end, &operations, &count)) <= 0) return;
+  if (!dwarf_attr(&parameter, DW_AT_location, &attribute)) return true;
+  std::ptrdiff_t next = 0;
+  for (std::size_t i = 0; i < kMostBegins; ++i, begins.push_back(begin))
+    if ((next = dwarf_getlocations(&attribute, next, &base, &begin, &end, &operations, &count)) <= 0)
+      return true;
+  return false;
 }
 
 /// Returns the function's parameters in the order of the declaration; nullopt for a declared parameter that
 /// the DIE `function` does not contain.
-std::vector<std::optional<Dwarf_Die>> parameters_here(Dwarf_Die function) {
+std::vector<std::optional<Dwarf_Die>> parameters_here(DwarfSearch& search, Dwarf_Die function) {
   std::vector<std::optional<Dwarf_Die>> all;
-  const std::vector<Dwarf_Die> here = parameters_of(function);
-  for (Dwarf_Die declared : parameters_of(origin_of(function))) {
+  const std::vector<Dwarf_Die> here = parameters_of(search, function);
+  for (Dwarf_Die declared : parameters_of(search, origin_of(function))) {
     const auto its = std::find_if(here.begin(), here.end(), [&](const Dwarf_Die& one) {
       Dwarf_Die origin = origin_of(one);
       return dwarf_dieoffset(&origin) == dwarf_dieoffset(&declared);
@@ -85,9 +89,9 @@ std::vector<std::optional<Dwarf_Die>> parameters_here(Dwarf_Die function) {
 }
 
 /// Returns the largest contiguous part of a function's code.
-DebugInfo::Range body_of(Dwarf_Die function) {
+DebugInfo::Range body_of(DwarfSearch& search, Dwarf_Die function) {
   DebugInfo::Range body;
-  for (const DebugInfo::Range part : ranges_of(function))
+  for (const DebugInfo::Range part : search.ranges_of(function))
     if (part.end - part.begin > body.end - body.begin) body = part;
   return body;
 }
@@ -95,18 +99,20 @@ DebugInfo::Range body_of(Dwarf_Die function) {
 /// Returns the entry into a function. The compiler may move single instructions of an inlined function before
 /// code of its caller, even before the condition of the call. Therefore the entry is in the largest part of
 /// the function's code, at the first address at which most parameters are known.
-DebugInfo::Entry entry_of(Dwarf_Die function) {
-  const std::vector<std::optional<Dwarf_Die>> parameters = parameters_here(function);
-  const DebugInfo::Range body = body_of(function);
+DebugInfo::Entry entry_of(DwarfSearch& search, Dwarf_Die function) {
+  std::vector<std::optional<Dwarf_Die>> parameters = parameters_here(search, function);
+  const DebugInfo::Range body = body_of(search, function);
   std::vector<Dwarf_Addr> addresses;
-  for (const std::optional<Dwarf_Die>& one : parameters)
-    if (one) add_begins(*one, addresses);
+  for (std::optional<Dwarf_Die>& one : parameters)
+    if (one && !add_begins(*one, addresses)) one.reset();
   addresses.push_back(body.begin);
   std::erase_if(addresses, [&](Dwarf_Addr one) { return one < body.begin || one >= body.end; });
   std::sort(addresses.begin(), addresses.end());
   DebugInfo::Entry best;
   std::ptrdiff_t most = -1;
+  const std::size_t locations = addresses.size();
   for (const Dwarf_Addr address : addresses) {
+    if (!search.spend(locations)) break;
     DebugInfo::Entry entry{static_cast<std::uint32_t>(address), false, {}};
     for (const std::optional<Dwarf_Die>& one : parameters)
       entry.arguments.push_back(one ? argument_at(*one, address) : DebugInfo::Argument{});
@@ -123,10 +129,11 @@ DebugInfo::Entry entry_of(Dwarf_Die function) {
 
 std::vector<DebugInfo::Entry> DebugInfo::entries_of(const std::string& function) const {
   std::vector<Entry> entries;
-  any_unit(dwarf_, [&](Dwarf_Die unit) {
-    return any_descendant(unit, [&](Dwarf_Die die) {
+  DwarfSearch search(dwarf_, steps_left_);
+  search.any_unit([&](Dwarf_Die unit) {
+    return search.any_descendant(unit, [&](Dwarf_Die die) {
       if (is_code(die) && name_of(die) == function)
-        if (Entry entry = entry_of(die); entry.address != 0) entries.push_back(std::move(entry));
+        if (Entry entry = entry_of(search, die); entry.address != 0) entries.push_back(std::move(entry));
       return entries.size() >= kMostEntries;
     });
   });

@@ -44,9 +44,9 @@ SourceLine declaration_of(Dwarf_Die variable) {
   return where;
 }
 
-bool has_constructor(Dwarf_Die type) {
+bool has_constructor(DwarfSearch& search, Dwarf_Die type) {
   const std::string_view name = name_of(type);
-  return !name.empty() && any_child(type, [&](Dwarf_Die child) {
+  return !name.empty() && search.any_child(type, [&](Dwarf_Die child) {
     return dwarf_tag(&child) == DW_TAG_subprogram && name_of(child) == name &&
            !dwarf_hasattr(&child, DW_AT_artificial);
   });
@@ -62,27 +62,27 @@ std::optional<Dwarf_Word> member_offset(Dwarf_Die die) {
 /// Returns the path of the member at this offset, such as ".left.pwm"; empty if there is no member. Sets
 /// `where` to the member's declaration. If a class that contains the member has a constructor, sets `where`
 /// to an empty line.
-std::string member_at(Dwarf_Die type, Dwarf_Word offset, SourceLine& where, bool constructed = false,
-                      int depth = 0) {
+std::string member_at(DwarfSearch& search, Dwarf_Die type, Dwarf_Word offset, SourceLine& where,
+                      bool constructed = false, int depth = 0) {
   if (depth > kMostNames) return "";
   const int tag = dwarf_tag(&type);
   if (tag == DW_TAG_array_type) {
     const auto element = type_of(type);
     const Dwarf_Word size = element ? size_of(*element) : 0;
-    return size == 0 ? "" : member_at(*element, offset % size, where, constructed, depth + 1);
+    return size == 0 ? "" : member_at(search, *element, offset % size, where, constructed, depth + 1);
   }
   std::string path;
   if (tag != DW_TAG_structure_type && tag != DW_TAG_class_type) return path;
-  any_child(type, [&](Dwarf_Die child) {
+  search.any_child(type, [&](Dwarf_Die child) {
     const auto begin = member_offset(child);
     const auto of = begin ? type_of(child) : std::nullopt;
     if (!of || offset < *begin || offset >= *begin + size_of(*of)) return false;
-    const bool sets = constructed || has_constructor(type);
+    const bool sets = constructed || has_constructor(search, type);
     if (dwarf_tag(&child) == DW_TAG_member && !name_of(child).empty()) {
       path.append(1, '.').append(name_of(child));
       where = sets ? SourceLine{} : declaration_of(child);
     }
-    path.append(member_at(*of, offset - *begin, where, sets, depth + 1));
+    path.append(member_at(search, *of, offset - *begin, where, sets, depth + 1));
     return true;
   });
   return path;
@@ -102,7 +102,7 @@ std::optional<Dwarf_Word> address_of(Dwarf_Die variable) {
 }
 
 /// Sets `found` if the DIE is the variable that contains this address. Returns whether it is.
-bool contains(Dwarf_Die die, std::uint32_t address, DebugInfo::Variable& found) {
+bool contains(DwarfSearch& search, Dwarf_Die die, std::uint32_t address, DebugInfo::Variable& found) {
   const auto begin = address_of(die);
   if (!begin || address < *begin) return false;
   const auto type = type_of(die);
@@ -113,13 +113,15 @@ bool contains(Dwarf_Die die, std::uint32_t address, DebugInfo::Variable& found) 
   const char* const name =
       dwarf_attr_integrate(&die, DW_AT_name, &attribute) ? dwarf_formstring(&attribute) : nullptr;
   found = {name ? name : "", declaration_of(die), {}};
-  found.name.append(member_at(*type, offset, found.member));
+  found.name.append(member_at(search, *type, offset, found.member));
   return true;
 }
 
 /// Collects the numbers of variables.
 class NumberCollector {
  public:
+  explicit NumberCollector(DwarfSearch& search) : search_(search) {}
+
   void add_variable(Dwarf_Die die) {
     const auto address = address_of(die);
     const auto type = address ? type_of(die) : std::nullopt;
@@ -165,7 +167,7 @@ class NumberCollector {
   }
 
   void add_members(Dwarf_Die type, Dwarf_Word address, const std::string& path, int depth) {
-    any_child(type, [&](Dwarf_Die child) {
+    search_.any_child(type, [&](Dwarf_Die child) {
       const auto offset = member_offset(child);
       const auto of = offset && !dwarf_hasattr(&child, DW_AT_bit_size) ? type_of(child) : std::nullopt;
       const bool is_named = dwarf_tag(&child) == DW_TAG_member && !name_of(child).empty();
@@ -176,9 +178,9 @@ class NumberCollector {
   }
 
   /// Returns the length of each dimension of an array.
-  static std::vector<Dwarf_Word> lengths_of(Dwarf_Die array) {
+  std::vector<Dwarf_Word> lengths_of(Dwarf_Die array) const {
     std::vector<Dwarf_Word> lengths;
-    any_child(array, [&](Dwarf_Die child) {
+    search_.any_child(array, [&](Dwarf_Die child) {
       if (dwarf_tag(&child) != DW_TAG_subrange_type) return false;
       if (const auto last = number_of(child, DW_AT_upper_bound))
         lengths.push_back(*last + 1);
@@ -189,6 +191,7 @@ class NumberCollector {
     return lengths;
   }
 
+  DwarfSearch& search_;
   std::vector<DebugInfo::Number> numbers_;
   int parts_ = 0;
 };
@@ -197,16 +200,18 @@ class NumberCollector {
 
 DebugInfo::Variable DebugInfo::variable_at(std::uint32_t address) const {
   Variable found;
-  any_unit(dwarf_, [&](Dwarf_Die unit) {
-    return any_descendant(unit, [&](Dwarf_Die die) { return contains(die, address, found); });
+  DwarfSearch search(dwarf_, steps_left_);
+  search.any_unit([&](Dwarf_Die unit) {
+    return search.any_descendant(unit, [&](Dwarf_Die die) { return contains(search, die, address, found); });
   });
   return is_core_file(found.where.file) ? Variable{} : found;
 }
 
 std::vector<DebugInfo::Number> DebugInfo::numbers() const {
-  NumberCollector collector;
-  any_unit(dwarf_, [&](Dwarf_Die unit) {
-    return any_descendant(unit, [&](Dwarf_Die die) { return collector.add_variable(die), false; });
+  DwarfSearch search(dwarf_, steps_left_);
+  NumberCollector collector(search);
+  search.any_unit([&](Dwarf_Die unit) {
+    return search.any_descendant(unit, [&](Dwarf_Die die) { return collector.add_variable(die), false; });
   });
   std::vector<Number> numbers = collector.take();
   std::stable_sort(numbers.begin(), numbers.end(),
