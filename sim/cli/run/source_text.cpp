@@ -279,6 +279,16 @@ const std::multimap<std::string, int>& SourceText::declarations_in(const std::st
   return known->second;
 }
 
+SourceText::SourceText(fs::path sketch, std::vector<fs::path> folders, bool trusted)
+    : folders_(std::move(folders)), trusted_(trusted) {
+  std::error_code none;
+  const fs::path real = fs::canonical(sketch, none);
+  folders_.insert(folders_.begin(), std::move(sketch));
+  // A library's example uses the library that contains it: LIBRARY/examples/SKETCH.
+  if (trusted && real.parent_path().filename() == "examples")
+    folders_.push_back(real.parent_path().parent_path());
+}
+
 const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
   const auto [known, fresh] = files_.try_emplace(file);
   if (!fresh) return known->second;
@@ -293,15 +303,17 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
 }
 
 // Skips missing files. A sketch can claim any file name with #line. Therefore also skips files outside of the
-// area that build::reach_of() permits, even if a link leads to them. For a library, the image contains only
-// "libraries/NAME/...".
+// area that build::reach_of() permits, even if a link leads to them. The area of an untrusted sketch is its
+// folder. For a library, the image contains only "libraries/NAME/...".
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
   if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;
   const auto add = [&](const fs::path& folder, const fs::path& within) {
     std::error_code none;
     const fs::path real = fs::canonical(folder, none);
-    if (!none && build::lies_in(folder / within, build::reach_of(real))) paths.push_back(folder / within);
+    const bool is_narrow = !trusted_ && folder == folders_.front();
+    if (!none && build::lies_in(folder / within, is_narrow ? real : build::reach_of(real)))
+      paths.push_back(folder / within);
   };
   for (const fs::path& folder : folders_) add(folder, file);
   if (!file.string().starts_with("libraries/")) return paths;

@@ -16,9 +16,9 @@ namespace robosim::cli {
 
 class SourceText {
  public:
-  /// Looks for the files in `folders`: the sketch's folder, folders of single libraries, and folders that
-  /// contain libraries.
-  explicit SourceText(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
+  /// Looks for the files in `sketch`, the sketch's folder, and in `folders`: folders of single libraries, and
+  /// folders that contain libraries. A sketch that is not `trusted` may not name files outside its folder.
+  SourceText(std::filesystem::path sketch, std::vector<std::filesystem::path> folders, bool trusted);
 
   /// Returns a line without blanks at its ends; empty if the line is unknown.
   std::string line(const result::SourceLine& where);
@@ -48,7 +48,8 @@ class SourceText {
   result::Cause named_in(std::deque<result::SourceLine> chain);
   void add(result::Cause& cause, const result::SourceLine& where, std::size_t most);
 
-  std::vector<std::filesystem::path> folders_;
+  std::vector<std::filesystem::path> folders_;  ///< begins with the sketch's folder
+  const bool trusted_;
   std::map<std::string, std::vector<std::string>> files_;
   std::map<std::string, std::multimap<std::string, int>> declarations_;
   std::map<std::string, std::vector<std::string>> beside_;  ///< by folder

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/base/terminal_text.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
 #include "sim/cli/run/source_text.h"
@@ -41,7 +42,7 @@ std::size_t keep_direct(std::vector<result::Cause>& chain) {
 }
 
 std::string chain_text(result::RunResult result, SourceText& source, bool shows_all) {
-  std::string text = fmt::format("{}: {}\n", result.verdict, result.why);
+  std::string text = fmt::format("{}: {}\n", result.verdict, in_one_line(result.why));
   for (std::size_t i = 0; i < std::min(result.detected.size(), kMostFindings); ++i)
     text += fmt::format("\ndetected: {}\n", result::text_of(result.detected[i]));
   if (result.because.empty()) return text;
@@ -50,9 +51,9 @@ std::string chain_text(result::RunResult result, SourceText& source, bool shows_
   const char* arrow = "";
   for (const result::Cause& cause : result.because) {
     const std::string when = cause.t_s > 0.0 ? fmt::format("{:.3f} s", cause.t_s) : "";
-    text += fmt::format("{:>10}  {}{}\n", when, arrow, cause.text);
+    text += fmt::format("{:>10}  {}{}\n", when, arrow, in_one_line(cause.text));
     for (const result::SourceLine& line : cause.lines)
-      text += fmt::format("{:>16}{:<26}  {}\n", "", fmt::format("{}:{}", line.file, line.line),
+      text += fmt::format("{:>16}{:<26}  {}\n", "", fmt::format("{}:{}", in_one_line(line.file), line.line),
                           source.line(line));
     arrow = "← ";
   }
@@ -76,11 +77,8 @@ int why_command(const WhyArguments& arguments) {
   const client::Interrupts interrupts(runner);
   result::RunResult result = runner.run(run.request);
   progress.clear();
-  // Also searches the folder two levels above the sketch. If the sketch is a library's example, this is the
-  // library's folder.
-  std::vector<std::filesystem::path> folders = {run.sketch.folder, run.sketch.folder / "../.."};
-  folders.insert(folders.end(), run.wanted.libraries.begin(), run.wanted.libraries.end());
-  SourceText source(std::move(folders));
+  SourceText source(run.sketch.folder, {run.wanted.libraries.begin(), run.wanted.libraries.end()},
+                    !arguments.run.untrusted);
   source.explain(result.because);
   if (arguments.run.json)
     print(

@@ -47,7 +47,7 @@ class SourceTextTest : public ::testing::Test {
   /// Calls explain() for a chain of causes. The chain consists of one cause at `lines` of My.ino. Returns the
   /// texts and line numbers of the causes that explain() adds to the chain.
   std::vector<std::pair<std::string, std::vector<int>>> added_to(std::vector<int> lines) {
-    SourceText source({folder_.path()});
+    SourceText source(folder_.path(), {}, true);
     result::Cause cause{0.0, "in loop()", {}};
     for (const int line : lines) cause.lines.push_back({"", "My.ino", line});
     std::vector<result::Cause> chain = {cause};
@@ -79,7 +79,7 @@ TEST_F(SourceTextTest, NamesConstantsOfClassesAndOfTheFilesBeside) {
   write_file(
       folder_.path() / "My.ino",
       "#define LED 13\nint turns(int mm) {\n  tone(SPEAKER, BOTH);\n  return LED * mm / Robot::wheel;\n}\n");
-  SourceText source({folder_.path()});
+  SourceText source(folder_.path(), {}, true);
   std::vector<result::Cause> chain = {{0.0, "in turns()", {{"turns", "My.ino", 3}, {"turns", "My.ino", 4}}}};
   source.explain(chain);
   ASSERT_EQ(chain.size(), 2u);
@@ -88,6 +88,19 @@ TEST_F(SourceTextTest, NamesConstantsOfClassesAndOfTheFilesBeside) {
     named.push_back(line.file + ":" + std::to_string(line.line));
   EXPECT_THAT(named, ElementsAre("Pins.h:1", "My.ino:1", "Robot.h:2"))
       << "names that two other files declare are omitted";
+}
+
+TEST_F(SourceTextTest, ReadsNoFileOutsideOfTheSketchesReach) {
+  const std::filesystem::path library = folder_.path() / "Lib", sketch = library / "examples/My";
+  const std::filesystem::path other = folder_.path() / "Arduino/Other";
+  for (const std::filesystem::path& folder : {sketch, other}) std::filesystem::create_directories(folder);
+  write_file(library / "Lib.h", "int inLibrary;\n");
+  write_file(folder_.path() / "Secret.txt", "hunter2\n");
+  write_file(folder_.path() / "Arduino/Secret.txt", "hunter2\n");
+  const result::SourceLine in_library{"", "Lib.h", 1}, secret{"", "Secret.txt", 1};
+  EXPECT_EQ(SourceText(sketch, {}, true).line(in_library), "int inLibrary;") << "the library of an example";
+  EXPECT_EQ(SourceText(sketch, {}, false).line(in_library), "") << "a stranger's example";
+  for (const bool trusted : {true, false}) EXPECT_EQ(SourceText(other, {}, trusted).line(secret), "");
 }
 
 TEST_F(SourceTextTest, TakesNoFunctionForAnObject) { EXPECT_THAT(added_to({14}), IsEmpty()); }
