@@ -33,6 +33,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The size of a preprocessed sketch for which warnings are searched. Larger ones would take too much memory.
+constexpr std::size_t kMostChecked_bytes = std::size_t{4} << 20;
+
 /// The state of one build.
 class Build {
  public:
@@ -186,7 +189,7 @@ class Build {
     }
     const std::string text = read_made(preprocessed);
     own_lines_ = own_lines(text, sketch_.inos);
-    if (toolchain_.warnings != Warnings::none) {
+    if (toolchain_.warnings != Warnings::none && text.size() <= kMostChecked_bytes) {
       add_message(pin_warnings(own_lines_, toolchain_.board));
       std::vector<std::string> own_files = sketch_.inos;
       own_files.insert(own_files.end(), sketch_.headers.begin(), sketch_.headers.end());

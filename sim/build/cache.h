@@ -3,8 +3,8 @@
 // files and lists are unchanged. The files' times do not matter.
 //
 // SHA-256 is used for keys, for the content that names a result, and for files that other users can write.
-// XXH3, which takes a tenth of the time, is used for files of Robosim and of the system, and to detect
-// incomplete results.
+// XXH3 takes a tenth of the time. It is used for files of Robosim and of the system, and to detect incomplete
+// results.
 //
 // Concurrent processes are safe: files appear by rename, and a result's name contains its content's hash.
 #pragma once

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "sim/base/terminal_text.h"
 #include "sim/build/declarations.h"
 #include "sim/build/prototypes.h"
 
@@ -316,7 +317,7 @@ class ClockCheck {
     const ArithmeticType type = names_.all()[declaration].type;
     const std::string_view name = text(operand.name);
     const Token& first = words_[range.first];
-    const std::string expression = source(range.first, range.second);
+    const std::string expression = in_one_line(source(range.first, range.second));
     const int least_wrong = 1 << (type.bits - (type.is_signed ? 1 : 0));
     std::string warning = fmt::format(
         "{}:{}: warning: '{}' is wrong from {:.3f} {} after power-on, because '{}' cannot exceed {}: declare "

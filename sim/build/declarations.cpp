@@ -23,6 +23,7 @@ constexpr std::array kNamedTypes = {
 constexpr std::array<std::string_view, 6> kBaseWords = {"unsigned", "signed", "short", "int", "char", "long"};
 /// Limits a search. Otherwise the search could take quadratic time.
 constexpr std::size_t kMostWords = 400;
+constexpr int kMostQualifiers = 8;
 
 constexpr std::array<std::string_view, 9> kQualifiers = {
     "const", "volatile", "static", "constexpr", "mutable", "register", "extern", "inline", "thread_local"};
@@ -88,12 +89,15 @@ bool Declarations::is_class(std::size_t brace) const {
 
 std::size_t Declarations::read_type(std::size_t at, ArithmeticType& type) const {
   bool is_unsigned = false, is_short = false, is_char = false;
-  int base_words = 0, longs = 0;
+  int base_words = 0, longs = 0, qualifiers = 0;
   const NamedType* named = nullptr;
   std::size_t end = at;
   for (;; ++end) {
     const std::string_view word = text(end);
-    if (contains(kQualifiers, word)) continue;
+    if (contains(kQualifiers, word)) {
+      if (++qualifiers > kMostQualifiers) return at;
+      continue;
+    }
     const bool is_base = contains(kBaseWords, word);
     if (const NamedType* found = named_type(word); found && !named && base_words == 0)
       named = found;
@@ -140,7 +144,9 @@ std::size_t Declarations::read_declarators(std::size_t at, const ArithmeticType&
   const bool in_parentheses = open != kNone && text(open) == "(";
   for (;;) {
     bool is_pointer = false;
-    for (; text(at) == "*" || text(at) == "&" || text(at) == "const"; ++at) is_pointer |= text(at) == "*";
+    const std::size_t last_star = at + kMostWords;
+    for (; at < last_star && (text(at) == "*" || text(at) == "&" || text(at) == "const"); ++at)
+      is_pointer |= text(at) == "*";
     if (!names_type(at) || !may_follow_name(text(at + 1))) return at;
     const std::string_view next = text(at + 1);
     // A bit-field may have any width. Parentheses may contain parameters of a function.

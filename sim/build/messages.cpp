@@ -174,10 +174,10 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
     throw CompileError(
         place,
         toolchain.board.chip->target == std::string_view("stm32")
-            ? fmt::format(
-                  "no such header {}: for the STM32, Robosim has only those headers of the C++ standard "
-                  "library that come from C, such as cstdint, cstring and cmath",
-                  header)
+            ? fmt::format("no such header {}: for the STM32, Robosim has only headers of the C++ standard "
+                          "library that "
+                          "come from C, such as cstdint and cmath",
+                          header)
             : fmt::format("no such header {}: Arduino boards with an AVR chip have no C++ standard library",
                           header));
   if (const std::string purpose = purpose_of_core_library(header); !purpose.empty()) {
@@ -186,10 +186,10 @@ void fail_without_library(const Toolchain& toolchain, const GenuineCore& core, c
           place, fmt::format("{} is for {}, which sketches can use on the targets host and avr, but not "
                              "yet on the target stm32",
                              header, purpose));
-    throw CompileError(
-        place, fmt::format("no such header {}: it belongs to the AVR core, which is incomplete on "
-                           "this machine: sudo apt install --reinstall arduino-core-avr",
-                           header));
+    throw CompileError(place,
+                       fmt::format("no such header {}: it belongs to the AVR core, which is incomplete on "
+                                   "this machine: sudo apt install --reinstall arduino-core-avr",
+                                   header));
   }
   std::vector<std::string> folders;
   for (const fs::path& folder : finder.folders()) folders.push_back(folder.string());

@@ -130,7 +130,7 @@ bool put_main_first(std::vector<std::string>& inos, const std::string& folder_na
 }
 
 /// Limits the total size of a sketch's files, because Robosim reads them completely.
-constexpr std::size_t kMostSources_bytes = std::size_t{8} << 20;
+constexpr std::size_t kMostSources_bytes = std::size_t{2} << 20;
 
 /// Returns the code of a C++ source, with a blank for each comment and literal.
 std::string code_of(const std::string& source) {

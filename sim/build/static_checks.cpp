@@ -40,7 +40,9 @@ bool overflows_only_on_chip(const Toolchain& build) {
 
 std::string text_of_width(const std::string& message, const BoardSpec& board) {
   std::string text = message;
-  return text.insert(text.find(" [-W"), fmt::format(" on the {}, whose int has 16 bits", board.name));
+  const std::size_t option = std::min(text.find(" [-W"), text.find('\n'));
+  return text.insert(std::min(option, text.size()),
+                     fmt::format(" on the {}, whose int has 16 bits", board.name));
 }
 
 bool is_sanitized(const Toolchain& build) { return build.sanitize && build.warnings != Warnings::none; }

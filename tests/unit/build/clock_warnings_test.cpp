@@ -51,7 +51,7 @@ TEST(ClockWarnings, AnIntHas16BitsOnAnAvrOnly) {
 TEST(ClockWarnings, FollowMembersElementsAndVariablesWithTheTime) {
   EXPECT_THAT(in("struct Timer { uint16_t since; };\nTimer t;\nvoid loop() { t.since = millis();\n"
                  "if (millis() - t.since > 5) act(); }"),
-              StartsWith("My.ino:4: warning: millis() - t.since is wrong"));
+              StartsWith("My.ino:4: warning: 'millis() - t.since' is wrong"));
   EXPECT_THAT(in("class T { uint16_t since_ = 0; bool due() { return millis() - this->since_ > 5; }\n"
                  "void start() { since_ = millis(); } };"),
               HasSubstr("'millis() - this->since_' is wrong"));
@@ -60,7 +60,7 @@ TEST(ClockWarnings, FollowMembersElementsAndVariablesWithTheTime) {
       HasSubstr("'millis() - last[i]' is wrong"));
   EXPECT_THAT(in("uint16_t last;\nvoid loop() { unsigned long now = millis();\n"
                  "if (now - last >= 20) { last = now; } }"),
-              StartsWith("My.ino:3: warning: now - last is wrong"));
+              StartsWith("My.ino:3: warning: 'now - last' is wrong"));
   EXPECT_THAT(in("void loop() { static uint16_t a(millis()), b; b = a; if (5 <= millis() - b) f(); }"),
               HasSubstr("'millis() - b' is wrong"));
   EXPECT_THAT(in("uint16_t next = 0;\nvoid loop() { if (millis() - next >= P) { next += P; f(); } }"),

@@ -42,7 +42,8 @@ TEST(Hints, ALibrarysClassNamesItsHeader) {
 TEST(Hints, ASketchForAnotherVersionOfALibraryIsToldWhich) {
   EXPECT_THAT(
       hint_for("a.ino:36:1: error: 'QTRSensorsAnalog' does not name a type; did you mean 'QTRSensors'?"),
-      EndsWith("another version of the library QTRSensors: arduino-cli lib install QTRSensors@3.1.0"));
+      EndsWith(
+          "another version of the library QTRSensors; install it: arduino-cli lib install QTRSensors@3.1.0"));
   EXPECT_THAT(hint_for("a.ino:29:12: error: 'QTRSensors::QTRSensors()' is protected within this context\n"
                        "QTRSensors.h:121:5: note: declared protected here"),
               EndsWith("lib install QTRSensors@4.0.0"));

@@ -88,8 +88,7 @@ TEST_F(Stm32Test, TheHeadersOfCHaveTheirNamesForCxx) {
   EXPECT_EQ(stm32_error_of("C"), "no error");
   EXPECT_NO_THROW(build({folder_ / "C", *find_board("bluepill")})) << "the host has the same headers";
   write("V/V.ino", "#include <vector>\n" + kEmptySketch);
-  EXPECT_THAT(stm32_error_of("V"),
-              HasSubstr("no such header vector: for the STM32, Robosim has only"));
+  EXPECT_THAT(stm32_error_of("V"), HasSubstr("no such header vector: for the STM32, Robosim has only"));
   EXPECT_THROW(build({folder_ / "C", *find_board("uno")}), CompileError)
       << "Arduino's core lacks these headers";
 }
@@ -113,7 +112,7 @@ TEST_F(Stm32Test, ASketchMayFillAllOfFlashUnlessItUsesTheEeprom) {
   write("Whole/Whole.ino", table + "void setup() {}\n");
   EXPECT_EQ(stm32_error_of("Whole"), "no error");
   write("Keeps/Keeps.ino", "#include <EEPROM.h>\n" + table + "void setup() { EEPROM.write(1, 2); }\n");
-  EXPECT_THAT(stm32_error_of("Keeps"), HasSubstr("only if it does not use the EEPROM"));
+  EXPECT_THAT(stm32_error_of("Keeps"), HasSubstr("only if the sketch does not use the EEPROM"));
 }
 
 TEST_F(Stm32Test, WhatDoesNotFitTheChipIsToldSo) {
