@@ -11,6 +11,7 @@ namespace cli_wire_test {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Uses two digital sensors next to the line, which are LOW over black, and an L298N with jumpered EN pins.
 constexpr const char* kTwoEyes = R"(#define LS 2
@@ -112,6 +113,28 @@ TEST(CliWire, UsesTheChipIfTheSketchCompilesOnlyThere) {
   folder.write("Asm/Asm.ino",
                "void setup() { asm(\"sbi 4, 1\"); }\nvoid loop() { digitalRead(2); delay(5); }\n");
   EXPECT_THAT(robosim_command({"wire", "./Asm"}, folder.path()).out, HasSubstr("pin = 2"));
+}
+
+TEST(CliWire, ReadsOnlyFilesOfTheSketchAndOfALimitedSize) {
+  const Folder folder;
+  folder.write("other/secret.h", "#define LEFT_EN_HUNTER2 5\n");
+  folder.write("My/lib/Motor.h", "#define LEFT_EN_MOTOR 5\n");
+  const std::string sketch =
+      "#include \"lib/Motor.h\"\nvoid setup() { pinMode(LEFT_EN_MOTOR, OUTPUT); }\n"
+      "void loop() { analogWrite(LEFT_EN_MOTOR, 100); delay(5); }\n";
+  const auto includes = [](const std::string& name) { return "#if 0\n#include \"" + name + "\"\n#endif\n"; };
+  std::filesystem::create_symlink(folder.path() / "other/secret.h", folder.path() / "My/link.h");
+  folder.write("My/My.ino", includes((folder.path() / "other/secret.h").string()) + includes("link.h") +
+                                includes("../other/secret.h") + sketch);
+  const Ended draft = robosim_command({"wire", "./My"}, folder.path());
+  EXPECT_EQ(draft.status, 0) << draft.err;
+  EXPECT_THAT(draft.out, AllOf(HasSubstr("LEFT_EN_MOTOR"), Not(HasSubstr("HUNTER2"))));
+  for (const char* name : {"My/large.h", "My/larger.h"})
+    folder.write(name, "// " + std::string(300'000, 'x') + "\n");
+  const Ended large = robosim_command({"wire", "./My"}, folder.path());
+  EXPECT_EQ(large.status, 2);
+  EXPECT_THAT(large.err,
+              HasSubstr("the sketch is too large to draft a robot: expected sources of at most 512 KB"));
 }
 
 TEST(CliWire, WhatItCannotDoIsSaidInASentence) {

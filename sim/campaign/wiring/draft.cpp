@@ -4,21 +4,23 @@
 
 #include <algorithm>
 
+#include "sim/base/terminal_text.h"
+
 namespace robosim::wiring {
 namespace {
 
 constexpr std::size_t kColumn = 36;  // where comments after values begin
 
 std::string line(const std::string& text, const std::string& comment) {
-  return comment.empty() ? text + '\n' : fmt::format("{:<{}}# {}\n", text, kColumn, comment);
+  return comment.empty() ? text + '\n' : fmt::format("{:<{}}# {}\n", text, kColumn, in_one_line(comment));
 }
 
 std::string text_of(const PartDraft& part) {
   std::string text = "\n[[part]]\n" + line(fmt::format("name = \"{}\"", part.name), part.why);
   text += fmt::format("type = \"{}\"\n", part.type);
   for (const auto& [key, value] : part.keys) text += fmt::format("{} = {}\n", key, value);
-  for (const std::string& note : part.notes) text += "# " + note + '\n';
-  for (const std::string& doubt : part.doubts) text += "# ? " + doubt + '\n';
+  for (const std::string& note : part.notes) text += "# " + in_one_line(note) + '\n';
+  for (const std::string& doubt : part.doubts) text += "# ? " + in_one_line(doubt) + '\n';
   return text;
 }
 
@@ -42,8 +44,8 @@ std::string other_drivers(const std::string& chosen) {
 
 std::string text_of(const RobotDraft& draft, const std::vector<std::string>& remarks) {
   std::string text;
-  for (const std::string& remark : remarks) text += "# " + remark + '\n';
-  for (const std::string& note : draft.notes) text += "# " + note + '\n';
+  for (const std::string& remark : remarks) text += "# " + in_one_line(remark) + '\n';
+  for (const std::string& note : draft.notes) text += "# " + in_one_line(note) + '\n';
   const char* const kit =
       draft.base == "uno5" ? "micro metal gear motors, wheels of 32 mm" : "yellow TT motors, wheels of 65 mm";
   text += line(fmt::format("base = \"{}\"", draft.base),
@@ -64,7 +66,7 @@ std::string text_of(const RobotDraft& draft, const std::vector<std::string>& rem
   }
   for (const PartDraft& part : draft.parts) text += text_of(part);
   if (!draft.questions.empty()) text += "\n# No part was found for:\n";
-  for (const std::string& question : draft.questions) text += "# ? " + question + '\n';
+  for (const std::string& question : draft.questions) text += "# ? " + in_one_line(question) + '\n';
   return text;
 }
 

@@ -7,7 +7,9 @@
 #include <optional>
 #include <set>
 
+#include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "sim/build/project.h"
 #include "sim/build/sketch.h"
 #include "sim/campaign/wiring/counted_loops.h"
 #include "sim/campaign/wiring/pin_remarks.h"
@@ -15,7 +17,9 @@
 namespace robosim::wiring {
 namespace {
 
-constexpr int kMostSteps = 8;  // longest chain of names that refer to names
+constexpr std::size_t kLongestList = 400;  // tokens of a list of arguments
+constexpr int kMostSteps = 8;              // longest chain of names that refer to names
+constexpr std::size_t kMostSources_bytes = std::size_t{512} << 10;  // of larger sketches, most is data
 
 const std::set<std::string>& pin_functions() {
   static const std::set<std::string> names = {
@@ -107,16 +111,25 @@ class Reader {
     for (const std::string& file : files) read(read_file(sketch.folder / file), file);
   }
 
-  // Adds the files of the sketch's other folders that these files include: #include "Library/Motor.h".
+  // Adds the files of the sketch's folder that these files include: #include "Library/Motor.h". Throws
+  // InputError if all files together are too large.
   static void add_included(const build::Sketch& sketch, std::vector<std::string>& files) {
+    const std::filesystem::path whole = std::filesystem::canonical(sketch.folder);
+    std::size_t bytes = 0;
     for (std::size_t i = 0; i < files.size(); ++i) {
       const std::filesystem::path folder = std::filesystem::path(files[i]).parent_path();
-      for (const std::string& name : includes_of(read_file(sketch.folder / files[i]))) {
+      const std::string text = read_file(sketch.folder / files[i], kMostSources_bytes);
+      if ((bytes += text.size()) > kMostSources_bytes)
+        throw InputError(
+            {sketch.folder.string()},
+            fmt::format("the sketch is too large to draft a robot: expected sources of at most {} KB",
+                        kMostSources_bytes >> 10));
+      for (const std::string& name : includes_of(text)) {
         const std::string file = (folder / name).lexically_normal().string();
         const bool is_known = std::find(files.begin(), files.end(), file) != files.end();
-        if (is_known || file.starts_with("..") || !std::filesystem::is_regular_file(sketch.folder / file))
-          continue;
-        files.push_back(file);
+        if (!is_known && build::lies_in(sketch.folder / file, whole) &&
+            std::filesystem::is_regular_file(sketch.folder / file))
+          files.push_back(file);
       }
     }
   }
@@ -362,7 +375,7 @@ class Reader {
   std::vector<std::string> arguments(std::size_t from) const {
     std::vector<std::string> list(1);
     int depth = 0;
-    for (std::size_t i = from; !ahead(i).text.empty() && !ahead(i).is(";"); ++i) {
+    for (std::size_t i = from; i - from < kLongestList && !ahead(i).text.empty() && !ahead(i).is(";"); ++i) {
       // Skips the namespaces of hardware::pins::LEFT.
       if (ahead(i).kind == Token::Kind::word && ahead(i + 1).is(":") && ahead(i + 2).is(":")) {
         i += 2;
@@ -383,7 +396,7 @@ class Reader {
   // Returns the distance to the token after the parentheses that are `from` tokens ahead.
   std::size_t behind_brackets(std::size_t from) const {
     int depth = 0;
-    for (std::size_t i = from; !ahead(i).text.empty() && !ahead(i).is(";"); ++i) {
+    for (std::size_t i = from; i - from < kLongestList && !ahead(i).text.empty() && !ahead(i).is(";"); ++i) {
       if (ahead(i).is("(") || ahead(i).is("{")) ++depth;
       if ((ahead(i).is(")") || ahead(i).is("}")) && --depth == 0) return i + 1;
     }

@@ -6,15 +6,16 @@
 namespace robosim::wiring {
 namespace {
 
-constexpr int kDeepest = 300;              // nested blocks, and branches of an if
-constexpr std::size_t kLongestHead = 400;  // tokens of a function's head
+constexpr int kDeepest = 300;                   // nested blocks, and branches of an if
+constexpr std::size_t kLongestHead = 400;       // tokens of a function's head
+constexpr std::size_t kMostCopied = 1'000'000;  // tokens of conditions in all blocks of a source
 
 class BlockReader {
  public:
   explicit BlockReader(const Tokens& tokens) : tokens_(tokens) {}
 
   std::vector<Block> run() {
-    while (at_ < tokens_.size()) {
+    while (at_ < tokens_.size() && copied_ < kMostCopied) {
       if (tokens_[at_].kind == Token::Kind::define)
         skip_define();
       else if (is_function())
@@ -56,10 +57,11 @@ class BlockReader {
   bool is_function() const {
     if (!is_word(0) || !is("(", 1)) return false;
     std::size_t i = after_pair(at_ + 1, "(", ")", kLongestHead);
-    while (i < tokens_.size() && !tokens_[i].is("{") && !tokens_[i].is(";") && !tokens_[i].is("=") &&
+    const std::size_t end = std::min(i + kLongestHead, tokens_.size());
+    while (i < end && !tokens_[i].is("{") && !tokens_[i].is(";") && !tokens_[i].is("=") &&
            !tokens_[i].is("}"))
       ++i;
-    return i < tokens_.size() && tokens_[i].is("{");
+    return i < end && tokens_[i].is("{");
   }
 
   void read_function() {
@@ -97,7 +99,7 @@ class BlockReader {
   }
 
   void read_statement(Block& block, int depth) {
-    if (depth > kDeepest) {
+    if (depth > kDeepest || copied_ >= kMostCopied) {
       ++at_;
     } else if (tokens_[at_].kind == Token::Kind::define) {
       skip_define();
@@ -122,10 +124,12 @@ class BlockReader {
     }
   }
 
-  static Block without_statements(const Block& block) {
+  // Counts the copied tokens, because nested blocks with long conditions could take any memory.
+  Block without_statements(const Block& block) {
     Block inner = block;
     inner.statements.clear();
     inner.has_case = false;
+    for (const Condition& condition : inner.conditions) copied_ += condition.tokens.size() + 1;
     return inner;
   }
 
@@ -191,6 +195,7 @@ class BlockReader {
 
   const Tokens& tokens_;
   std::size_t at_ = 0;
+  std::size_t copied_ = 0;
   std::vector<Block> blocks_;
 };
 
