@@ -222,6 +222,18 @@ std::string causes(const Evidence& e) {
 
 std::string sentence(const Evidence& e);
 
+std::string but_collided(const Evidence& e) {
+  if (e.collisions == 0) return "";
+  return fmt::format(", but with {} collision{}", e.collisions, e.collisions == 1 ? "" : "s");
+}
+
+/// Returns a remark if the robot has gone round the loop without following its line.
+std::string but_off_line(const Evidence& e) {
+  constexpr int kLeastShare = 4;  // a quarter of the time; gaps take less
+  if (e.goal->kind != Goal::Kind::laps || kLeastShare * e.off_line < e.t) return "";
+  return fmt::format(", but the robot was off the line for {}", seconds(e.off_line));
+}
+
 }  // namespace
 
 bool left_line_before(const Evidence& e, SimTime t) {
@@ -246,10 +258,11 @@ std::string sentence(const Evidence& e) {
       e.goal->kind == Goal::Kind::none ? std::string() : fmt::format(", before the goal: {}", done);
   switch (e.verdict) {
     case Verdict::reached:
-      return e.goal->kind == Goal::Kind::none
-                 ? fmt::format("{} of simulated time went by without a failure.", seconds(e.t))
-                 : fmt::format("The goal {} was reached after {}: {}.", to_string(*e.goal), seconds(e.t),
-                               done);
+      if (e.goal->kind == Goal::Kind::none)
+        return fmt::format("{} of simulated time went by without a failure{}.", seconds(e.t),
+                           but_collided(e));
+      return fmt::format("The goal {} was reached after {}: {}{}.", to_string(*e.goal), seconds(e.t), done,
+                         but_off_line(e));
     case Verdict::lost: {
       const auto& seen = e.judge->line_last_seen();
       if (!seen)

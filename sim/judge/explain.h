@@ -48,6 +48,8 @@ struct Evidence {
   double line_side = 0.0;  ///< m, the line's last position to the left of the robot's middle; below 0 = right
   double steered = 0.0;    ///< mean command difference while the line is off-centre; positive = to the line
   bool moved = false;      ///< a wheel turned
+  SimTime off_line = 0;    ///< time in which no sensor saw the line
+  int collisions = 0;
   double distance_m = 0.0;  ///< path of the axle's centre
   world::Toppled toppled = world::Toppled::no;
   Vec2 at;                          ///< the robot's position

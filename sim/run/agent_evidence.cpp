@@ -48,6 +48,8 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.power = player_.power();
   e.moved = body_.wheel_travel() > 0.0;
   e.distance_m = body_.distance();
+  e.off_line = state_.off_line_ticks * kTick;
+  e.collisions = body_.collisions();
   if (verdict != judge::Verdict::reached) e.activity = executor_.activity();
   const bool is_pulse = e.activity.call.starts_with("pulseIn");
   const Pin looked_at = e.activity.polled != kNoPin && !is_pulse ? e.activity.polled : e.activity.pin;

@@ -103,6 +103,25 @@ TEST_F(Explain, EveryVerdictIsASentenceOfItsOwn) {
   }
 }
 
+TEST_F(Explain, ARunWithoutAGoalSaysWhatTheRobotHit) {
+  const Goal none = parse_goal("none");
+  e.goal = &none;
+  EXPECT_THAT(why(Verdict::reached), EndsWith("went by without a failure."));
+  e.collisions = 1;
+  EXPECT_THAT(why(Verdict::reached), EndsWith("went by without a failure, but with 1 collision."));
+  e.collisions = 3;
+  EXPECT_THAT(why(Verdict::reached), EndsWith(", but with 3 collisions."));
+}
+
+TEST_F(Explain, LapsThatWereDrivenBesideTheLineAreSaidToBe) {
+  const Goal laps = parse_goal("laps:1");
+  e.goal = &laps;
+  e.off_line = e.t / 5;
+  EXPECT_THAT(why(Verdict::reached), Not(HasSubstr("off the line"))) << "as in gaps";
+  e.off_line = e.t / 2;
+  EXPECT_THAT(why(Verdict::reached), EndsWith(", but the robot was off the line for 6.00 s."));
+}
+
 TEST_F(Explain, ATimeoutSaysWhatIsMissingAndWhatTheSketchWaitsFor) {
   e.activity.call = "digitalRead(4)";
   e.activity.pin = e.activity.polled = 4;
