@@ -36,7 +36,7 @@ class PushButton {
   void update();
 
   bool isPressed() const { return pressed_; }
-  /// Returns true once for each press: from the update() that detects the press to the next update().
+  /// Returns true after the update() that detects a press, until the next update().
   bool wasPressed() const { return changed_ && pressed_; }
   /// Returns true once for each release.
   bool wasReleased() const { return changed_ && !pressed_; }

@@ -1,4 +1,4 @@
-// The firmware's view of the board. Executors call this interface. On the target host, the firmware's image
+// The firmware's view of the board. Executors call this interface. On the target `host`, the firmware's image
 // calls it, too.
 #pragma once
 

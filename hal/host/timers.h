@@ -49,8 +49,8 @@ class Timer {
 
   ROBOSIM_RARE void set_control_a(uint8_t value);
   ROBOSIM_RARE void set_control_b(uint8_t value);
-  /// Sets a compare value. Unless the value is the counter's TOP, the board receives the pin's new duty cycle
-  /// at once, even if the value takes effect later. The caller must then refresh the pin.
+  /// Sets a compare value. The board receives the pin's new duty cycle at once, even if the value takes
+  /// effect later. A value that is the counter's TOP is an exception: the caller must then refresh the pin.
   void set_compare(int channel, uint16_t value);
   /// Sets a compare value. The board receives the new duty cycle when the value takes effect.
   ROBOSIM_RARE void write_compare(int channel, uint16_t value);

@@ -196,7 +196,6 @@ std::string unix_text(std::string_view text) {
 
 namespace {
 
-
 /// Throws InputError if a project file would give compilers access to other folders of this machine.
 void check_within_project(const fs::path& project, const fs::path& folder) {
   const fs::path reach = reach_of(project);

@@ -445,8 +445,7 @@ Command parse_help(const Words& words) {
 
 Command parse_completion(const Words& words) {
   std::string shell;
-  Options options("completion",
-                  "print the code that completes robosim's commands, options and values in a shell",
+  Options options("completion", "print the code that completes robosim's commands in a shell",
                   "For bash: source <(robosim completion bash). For zsh: robosim completion zsh > "
                   "DIR/_robosim, with DIR in $fpath. For fish: robosim completion fish | source. The Debian "
                   "packages install all three.");

@@ -267,7 +267,7 @@ std::string fish_text(const std::string& text) {
   return safe;
 }
 
-/// Returns the options of fish's `complete` for a value: whether files or folders fit, and its possible words.
+/// Returns the options of fish's `complete` for a value: whether files or folders fit, and possible words.
 std::string fish_values(const PossibleValues& values) {
   const std::vector<std::string> words = words_of(values);
   const std::string list = words.empty() ? "" : fmt::format(" -a '{}'", fish_text(joined(words)));

@@ -103,8 +103,8 @@ class Robot {
   /// Collects the text that the parts report at `t`, the end of a tick.
   void poll_text(SimTime t, std::vector<PartText>& told);
   /// Returns whether the last tick's commands drive a motor. A command of up to 1/128 of full power does not
-  /// count, because a chip's PWM outputs 1/256 even at OCR0A = 0. If a wheel turns from rest at less than
-  /// 1/64 of full power, the limit is half of the power that this wheel needs.
+  /// count, because a chip's PWM outputs 1/256 even at OCR0A = 0. The limit
+  /// is half of the power that turns a wheel from rest, if this is lower.
   bool driven() const {
     return std::abs(command_[0].drive) > driven_from_[0] || std::abs(command_[1].drive) > driven_from_[1];
   }

@@ -120,7 +120,7 @@ TEST_F(Page, SaysThatTheLineIsLeftWhereNoSensorSeesItAndNowhereElse) {
       << "one sensor is always over the line, and its reading is constant";
   EXPECT_THAT(f["texts"][0].get<std::string>(), HasSubstr("the line is left: S"));
   EXPECT_EQ(oval["goes"], true) << "without such a moment, the key l changes nothing";
-  EXPECT_EQ(oval["happened"], "from here on the line is neither left nor found");
+  EXPECT_EQ(oval["happened"], "after this time the line is neither left nor found");
   EXPECT_EQ(f["goes"], true) << "the key l seeks the moment";
   EXPECT_THAT(f["happened"].get<std::string>(), HasSubstr("the line is left: S"));
 }

@@ -113,11 +113,10 @@ TEST_F(CliHunt, TellsWhereTheChipDoesNotDoAsTheHostDoes) {
       "  static bool said;\n  const unsigned edges = 600 + millis() / 60000, um = 326;\n"
       "  if (!said) { Serial.print(edges * um / 1000); Serial.println(\" mm\"); }\n  said = true;");
   const Ended ended = hunt({"--target", "avr", "host"}, "12");
-  EXPECT_THAT(
-      ended.out,
-      AllOf(HasSubstr("finding 1: The host says “195 mm”, but the avr says “64 mm”, with any noise."),
-            HasSubstr("replay  robosim compare ./Tries --map oval --target host,avr "),
-            Not(HasSubstr("finding 2"))))
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("finding 1: The host says “195 mm”, but the avr says “64 mm”, with any noise."),
+                    HasSubstr("replay  robosim compare ./Tries --map oval --target host,avr "),
+                    Not(HasSubstr("finding 2"))))
       << ended.err;
 }
 

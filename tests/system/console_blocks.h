@@ -6,7 +6,7 @@
 //   …                           any number of lines; within a line, any text
 //   ```
 //   ```console status 1         the last command of the block ends with status 1
-//   ```console gcc 12           only sketches compiled by gcc 12 give this output; may precede `status 1`
+//   ```console gcc 12           this output requires gcc 12; `gcc 12` may precede `status 1`
 //   ```console not run: REASON  is not run, only displayed
 //   <!-- setup: COMMAND -->     runs, but readers do not see it
 #pragma once

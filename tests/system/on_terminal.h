@@ -45,8 +45,8 @@ class OnTerminal {
   }
 
   /// Reads until `text` has appeared after the previous match. Returns false at the end of the output, or
-  /// after a long silence. The view writes only changed characters, so `text` is found only if each of its
-  /// characters is new or has changed its colour.
+  /// after a long silence. The view writes only changed characters. Therefore each character
+  /// of `text` must be new, or must have changed its colour.
   bool wait_for(const std::string& text) {
     for (;;) {
       const auto found = seen_.find(text, from_);

@@ -79,8 +79,8 @@ class Navigator : public Pilot<Walker, Network> {
     return true;
   }
 
-  /// Sets the destination. Returns false, without effect, if there is no such node, or if the robot cannot
-  /// drive because it is trapped or its position is unknown.
+  /// Sets the destination. Returns false, without effect, if there is no such node, or the robot is trapped
+  /// or does not know its position.
   bool goTo(Id to) {
     if (to >= network_.size() || here_ >= network_.size()) return false;
     if (state_ == NavState::trapped || state_ == NavState::lost) return false;

@@ -13,8 +13,8 @@ namespace {
 using Kind = Difference::Kind;
 
 constexpr std::int64_t kShortest_ns = 100'000'000;  // shortest manoeuvre
-// Two targets count as alike only if each target shows each behaviour in at least kFewest runs. One run is
-// enough if each target has kManyRuns runs or more.
+// Runs on two targets show one of two behaviours. The targets count as alike only if each of them shows both
+// behaviours, each in at least kFewest runs. If each target has kManyRuns runs or more, one run is enough.
 constexpr int kFewest = 2, kManyRuns = 100;
 constexpr std::int64_t kAboutThen_ns = 2'000'000'000;
 
@@ -23,7 +23,7 @@ constexpr std::int64_t kAboutThen_ns = 2'000'000'000;
 bool is_same_way(const std::string& one, const std::string& other, const Tolerance& tolerance) {
   const LineText a = take_apart(one), b = take_apart(other);
   if (a.form != b.form) return false;
-  if (a.form.find(" after ") == std::string::npos) return true;  // numbers of places, or durations
+  if (a.form.find(" after ") == std::string::npos) return true;  // the numbers are not times
   const double x = a.numbers[0].value, y = b.numbers[0].value;
   return std::fabs(x - y) <= 1e-9 * static_cast<double>(tolerance.time_ns) + tolerance.time * std::fmax(x, y);
 }
@@ -111,7 +111,7 @@ std::optional<Choice> Choice::of(const Difference& found, const History& first, 
 }
 
 // Applies Fisher's test: adds the probabilities of all tables that have the totals of this table, and are not
-// more likely. A behaviour in only one of fewer than kManyRuns runs counts as rare.
+// more likely. If a target has fewer than kManyRuns runs, a behaviour in only one of them counts as rare.
 Alikeness alikeness(const Share& one, const Share& other) {
   constexpr double kUnlikely = 0.05, kRounding = 1e-9;
   const int both = one.as_first + other.as_first;

@@ -1,7 +1,8 @@
-// Repeats a log's motor commands with a simulated body of variable parameters, and compares the angles of its
-// wheels with the log's encoder counts. The top of drive_fit.h lists the parameters, and the measurements
-// that determine them. The motors' commands in each tick are computed once. All drives, for any number of
-// parameter sets, are then simulated in parallel, as bodies of one batch (sim/world/batch/bodies.h).
+// Repeats a log's motor commands with a simulated body of variable parameters. Compares the angles of the
+// body's wheels with the log's encoder counts. The top of drive_fit.h lists the parameters, and the
+// measurements that determine them. The motors' commands in each tick are computed once. All drives, for any
+// number of parameter sets, are then simulated in parallel, as bodies of one batch
+// (sim/world/batch/bodies.h).
 #pragma once
 
 #include <array>

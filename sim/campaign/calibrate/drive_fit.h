@@ -8,8 +8,8 @@
 //   by the coasting:                 M / J
 // These values give k_e, and the ratios between k_t / R, M and J, but neither R nor J. With R (stall_current)
 // and J (mass, rotor, wheels) from the file, they give no_load, stall_torque and no_load_current. If J is
-// wrong, stall_torque is wrong by the same factor, and the robot still behaves correctly. The body's
-// inertia about its vertical axis is determined by turns on the spot.
+// wrong, stall_torque is wrong by the same factor, and the robot still behaves correctly. Turns on
+// the spot determine the body's inertia about its vertical axis.
 //
 // The uncertainty is computed from the residuals and their derivatives with respect to each parameter. The
 // uncertainty includes the file's spreads of fixed values (mass, supply, stall_current, rolling). Residuals

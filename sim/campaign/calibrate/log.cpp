@@ -158,8 +158,8 @@ class Reader {
       fail(fmt::format("a row before the column names: expected a first row that begins with t_us, got “{}”",
                        shortened(fields.front())));
     if (fields.size() != names_.size())
-      fail(fmt::format("expected {} fields, one for each column name on line {}, got {}",
-                       names_.size(), table_line_, fields.size()));
+      fail(fmt::format("expected {} fields, one for each column name on line {}, got {}", names_.size(),
+                       table_line_, fields.size()));
     if (lines_.size() >= kMostRows)
       fail(fmt::format("the table has too many rows: expected at most {}", kMostRows));
     for (std::size_t i = 0; i < fields.size(); ++i) {

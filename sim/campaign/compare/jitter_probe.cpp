@@ -76,9 +76,8 @@ std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair)
       examples[side] = Edge{pair.target_runs[side]->target, ppm, 0, std::move(*itself), does};
   };
   const auto say = [&](std::size_t side) {
-    progress_.say(
-        fmt::format("measuring how often {} behaves differently with other clocks …",
-                    pair.target_runs[side]->target));
+    progress_.say(fmt::format("measuring how often {} behaves differently with other clocks …",
+                              pair.target_runs[side]->target));
   };
   for (std::size_t side = 0; side < 2; ++side) {
     say(side);

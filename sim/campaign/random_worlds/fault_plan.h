@@ -1,4 +1,4 @@
-// Draws the faults of a random world.
+// Chooses the faults of a random world, at random.
 #pragma once
 
 #include <cstdint>

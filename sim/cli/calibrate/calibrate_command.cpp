@@ -33,9 +33,8 @@ int calibrate_command(const CalibrateArguments& arguments) {
         fmt::format("--in-place: {} is a stock robot, which is not overwritten; write a file with --out",
                     arguments.robot));
   if (arguments.robot.find('@') != std::string::npos)
-    throw InputError(
-        fmt::format("“{}” replaces the robot's board: expected a robot file with the board of the log",
-                    arguments.robot));
+    throw InputError(fmt::format(
+        "“{}” replaces the robot's board: expected a robot file with the board of the log", arguments.robot));
   refuse_existing(arguments.out, "--out");
   refuse_existing(arguments.plot, "--plot");
   for (const std::string& file : {arguments.out, arguments.plot})

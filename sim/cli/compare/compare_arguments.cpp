@@ -44,8 +44,7 @@ Command parse_compare(const std::vector<std::string>& words) {
                 "the target of only one of several robots",
                 targets());
   options.text("--seed", seed, "N", "seed all noise and spread (default: 1)");
-  options.text("--seeds", seeds, "A..B",
-               "compare with each of these seeds, until a difference is found");
+  options.text("--seeds", seeds, "A..B", "compare with each of these seeds, until a difference is found");
   RunOptions shared(options, compare.each);
   shared.time();
   shared.common();

@@ -1,9 +1,9 @@
 // Finds the actions of firmware on an AVR that may be mistakes, and passes them to DoubtfulActions
 // (doubtful_actions.h).
 //
-// Calls: debug information gives the address where a function of the API begins, and the registers that have
-// the function's arguments at this address. This includes copies that the compiler has inlined. Calls are not
-// found if the debug information gives no registers or constants for their arguments.
+// Calls: debug information gives the address where a function of the API begins. It also gives the registers
+// that have the function's arguments at this address. This includes copies that the compiler has inlined.
+// Calls are not found if the debug information gives no registers or constants for their arguments.
 //
 // Timers: the detector examines every instruction that stores to TCCRnA, TCCRnB or OCRnx at a constant
 // address.

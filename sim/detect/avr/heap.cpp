@@ -107,10 +107,11 @@ void Heap::note_pieces(int asked, int end) {
     worst_bytes_ = free.bytes;
     in_pieces_ = {
         result::detector("heap_in_pieces"),
-        fmt::format(
-            "the heap grew for {} bytes although {} bytes in it were free, in {} pieces of which the largest "
-            "had {}; {} bytes are left between the heap and the stack",
-            asked, free.bytes, free.count, free.largest, std::max(0, machine_.chip().lowest_sp() - end)),
+        fmt::format("the heap grew to hold {} more bytes, although {} of its bytes were free, in {} pieces "
+                    "of at most "
+                    "{} bytes; {} bytes are left between the heap and the stack",
+                    asked, free.bytes, free.count, free.largest,
+                    std::max(0, machine_.chip().lowest_sp() - end)),
         "Texts of many lengths, some stored and some temporary, leave holes: reserve() each stored text "
         "once, in setup(), or store it in a char array of fixed size. Print temporary texts instead of "
         "joining them.",

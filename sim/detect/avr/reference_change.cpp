@@ -39,8 +39,8 @@ std::vector<Detected> ReferenceChange::found(SimTime) const {
   if (!found_) return {};
   const int number = found_->pin >= board_.analog_pin_0 ? found_->pin - board_.analog_pin_0 : found_->pin;
   return {{result::detector("reference_change"),
-           fmt::format("the sketch used the first analogRead(A{}) after a change of the reference, but "
-                       "readings are wrong until the capacitor at AREF is charged",
+           fmt::format("the sketch used the first analogRead(A{}) after a change of the reference, before "
+                       "the capacitor at AREF was charged",
                        number),
            "After analogReference(), read once, discard the result, and read again some milliseconds later.",
            debug_.place(found_->pc), 1e-9 * static_cast<double>(found_->at), used_}};

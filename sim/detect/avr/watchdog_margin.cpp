@@ -63,10 +63,10 @@ void WatchdogMargin::watchdog_resets(std::uint8_t flags) {
       const std::uint32_t power = power_of(cpu_.data[cpu_.chip().at.watchdog]);
       Detected& seen = bite_.emplace_back();
       seen.detector = result::detector("watchdog_bite");
-      seen.what =
-          fmt::format("the watchdog reset the chip, because wdt_reset() was not called within the timeout "
-                      "of {:.0f} ms",
-                      1e3 * seconds_of(power));
+      seen.what = fmt::format(
+          "the watchdog reset the chip, because wdt_reset() was not called within the timeout "
+          "of {:.0f} ms",
+          1e3 * seconds_of(power));
       seen.mend = "Use a longer timeout, or call wdt_reset() within the code that takes so long.";
       seen.where = program_.diagnosis().sketch_line();
       seen.first_s = now_s();
@@ -103,8 +103,8 @@ std::vector<Detected> WatchdogMargin::found(SimTime) const {
   seen.detector = result::detector("watchdog_margin");
   seen.what = fmt::format(
       "the watchdog, with a timeout of {:.0f} ms, was reset {:.0f} ms after the previous reset, {:.0f} % of "
-      "the timeout; its clock may be off by up to about 10 %, so it may reset another chip, or a warm chip, "
-      "there",
+      "the timeout; its clock may be 10 % faster on another or a warmer chip, so that the watchdog may reset "
+      "that chip",
       1e3 * waits_s, 1e3 * passed_s, 100.0 * passed_s / waits_s);
   seen.mend = mended(longest_power_);
   return all;

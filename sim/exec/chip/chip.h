@@ -32,8 +32,8 @@ class RunningChip {
   virtual SimTime last_io() const = 0;
   /// Returns whether the firmware will never access I/O again. Takes some milliseconds.
   virtual bool hangs() const = 0;
-  /// Returns the firmware's activity, except Activity::last_call. activity(), where_now() and sketch_line()
-  /// are slow, because they read debug information.
+  /// Returns the firmware's activity, except Activity::last_call. This function is slow, because it reads
+  /// debug information, as where_now() and sketch_line() do.
   virtual Activity activity() const = 0;
   virtual SourceLine where_now() const = 0;
   /// Returns the line of the sketch that is running. If a library is running, returns the line of the sketch
@@ -76,7 +76,7 @@ class ChipFirmware {
   virtual bool fits_chip() const = 0;
   /// Returns whether the firmware uses the board's EEPROM.
   virtual bool has_boards_eeprom() const = 0;
-  /// Returns the initial content of the EEPROM; the remaining bytes are erased.
+  /// Returns the initial content of the first bytes of the EEPROM. All further bytes are 0xFF.
   virtual const std::vector<std::uint8_t>& eeprom() const {
     static const std::vector<std::uint8_t> kErased;
     return kErased;

@@ -109,8 +109,8 @@ inline bool CellWalker::goes_on() {
   }
 }
 
-// Continues to the next landmark. The cell's byte alone usually shows the landmark. It does so if no obstacle
-// is near, and the line continues either on three or four sides, or only behind the robot.
+// Continues to the next landmark. The cell's byte alone usually shows the landmark. The
+// conditions: no obstacle is near, and the line continues on three or four sides, or only behind the robot.
 Landmark CellWalker::met() {
   const CellFloor& floor = robot_.floor();
   const Spot spot = robot_.spot();

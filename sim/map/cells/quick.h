@@ -12,9 +12,9 @@ namespace robosim::cells {
 /// The side on which a wall-following walk keeps the line.
 enum class Side { left, right };
 
-/// Moves along plain line. A cell is plain if line continues on exactly two sides, one side is behind the
-/// robot, and no neighbour has an obstacle. Moves `spot` to the first cell that is not plain, or by `most`
-/// cells. Returns the number of moves.
+/// Moves along plain line. In a plain cell, line continues on exactly two sides, of which one is behind the
+/// robot. No neighbour of the cell has an obstacle. Moves `spot` to the first cell that is not plain, or by
+/// `most` cells. Returns the number of moves.
 std::uint64_t run_along(const CellFloor& floor, Spot& spot, std::uint64_t most);
 
 /// Makes at most `most` moves of the walk that keeps to `side`. Returns the number of moves.

@@ -46,7 +46,7 @@ class Printer {
 
   Box floor() const { return {0.0, 0.0, sheets_.width, sheets_.height}; }
 
-  // Draws the paint within the box of the floor.
+  // Draws the paint of the floor that is within the box.
   void paint(const Box& box, const View& view, double least_pen) {
     if (dark_floor_) {
       pdf_.set_grey(0.0);
@@ -132,7 +132,7 @@ class Printer {
     }
   }
 
-  // Draws thin outlines of objects, which no sensor sees as a line.
+  // Draws the outlines of objects so thin that no sensor sees a line.
   void outlines(const Box& box, const View& view) {
     pdf_.set_grey(0.6);
     pdf_.set_pen(kHairline, false);

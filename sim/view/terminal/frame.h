@@ -52,8 +52,8 @@ class Frame {
   std::vector<Glyph> glyphs_;
 };
 
-/// Returns the text's characters, each one column wide. Each other character (control, combining, wide, broken
-/// UTF-8) becomes one '?', so that no program on a simulated robot can control the terminal.
+/// Returns the text's characters, each one column wide. Each other character (control, combining, wide,
+/// broken UTF-8) becomes one '?', so that no program on a simulated robot can control the terminal.
 std::u32string printable(std::string_view utf8);
 /// Appends one character as UTF-8, or as its nearest ASCII equivalent.
 void append(std::string& bytes, char32_t c, bool utf8);

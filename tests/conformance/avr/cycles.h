@@ -1,5 +1,5 @@
-// Macros for programs that examine a single cycle: a write, a number of NOPs and a read, without anything in
-// between.
+// Macros for programs that examine the effect of a write cycle by cycle. Each macro emits a write, a number
+// of NOPs and a read.
 //
 //   OUT_IN    the read comes nops + 1 cycles after the write; both registers are among the first 64 of I/O
 //   STS_LDS   the read comes nops + 2 cycles after the write

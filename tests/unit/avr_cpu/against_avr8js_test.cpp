@@ -25,7 +25,7 @@ constexpr std::size_t kPrograms = 5000;
 constexpr std::uint32_t kFurthestJump = 0x1000;  // words
 const std::set<std::string> kWrongThere{"CBI", "FMULSU", "NEG"};
 
-/// Formats the state without flag H, because avr8js computes H wrongly, from bit 0.
+/// Formats the state without flag H, which avr8js wrongly computes from bit 0.
 std::string state_of(const Cpu& cpu, std::uint64_t cycles) {
   std::string text = fmt::format("{} {} {} {}", cpu.pc(), cycles, cpu.sreg() & ~unsigned{Cpu::kH}, cpu.sp());
   for (std::size_t i = 0; i < 32; ++i) text += fmt::format(" {}", cpu.data[i]);

@@ -128,8 +128,8 @@ TEST(BadLogs, AreAnsweredWithPlaceAndReason) {
 TEST(BadLogs, TwoOfDifferentRobotsDisagree) {
   EXPECT_EQ(answer({sweep(), sweep()}), "");
   EXPECT_THAT(answer({sweep(), sweep({400, 900})}),
-              HasSubstr("log2.csv:1: S1 reads 1.96 over the floor and 4.41 over "
-                        "the tape here, but 0.496 and 4.41 in the sweep"));
+              HasSubstr("log2.csv:1: in this sweep, S1 reads 1.96 over the floor and 4.41 over the tape, but "
+                        "0.496 and 4.41 in the sweep "));
 }
 
 TEST(BadLogs, ASweepWantsTheTapesWidth) {

@@ -36,10 +36,9 @@ TEST(NextStepAfterARun, IsTheFindingOfTheRunWithChecks) {
   finding.fault.where = {"loop", "My.ino", 9};
   finding.time_s = 1.5;
   finding.advice = "On the chip int has 16 bits.";
-  EXPECT_EQ(
-      next_after(run_that_ended("lost", result::kWatch), {.finding = finding}),
-      "index 5 is outside of the array in loop, My.ino:9, 1.50 s after the start: this is the first "
-      "failed check of a second run with checks (--sanitize). On the chip int has 16 bits.");
+  EXPECT_EQ(next_after(run_that_ended("lost", result::kWatch), {.finding = finding}),
+            "index 5 is outside of the array in loop, My.ino:9, 1.50 s after the start: this is the first "
+            "failed check of a second run with checks (--sanitize). On the chip int has 16 bits.");
   EXPECT_EQ(next_after(run_that_ended("lost", result::kWatch), {}), result::kWatch)
       << "the sketch does not compile with checks, or the user interrupted";
 }

@@ -1,4 +1,4 @@
-// Tests that each map of the folder maps can be read, and has the features that its name promises.
+// Tests that each map in `maps/` can be read, and has the features that its name promises.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -102,7 +102,7 @@ TEST(SampleMaps, DashedHasGapsOf25To50Millimetres) {
   EXPECT_GE(gaps, 10);
 }
 
-// Properties of a map of the folder maps. docs/reference/maps.md lists some of these properties.
+// Properties of a map in `maps/`. docs/reference/maps.md lists some of these properties.
 struct Facts {
   const char* name;
   std::size_t line_cells;
@@ -163,8 +163,8 @@ INSTANTIATE_TEST_SUITE_P(All, Sample,
                          [](const auto& test) { return std::string(test.param.name); });
 
 // Expects the paper's scan times. Robosim v1's formula for trees of three-way forks is T = 2(L-1) + S + 2W +
-// W0. L is the number of line cells, and S is the number of stations. W and W0 count the stations that face a
-// wall; these maps have none.
+// W0. L is the number of line cells, and S is the number of stations. W and W0 are numbers of
+// stations at a wall, which are 0 on these maps.
 TEST(SampleMaps, CToFTakeTheScanTimesOfThePaper) {
   const std::pair<const char*, std::size_t> times[] = {{"c", 94}, {"d", 141}, {"e", 129}, {"f", 247}};
   for (const auto& [name, time] : times) {
