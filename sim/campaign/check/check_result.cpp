@@ -66,9 +66,10 @@ std::optional<std::string> why_failed(const Check& check, const result::RunResul
     if (std::find(visited.begin(), visited.end(), station) == visited.end())
       return fmt::format("the robot did not visit station {}", station);
   }
-  for (const FigureLimit& limit : check.limits) {
-    if (const auto why = why_beyond(limit, result)) return why;
-  }
+  std::string broken;
+  for (const FigureLimit& limit : check.limits)
+    if (const auto why = why_beyond(limit, result)) broken += (broken.empty() ? "" : "; ") + *why;
+  if (!broken.empty()) return broken;
   if (!result.detected.empty())
     return fmt::format("{}{} (detect = false turns the detectors off)", kDetectedPrefix,
                        result::text_of(result.detected.front()));

@@ -60,6 +60,20 @@ TEST(WhyFailed, ALimitBelongsToWhatIsAllowed) {
               Optional(std::string("cross_track_rms_mm: expected at least 1, got 0.1235")));
 }
 
+TEST(WhyFailed, AllLimitsThatAreBrokenAreNamed) {
+  Check limited = check();
+  limited.limits = {{figure("cross_track_rms_mm"), std::nullopt, 2.5},
+                    {figure("cross_track_max_mm"), std::nullopt, 50.0},
+                    {figure("off_line_s"), std::nullopt, 1.0}};
+  result::RunResult result = run("reached");
+  result.metrics.cross_track_rms_mm = 3.0;
+  result.metrics.cross_track_max_mm = 20.0;
+  result.metrics.off_line_s = 2.0;
+  EXPECT_THAT(why_failed(limited, result),
+              Optional(std::string("cross_track_rms_mm: expected at most 2.5, got 3; "
+                                   "off_line_s: expected at most 1, got 2")));
+}
+
 TEST(WhyFailed, EveryLapMustBeWithinItsLimitAndThereMustBeOne) {
   Check limited = check();
   limited.limits = {{figure("laps_s"), std::nullopt, 9.0}};
