@@ -128,7 +128,7 @@ void DoubtfulActions::attached(int64_t number, SimTime t, const Where& where) {
 void DoubtfulActions::delayed(int64_t ms, SimTime t, const Where& where) {
   if (ms >> 31 == 0 || add_occurrence("long_delay", ms)) return;
   add(result::detector("long_delay"), ms,
-      fmt::format("delay({}) lasts {:.0f} days, since its number was negative, {}; it was called", ms,
+      fmt::format("delay({}) lasts {:.0f} days; its number may have been negative, {}; it was called", ms,
                   static_cast<double>(ms) / kMsPerDay, static_cast<int32_t>(ms)),
       "Compute the time as unsigned long, for example 4UL * 10000, and subtract only smaller times.",
       {t, where()});

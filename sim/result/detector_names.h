@@ -33,7 +33,7 @@ inline constexpr DetectorName kDetectorNames[] = {
     {"pwm_range", "host, avr", "`analogWrite()` was called with a value below 0 or above 255."},
     {"no_interrupt", "host, avr",
      "`attachInterrupt()` was called with a number that the board does not have."},
-    {"long_delay", "host, avr", "`delay()` was called with a negative number, and therefore lasts weeks."},
+    {"long_delay", "host, avr", "`delay()` was called with a negative number, or with more than 24 days."},
     {"slow_source", "host, avr", "A pin was read before its source had charged the converter's capacitor."},
     {"lost_edge", "avr",
      "A second edge came at an encoder's or receiver's pin before the handler of the first edge began."},

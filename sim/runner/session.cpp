@@ -145,8 +145,7 @@ result::RunResult run_request(const ExecutorFactory& factory, const wire::RunReq
                               const wire::Id& id, SandboxProxy* proxy, const ReadAhead& ahead) {
   // A run with a proxy is watched by the proxy. A run with a debugger is on an emulated chip, which never
   // hangs within a tick. Loading is watched, too: debug information can take any time to read.
-  const bool watches = !proxy && request.gdb_port == 0;
-  if (watches) start_watchdog();
+  if (!proxy && request.gdb_port == 0) start_watchdog();
   // Never destroyed, since the end of the process frees everything.
   RequestedRun& run = *new RequestedRun(
       [&](const std::string& target, const BoardSpec& board, const std::filesystem::path& image) {

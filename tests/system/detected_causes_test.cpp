@@ -124,7 +124,7 @@ const Case kCases[] = {
      "const byte pins[] = {2, 3};\nvolatile byte n;\nvoid count() { n++; }\n"
      "void setup() {\n  for (byte i = 0; i < 2; i++)\n"
      "    attachInterrupt(digitalPinToInterrupt(pins[i]), count, CHANGE);\n}\nvoid loop() { delay(5); }\n"},
-    {"AWaitUntilATimeThatHasPassed", "long_delay", "since its number was negative, -",
+    {"AWaitUntilATimeThatHasPassed", "long_delay", "its number may have been negative, -",
      "unsigned long next = 0;\nvoid setup() {}\n"
      "void loop() {\n  delay(2);\n  next = 10;\n  delay(30);\n"
      "  delay((long)(next - millis()));  //!\n}\n"},

@@ -91,7 +91,7 @@ class DwarfSearch {
   std::int64_t& steps_left_;
 };
 
-/// Returns the name of a DIE; empty if there is none.
+/// Returns the name of a DIE, or an empty text if it has none.
 inline std::string_view name_of(Dwarf_Die die) {
   const char* const name = dwarf_diename(&die);
   return name ? name : "";
