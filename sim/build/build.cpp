@@ -213,6 +213,28 @@ class Build {
     bool keeps_address = false;  ///< the unit stores a register's address, but Registers::objects have none
   };
 
+  /// Returns the warnings of the static checks about each unit that has been compiled. The checks run after
+  /// the compilers, because all of them together may take too much memory.
+  std::vector<std::string> warnings_of_checks(const std::vector<Job>& jobs,
+                                              const std::vector<CommandResult>& results) {
+    std::vector<std::string> warnings(jobs.size());
+    std::vector<Command> commands;
+    std::vector<std::pair<std::size_t, const StaticCheck*>> checks;
+    for (std::size_t i = 0; i < jobs.size(); ++i)
+      for (const StaticCheck& check : checks_)
+        if (results[i].status == 0 && jobs[i].unit.kind == Unit::Kind::sketch) {
+          commands.push_back(check.command(jobs[i].unit, work_.scratch()));
+          checks.emplace_back(i, &check);
+        }
+    if (commands.empty()) return warnings;
+    const std::vector<CommandResult> checked = run_walled(std::move(commands));
+    for (std::size_t k = 0; k < checks.size(); ++k) {
+      const auto& [job, check] = checks[k];
+      append_line(warnings[job], check->warnings(sketch_, checked[k].output, text(results[job])));
+    }
+    return warnings;
+  }
+
   /// Compiles the units. Returns the units that must be compiled again, because a library that they need has
   /// just been found.
   std::vector<Unit> compile(std::vector<Unit> units) {
@@ -233,20 +255,10 @@ class Build {
       jobs.push_back({unit, key, objects_.size(), object, object});
       objects_.emplace_back();
     }
-    // A failed check must not prevent a compiler's start, so the checks come last.
-    std::vector<std::pair<std::size_t, const StaticCheck*>> checks;
-    for (std::size_t i = 0; i < jobs.size(); ++i)
-      for (const StaticCheck& check : checks_)
-        if (jobs[i].unit.kind == Unit::Kind::sketch) {
-          commands.push_back(check.command(jobs[i].unit, work_.scratch()));
-          checks.emplace_back(i, &check);
-        }
     const auto since = fs::file_time_type::clock::now();
-    std::vector<CommandResult> results = run_walled(commands);
-    const std::vector<CommandResult> checked(results.begin() + static_cast<std::ptrdiff_t>(jobs.size()),
-                                             results.end());
-    results.resize(jobs.size());
+    std::vector<CommandResult> results = run_walled(std::move(commands));
     assemble(jobs, results);
+    const std::vector<std::string> warnings = warnings_of_checks(jobs, results);
 
     std::vector<Unit> again;
     std::string errors;
@@ -254,9 +266,7 @@ class Build {
     for (std::size_t i = 0; i < results.size(); ++i) {
       std::string messages = text(results[i]);
       if (results[i].status == 0) {
-        for (std::size_t k = 0; k < checks.size(); ++k)
-          if (checks[k].first == i)
-            append_line(messages, checks[k].second->warnings(sketch_, checked[k].output, messages));
+        append_line(messages, warnings[i]);
         check_object(toolchain_, jobs[i].unit, jobs[i].object);
         add_message(messages);
         objects_[jobs[i].slot] = keep(jobs[i], messages, since);
