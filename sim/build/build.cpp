@@ -1,5 +1,6 @@
 // Builds an image: compiles the sketch, its libraries and the core, and links the objects (sketch.h).
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <exception>
@@ -201,6 +202,7 @@ class Build {
         add_message(serial_warning(own_lines_, text, toolchain_.board));
     }
     write_file(unit.input, add_prototypes(joined, text, sketch_.inos, work_.scratch()));
+    ::malloc_trim(0);  // the checks of a large sketch leave much free memory, and compilers need it
     return unit;
   }
 
