@@ -16,13 +16,16 @@ namespace robosim::build {
 namespace fs = std::filesystem;
 
 struct StaticCheck::Kind {
-  const char* target;  ///< the checking compiler is the compiler of this target
+  /// The checking compiler is the compiler of this target.
+  const char* target;
   std::vector<std::string> options;
   bool (*is_for)(const Toolchain& build);
-  std::vector<std::string> (*messages)(
-      const std::string& output);                      ///< messages of this kind, of any compiler
-  std::string (*subject)(const std::string& message);  ///< is equal for messages that report the same mistake
-  std::string (*text)(const std::string& message, const BoardSpec& board);  ///< for users
+  /// Returns the messages of this kind in the output of any compiler.
+  std::vector<std::string> (*messages)(const std::string& output);
+  /// Returns the same text for messages that report the same mistake.
+  std::string (*subject)(const std::string& message);
+  /// Returns the message for users.
+  std::string (*text)(const std::string& message, const BoardSpec& board);
 };
 
 namespace {
@@ -69,7 +72,7 @@ std::string text_of_unset(const std::string& message, const BoardSpec&) {
          message.substr(end);
 }
 
-/// The limit of the analyser's branches keeps the time of large sketches below that of their compilation.
+/// For a large sketch, the limit of the analyser's branches keeps its time below that of the compiler.
 const std::array<StaticCheck::Kind, 2> kKinds = {
     {{"avr", {"-fsyntax-only"}, overflows_only_on_chip, width_warnings, line_of, text_of_width},
      {"host",
