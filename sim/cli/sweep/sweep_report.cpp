@@ -51,29 +51,73 @@ struct Scores {
     sum += score;
     ++count;
   }
+  void add(const Scores& other) {
+    if (other.count == 0) return;
+    least = count == 0 ? other.least : std::min(least, other.least);
+    most = count == 0 ? other.most : std::max(most, other.most);
+    sum += other.sum;
+    count += other.count;
+  }
   std::string text() const {
     return count == 0 ? "-" : fmt::format("{:.2f} .. {:.2f} .. {:.2f}", least, sum / count, most);
   }
 };
 
-std::vector<std::string> line_of(const campaign::Combination& c, const analysis::Tally& tally,
-                                 double reached_time_s) {
-  std::vector<std::string> line;
-  for (const std::string& name : {c.title, c.inputs.map, c.inputs.robot, c.inputs.target})
-    line.push_back(in_one_line(name));
-  line.push_back(std::to_string(tally.runs()));
-  line.push_back(std::to_string(tally.successes()));
-  if (tally.runs() == 0) {
-    line.insert(line.end(), {"-", "-", "-"});
-    return line;
+// What a line of the table counts.
+struct Counts {
+  std::int64_t runs = 0, successes = 0;
+  double reached_time_s = 0.0;  // sum over the successful runs
+  Scores scores;
+
+  void add(const Counts& other) {
+    runs += other.runs;
+    successes += other.successes;
+    reached_time_s += other.reached_time_s;
+    scores.add(other.scores);
   }
-  const analysis::Interval interval = tally.interval();
-  line.push_back(share_down(tally.rate()));
-  line.push_back(share_down(interval.low) + " .. " + share_up(interval.high));
-  line.push_back(tally.successes() == 0
-                     ? "-"
-                     : fmt::format("{:.2f} s", reached_time_s / static_cast<double>(tally.successes())));
+};
+
+std::vector<std::string> line_of(const std::vector<std::string>& names, const Counts& counts, bool scored) {
+  std::vector<std::string> line;
+  for (const std::string& name : names) line.push_back(in_one_line(name));
+  line.push_back(std::to_string(counts.runs));
+  line.push_back(std::to_string(counts.successes));
+  const auto runs = static_cast<double>(counts.runs), successes = static_cast<double>(counts.successes);
+  const analysis::Interval interval = analysis::wilson(counts.successes, counts.runs);
+  line.push_back(counts.runs == 0 ? "-" : share_down(successes / runs));
+  line.push_back(counts.runs == 0 ? "-" : share_down(interval.low) + " .. " + share_up(interval.high));
+  line.push_back(counts.successes == 0 ? "-" : fmt::format("{:.2f} s", counts.reached_time_s / successes));
+  if (scored) line.push_back(counts.scores.text());
   return line;
+}
+
+// Returns a line with the totals of each sketch that has several combinations. Returns no lines if a
+// combination may have been stopped early, because its runs would then count less than those of the others.
+Lines totals(const campaign::SweepPlan& plan, const std::vector<Counts>& counts, bool scored) {
+  std::vector<std::string> sketches;  // in the table's order
+  std::map<std::string, std::vector<std::size_t>> places;
+  for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
+    const std::string& sketch = plan.combinations[i].title;
+    if (places[sketch].empty()) sketches.push_back(sketch);
+    places[sketch].push_back(i);
+  }
+  Lines lines;
+  for (const std::string& sketch : sketches) {
+    const std::vector<std::size_t>& own = places[sketch];
+    if (own.size() < 2) continue;
+    Counts total;
+    for (const std::size_t i : own) total.add(counts[i]);
+    const auto common = [&](std::string launch::RunInputs::*name) {
+      const std::string& first = plan.combinations[own[0]].inputs.*name;
+      const bool equal = std::all_of(
+          own.begin(), own.end(), [&](std::size_t i) { return plan.combinations[i].inputs.*name == first; });
+      return equal ? first : std::string("all");
+    };
+    lines.push_back(line_of({sketch, common(&launch::RunInputs::map), common(&launch::RunInputs::robot),
+                             common(&launch::RunInputs::target)},
+                            total, scored));
+  }
+  return lines;
 }
 
 /// Lists the failures, with commands that repeat the first failures.
@@ -147,22 +191,29 @@ std::string sweep_report(const campaign::SweepOptions& options, const campaign::
                   [](const campaign::SweepOutcome& outcome) { return !std::isnan(outcome.score); });
   if (scored) lines[0].push_back("score: least, mean, most");
   std::vector<analysis::Tally> tallies;
+  std::vector<Counts> counts;
   std::string failed;
   for (std::size_t i = 0; i < plan.combinations.size(); ++i) {
     std::vector<std::size_t> failures;
-    double reached_time_s = 0.0;
-    Scores scores;
+    Counts of;
     tallies.push_back(campaign::count_runs_of(i, options, plan, outcomes, [&](std::size_t run) {
       if (outcomes[run].reached()) {
-        reached_time_s += outcomes[run].time_s;
+        of.reached_time_s += outcomes[run].time_s;
       } else {
         failures.push_back(run);
       }
-      if (!std::isnan(outcomes[run].score)) scores.add(outcomes[run].score);
+      if (!std::isnan(outcomes[run].score)) of.scores.add(outcomes[run].score);
     }));
-    lines.push_back(line_of(plan.combinations[i], tallies.back(), reached_time_s));
-    if (scored) lines.back().push_back(scores.text());
+    of.runs = tallies.back().runs();
+    of.successes = tallies.back().successes();
+    const campaign::Combination& c = plan.combinations[i];
+    lines.push_back(line_of({c.title, c.inputs.map, c.inputs.robot, c.inputs.target}, of, scored));
+    counts.push_back(of);
     failed += failures_text(plan, i, tallies.back(), failures, outcomes);
+  }
+  if (!options.stop_early) {
+    const Lines sums = totals(plan, counts, scored);
+    lines.insert(lines.end(), sums.begin(), sums.end());
   }
   constexpr std::size_t kNames = 4;
   return aligned(lines, kNames) + failed + (options.min_rate ? demand_text(options, plan, tallies) : "");

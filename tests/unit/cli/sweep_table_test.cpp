@@ -231,6 +231,7 @@ TEST(SweepReport, CountsEachCombinationAndShowsHowToMakeFailuresAgain) {
   EXPECT_EQ(report, R"(sketch      map    robot  target  runs  reached    rate     95 % interval  mean time
 My, Sketch  oval   uno5   host       4        3  0.7500  0.3006 .. 0.9545    10.00 s
 My, Sketch  tight  uno5   host       4        2  0.5000  0.1500 .. 0.8500    10.00 s
+My, Sketch  all    uno5   host       8        5  0.6250  0.3057 .. 0.8632    10.00 s
 
 My, Sketch on oval with uno5, target host: 1 of 4 did not reach the goal (1 lost)
   seed 4: lost. It left the line.
