@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cinttypes>
 #include <cmath>
 #include <cstdio>
 
@@ -406,10 +407,10 @@ bool has_left_line(const Evidence& e) {
 
 // Returns N if the sketch is in a delay(N) in which a robot at mean speed drives 5 cm or more. This is enough
 // to lose a line. Otherwise returns 0.
-int long_delay(const Evidence& e) {
+std::uint32_t long_delay(const Evidence& e) {
   constexpr double kLong_m = 0.05;
-  int ms = 0;
-  if (std::sscanf(e.activity.call.c_str(), "delay(%9d)", &ms) != 1) return 0;
+  std::uint32_t ms = 0;
+  if (std::sscanf(e.activity.call.c_str(), "delay(%10" SCNu32 ")", &ms) != 1) return 0;
   return mean_speed(e) * ms * 1e-3 >= kLong_m ? ms : 0;
 }
 

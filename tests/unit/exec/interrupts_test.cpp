@@ -41,6 +41,12 @@ TEST_F(InterruptsTest, AHandlerDoesNotChangeThePlaceOfTheCallThatItInterrupts) {
   EXPECT_EQ(host_->activity().where.line, 4);
 }
 
+TEST_F(InterruptsTest, TheCallOfALongDelayHasAnUnsignedNumber) {
+  prepare("void setup() {}\nvoid loop() { delay(4000000000UL); }\n");
+  run(20 * kMillisecond);
+  EXPECT_EQ(host_->activity().call, "delay(4000000000)");
+}
+
 TEST_F(InterruptsTest, OnlyTheWantedEdgesCount) {
   for (const auto& [mode, expected] : {std::pair{"RISING", 3L}, {"FALLING", 2L}, {"CHANGE", 5L}}) {
     serial_.clear();
