@@ -25,7 +25,8 @@ class NamespaceSandbox {
 
  private:
   struct Place {
-    std::string path, real;          ///< path in the sandbox; path in the old root, below kOld, without links
+    std::string path;                ///< in the sandbox
+    std::string real;                ///< where the old root has it: below kOld, with links resolved
     std::vector<std::string> above;  ///< parent folders to create, outermost first
     bool folder = false, writable = false;
     unsigned long flags = 0;  ///< mount flags that a namespace must not change

@@ -10,7 +10,8 @@ std::vector<std::string> remarks_on_project(const SketchChoice& sketch,
   const project::Project& project = sketch.project;
   std::vector<std::string> remarks = project.remarks;
   if (!is_path(sketch.name) && sketch.path == sketch.name && build::is_stock_sketch(sketch.name))
-    remarks.push_back(fmt::format("{} is the folder of that name here, not the sample sketch", sketch.name));
+    remarks.push_back(
+        fmt::format("running the folder {} here, not the sample sketch of that name", sketch.name));
   if (project.sources.empty())
     if (std::string remark = build::remark_on_main_file(sketch.path); !remark.empty())
       remarks.push_back(std::move(remark));

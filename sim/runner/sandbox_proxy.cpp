@@ -68,9 +68,10 @@ void read_keyed(char* to, std::size_t bytes) {
   }
 }
 
-/// Gives a pipe the size of the pipe `as`, so that the run does not get further ahead than its reader allows.
-void make_as_short(int pipe, int as) {
-  const int bytes = ::fcntl(as, F_GETPIPE_SZ);
+/// Limits a pipe to the size of the pipe `model`. A run can then get only as far ahead of its reader as it
+/// could with `model`.
+void make_as_short(int pipe, int model) {
+  const int bytes = ::fcntl(model, F_GETPIPE_SZ);
   if (bytes > 0) ::fcntl(pipe, F_SETPIPE_SZ, bytes);
 }
 
@@ -226,7 +227,7 @@ SandboxProxy::Told SandboxProxy::serve(const Child& run, const Ask& ask, const w
     const int some = ::poll(ready.data(), ready.size(), kLook_ms);
     if (some < 0) continue;
     if (some == 0) {
-      // If there is nothing left to read, all messages before these batches have been handled.
+      // Takes the batches up to `end` if the pipe is empty: all messages before them have then been handled.
       const std::size_t end = handed_on();
       if (taken.empty() && ::poll(ready.data(), 1, 0) == 0) take_batches(end, id);
     }

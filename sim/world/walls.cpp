@@ -110,7 +110,8 @@ bool Walls::near_disc(Vec2 centre, double radius) const {
 
 namespace {
 
-// The cells that a box about a disc covers, at most one cell beyond the map's edge.
+// The range of cells that the bounding box of a disc covers. The range ends at most one cell beyond the map's
+// edge.
 struct Window {
   int left, right, bottom, top;
   Window(Vec2 centre, double reach, double per_cell, double columns, double rows) {
@@ -153,7 +154,7 @@ Contacts Walls::touch(Vec2 centre, double radius) const {
         found.add({nearest, d * (1.0 / away), radius - away});
         continue;
       }
-      // Pushes a centre that is inside the cell out through the nearest open side.
+      // If the centre is inside the cell, moves it out of the cell through the nearest open side.
       Contact out{centre, {}, std::numeric_limits<double>::infinity(), true};
       const auto side_at = [&](bool open, double inside, Vec2 normal) {
         if (open && inside + radius < out.depth) out = {centre, normal, inside + radius, false};
@@ -235,8 +236,8 @@ void Walls::touch_cell(std::span<const Vec2> polygon, int column, int row, Conta
     const Vec2 a = polygon[i], edge = polygon[i + 1 < n ? i + 1 : 0] - a;
     const double span = length(edge);
     const Vec2 outward{edge.y / span, -edge.x / span};
-    // The cell's corner that lies farthest against `outward`. The corner counts only if both of its sides are
-    // open.
+    // Finds the cell's corner that is farthest in the direction opposite to `outward`. The corner counts only
+    // if both of its sides are open.
     const bool east = outward.x < 0.0, north = outward.y < 0.0;
     const Vec2 corner{east ? high.x : low.x, north ? high.y : low.y};
     const double depth = dot(outward, a - corner);

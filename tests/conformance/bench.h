@@ -26,7 +26,7 @@ class Bench final : public avr::ChipEnvironment {
 
   /// Runs until the program ends, something stops it, or `cycles` have passed.
   avr::Chip::Stop run(avr::Cycle cycles) { return chip.run_to(chip.cycle() + cycles); }
-  /// Connects this USART's output to its input. Each frame is received one frame after it was sent.
+  /// Connects this USART's output to its input. Each frame arrives when its last bit has been sent.
   void wire_to_itself(int usart) { loop_ = usart; }
   /// Changes a pin's level, and passes the edge to the chip.
   void set_level(int pin, bool level) {
@@ -36,7 +36,7 @@ class Bench final : public avr::ChipEnvironment {
 
   std::map<int, bool> levels;          ///< by pin number; a pin that is not listed has its pull-up's level
   std::map<int, double> voltages;      ///< by channel
-  std::map<int, double> pin_voltages;  ///< by pin with an analog voltage; other pins use their level
+  std::map<int, double> pin_voltages;  ///< by pin; a pin that is not listed has the voltage of its level
   std::map<int, PinDrive> drives;      ///< how the chip drives each pin
   std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;
   std::vector<std::pair<avr::Cycle, int>> samples;        ///< time and channel of each ADC conversion

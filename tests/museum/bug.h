@@ -12,7 +12,7 @@ namespace robosim::museum {
 ///
 ///   Kind: units                     the kind of mistake
 ///   Tests: PidFollower              words; suites whose names contain one of them run first
-///   Survives: it changes no run     only if no test finds the bug: the reason
+///   Survives: it changes no run     the reason why no test finds the bug; else absent
 struct Bug {
   std::string name;  ///< name of the file, without ".patch"
   std::filesystem::path patch;

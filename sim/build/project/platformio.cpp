@@ -137,8 +137,7 @@ class Settings {
     if (++references_ > kMostReferences)
       throw InputError(
           {path_.string(), line},
-          fmt::format("too many references: expected at most {} of the form ${{…}}, each counted "
-                      "as often as it is inserted",
+          fmt::format("too many ${{…}}: expected at most {}; a value that is inserted twice counts twice",
                       kMostReferences));
     return filled(*value, in, depth + 1);
   }
@@ -155,7 +154,7 @@ class Settings {
       text += value_of(name, section, value.line, depth).value_or("${" + name + "}");
       if (text.size() > kMostProjectFile_bytes)
         throw InputError({path_.string(), value.line},
-                         "the value is too large: expected at most 1 MB of text for its ${…}");
+                         "the value is too large: expected at most 1 MB after its ${…} are replaced");
       at = end + 1;
     }
   }
@@ -267,8 +266,8 @@ void check_framework(const Project& project, const Settings& settings) {
   const IniValue* value = settings.find(project.environment, "framework");
   throw InputError(
       {project.file.string(), value->line},
-      fmt::format("framework: expected arduino, got {}; Robosim can run the finished firmware.elf "
-                  "of any framework on its chip",
+      fmt::format("framework: expected arduino, got {}; for another framework, let PlatformIO build "
+                  "firmware.elf, and run that file",
                   frameworks[0]));
 }
 

@@ -142,7 +142,7 @@ class StreamComparer {
         d.t_ns[side] = said.t_ns;
         d.t_ns[1 - side] = t;
         d.sides[side] = "prints " + quoted(said.text);
-        d.sides[1 - side] = "prints " + quoted(near.text) + ", and no similar value within a second";
+        d.sides[1 - side] = "prints " + quoted(near.text) + ", and nothing closer within a second";
         d.cause = width_cause(x, near.parts.numbers[n]);
         d.line[side] = said.number;
         d.line[1 - side] = near.number;

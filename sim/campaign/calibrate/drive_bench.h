@@ -34,8 +34,8 @@ using Factors = std::array<double, kFactors>;
 
 class Bench {
  public:
-  /// `volts` is the battery's voltage; 0 = as in the file. The robot has the parameters of the
-  /// profile typical@2, without their spread.
+  /// `volts` is the battery's voltage; 0 = as in the file. The robot's parameters are
+  /// the nominal values of the profile typical@2.
   Bench(const std::vector<Log>& logs, const std::vector<Timed>& timed, const robot::Description& robot,
         double volts);
 
@@ -46,9 +46,9 @@ class Bench {
   void check();
   /// Returns whether any drive turns on the spot.
   bool spins() const { return spins_; }
-  /// Returns the differences between counts and simulation with these factors. For drives by stopwatch,
-  /// returns the difference divided by its uncertainty. Each half second of a longer drive is compared
-  /// separately, because position errors grow.
+  /// Returns the differences between measurement and simulation with these factors. A difference is in counts
+  /// of an encoder, or, for a drive timed with a stopwatch, in multiples of the uncertainty. Each half second
+  /// of a longer drive is compared separately, because position errors grow.
   std::vector<double> residuals(const Factors& x, std::vector<DriveCurve>* curves = nullptr) const;
   /// Returns the residuals for each set of factors.
   std::vector<std::vector<double>> residuals(std::span<const Factors> all) const;

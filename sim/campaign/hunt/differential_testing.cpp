@@ -145,14 +145,15 @@ TestCase tried_again(const TestCase& test_case, const HuntSpace& space, int time
 Symptom symptom_of(const Divergence& divergence, const TestCase& test_case, const HuntSpace& space) {
   const std::string& target = space.builds[test_case.build].target;
   if (test_case.differential == Differential::host)
-    return {
-        kUnlike, "unlike the host " + divergence.form,
-        fmt::format("The host {}, but the {} {}, with any noise.", divergence.other, target, divergence.ours),
-        false};
+    return {kUnlike, "unlike the host " + divergence.form,
+            fmt::format("The host {}, but the {} {}; noise is not the reason.", divergence.other, target,
+                        divergence.ours),
+            false};
   return {kUnlike, "unlike when its clock wraps " + divergence.form,
-          fmt::format("If millis() is near an overflow, the sketch {}, with any noise; some minutes "
-                      "earlier it {}.",
-                      divergence.ours, divergence.other),
+          fmt::format(
+              "If millis() is near an overflow, the sketch {}; some minutes earlier it {}. Noise is not the "
+              "reason.",
+              divergence.ours, divergence.other),
           false};
 }
 

@@ -100,7 +100,7 @@ std::string hunt_check(const HuntFinding& finding, std::size_t number) {
 std::string hunt_text(const HuntFinding& finding, std::size_t number, const fs::path& out) {
   std::string text = fmt::format("finding {}: {}\n", number, finding.symptom.sentence);
   text += fmt::format("  in      {}{}{}\n", finding.shown.where,
-                      finding.needs.empty() ? "; no other conditions" : "; requires ",
+                      finding.needs.empty() ? "; no other conditions" : "; needs: ",
                       fmt::format("{}", fmt::join(finding.needs, ", ")));
   return text + fmt::format("  replay  {}\n", replay_of(finding.shown, out / std::to_string(number)));
 }

@@ -253,7 +253,8 @@ void Hunt::look_back() {
   for (const TextAssertion& assertion : campaign_.space().assertions)
     if (assertion.when == TextAssertion::When::sometimes && !heard_.contains(assertion.text()))
       add_plain({"sometimes", "sometimes " + assertion.text(),
-                 fmt::format("None of {} runs had {}, which must occur sometimes.", runs_, assertion.text()),
+                 fmt::format("This must occur in some run, but did not in any of {} runs: {}.", runs_,
+                             assertion.text()),
                  false});
   const result::RunResult& result = baseline_.result;
   // A sketch that does not read the line need not reach a goal. Exception: the user has given a goal.
@@ -272,7 +273,7 @@ void Hunt::look_back() {
 std::string Hunt::remark() const {
   if (!findings_.empty() || traits_.contains(kDrives) || !has_motors(baseline_.result, baseline_.robot))
     return "";
-  return fmt::format("the robot drove in none of these runs, whatever the inputs: {}\n",
+  return fmt::format("the robot never drove, with any of the inputs tried; the first run ended so: {}\n",
                      baseline_.result.why);
 }
 

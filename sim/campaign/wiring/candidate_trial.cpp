@@ -31,8 +31,8 @@ bool is_much_better(const Trial& a, const Trial& b) {
   return a.followed_m > kMuch * b.followed_m && a.followed_m > b.followed_m + kSome_m;
 }
 
-// Returns whether `ways` differs in one way from `follower`, the ways of a robot that follows the line. Only
-// counts the three ways that may be wrong although a robot follows the line.
+// Returns whether `ways` and `follower` differ in exactly one of three properties. Their robots are equal
+// otherwise, and the one of `follower` follows the line. A robot may do so although such a property is wrong.
 bool may_be_better(const Ways& ways, const Ways& follower) {
   int differences = 0;
   for (const bool Ways::*is : {&Ways::black_low, &Ways::other_order, &Ways::other_sides})
@@ -123,7 +123,7 @@ Trial CandidateTrial::attempt(const RobotDraft& draft, const Ways& ways) {
 RobotDraft CandidateTrial::guess(const Ways& ways) {
   RobotDraft draft = wiring::guess(board_, names_, history_, ways);
   if (!key_.empty())
-    draft.notes.push_back("The sketch reads its sensors after a line of a script: " +
+    draft.notes.push_back("The sketch reads its sensors only after this line of a script: " +
                           key_.substr(0, key_.size() - 1));
   for (;;) {
     write_file(file_, wiring::text_of(draft));

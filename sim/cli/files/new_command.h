@@ -5,8 +5,8 @@
 
 namespace robosim::cli {
 
-/// Creates the folder NAME from the templates in sim/cli/files/new (installed: share/robosim/new). The
-/// project's name replaces NAME in the files' names and texts. Never overwrites a file. Throws InputError.
+/// Creates a project's folder from the templates in sim/cli/files/new (installed: share/robosim/new). Replaces
+/// the word NAME in their file names and texts by the project's name. Never overwrites a file. Throws InputError.
 int new_command(const NewArguments& arguments);
 
 }  // namespace robosim::cli

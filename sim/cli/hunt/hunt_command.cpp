@@ -85,8 +85,8 @@ std::string hunt_summary(const campaign::Hunt& hunt, const campaign::CampaignRun
   for (const campaign::HuntSpace::Map& map : runner.space().maps)
     if (!map.tours)
       text += fmt::format(
-          "the sketch reaches its goal on {0}, but not on most similar floors: findings about its driving on "
-          "such floors are reported only with --map {0}\n",
+          "the sketch reaches its goal on the map {0}, but not on most similar floors: findings about its "
+          "driving on such floors are reported only with --map {0}\n",
           map.name);
   if (runner.refused() > 0)
     text += fmt::format("{} world{} could not be run; the first: {}\n", runner.refused(),

@@ -175,7 +175,7 @@ TEST(Compare, TheLineOfAStreamThatIsShownIsTheOneOfThatMoment) {
   const auto d = compare(readings(rising, 8, 500), readings(rising, 8, 8000)).first;
   ASSERT_TRUE(d);
   EXPECT_EQ(d->sides[0], "prints \"e 500\"");
-  EXPECT_EQ(d->sides[1], "prints \"e 8000\", and no similar value within a second");
+  EXPECT_EQ(d->sides[1], "prints \"e 8000\", and nothing closer within a second");
 }
 
 /// Returns a run whose sketch prints a line each second: "on" before `off_from`, then "off".

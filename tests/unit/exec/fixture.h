@@ -67,7 +67,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
     return result;
   }
 
-  /// Returns the times at which `pin` changed, beginning with the first change to an output.
+  /// Returns the times at which `pin` changed, beginning when it became an output.
   std::vector<SimTime> changes(Pin pin) const {
     std::vector<SimTime> times;
     for (const PinEvent& event : pins_)
@@ -93,7 +93,7 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
   std::vector<PinEvent> pins_;
 };
 
-/// A constant voltage, which reads as high from 2.5 V.
+/// A constant voltage. Digital reads return high if it is at least 2.5 V.
 class FixedSource : public PinSource {
  public:
   explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}
