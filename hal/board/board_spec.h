@@ -81,9 +81,9 @@ inline const BoardSpec& host_model(const BoardSpec& board) {
   return board.host_model ? *board.host_model : board;
 }
 
-/// Returns the value from 0 to 255 that has the effect of analogWrite(pin, value) on a pin with PWM. An 8-bit
-/// timer's register takes the low byte. With 16 bits, values outside of the range are above TOP, which is
-/// full power. An STM32's core limits the value.
+/// Returns the value from 0 to 255 that acts like `value` in analogWrite() on a pin with PWM. An 8-bit
+/// timer's register takes the low byte. In a 16-bit timer's register, a value outside this range is above
+/// TOP, which is full power. An STM32's core limits the value.
 inline uint8_t pwm_effect(const BoardSpec& board, Pin pin, int64_t value) {
   constexpr uint8_t kFull = 255;
   if (value >= 0 && value <= kFull) return static_cast<uint8_t>(value);

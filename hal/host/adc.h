@@ -76,7 +76,7 @@ class Adc {
 
   uint8_t multiplexer_ = 0, control_ = 0, control_b_ = 0;
   bool converting_ = false, locked_ = false;
-  enum class First : uint8_t { over, by_init, by_sketch } first_ = First::over;  ///< what set ADEN last
+  enum class First : uint8_t { over, by_init, by_sketch } first_ = First::over;  ///< over, or what set ADEN
   uint16_t code_ = 0, result_ = 0;
   SimTime ready_ = 0;
   double held_ = 0.0;          ///< voltage of the converter's capacitor, V

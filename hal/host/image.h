@@ -175,8 +175,8 @@ struct Image {
   uintptr_t shadow;
   const void* begin;
   const void* end;
-  /// The bounds of core variables that do not count as firmware state (Host::take_state()). They never
-  /// change, or they change without an action of the sketch. Sketches see their values only through calls.
+  /// The bounds of core variables that do not count as firmware state (Host::take_state()). These variables
+  /// are constant, or change without an action of the sketch. Sketches see their values only through calls.
   const char* clockwork_begin;
   const char* clockwork_end;
   /// The bounds of core variables that change only if FirmwareState::touched is set.

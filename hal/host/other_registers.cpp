@@ -43,7 +43,7 @@ const Lack* lack_at(uint8_t address) {
   return nullptr;
 }
 
-/// Returns whether the timer does more than run as set up by init().
+/// Returns whether the timer has an enabled interrupt, or runs with other settings than those of init().
 bool is_in_use(const Timer& timer, uint8_t divisor_of_init) {
   const bool is_left = timer.control_a() == 1 && timer.control_b() == divisor_of_init;
   return timer.enabled() || (timer.control_b() & 7 && !is_left);

@@ -34,8 +34,8 @@ struct Polling {
   bool again = false;  ///< a look was interrupted; the next block starts another look, even if work is due
   bool sure = false;   ///< the state repeats after `length`, and queries still return the same results
   int patience = 0;    ///< number of calls that may still interrupt a look before looks become rarer
-  int wait = 0,
-      left = 0;  ///< wait: number of deadlines from a failed look to the next; left: those that remain
+  int wait = 0,        ///< number of deadlines from a failed look to the next look
+      left = 0;        ///< number of these deadlines that remain
   int blocks = 0, visits = 0, next_place = 0, next_take = 0;
   const void* place = nullptr;
   SimTime until = 0;

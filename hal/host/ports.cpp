@@ -51,7 +51,7 @@ void place_on_chip(Pin pin, const ChipPin& at) {
   if (at.external >= 0) external_pins[at.external] = pin;
 }
 
-/// Assigns to the pin the simulated timer with the number and the width of the pin's own timer. OC2A is
+/// Connects the pin to the simulated timer that has the number and the width of the pin's own timer. OC2A is
 /// therefore pin 10 of a Mega, and pin 11 of an Uno.
 void place_timer(Pin pin, const BoardSpec& board) {
   const bool is_avr = is_same(board.chip->target, kChip.target);

@@ -72,7 +72,7 @@ HeldFolder::HeldFolder(const fs::path& path)
 
 Descriptor HeldFolder::open(const fs::path& below, int flags, Links allowed) const {
   if (below.is_absolute()) return fail(EXDEV);
-  std::vector<Descriptor> folders;  // the path of open folders below this folder; `..` closes the last one
+  std::vector<Descriptor> folders;  // the open folders on the way to the file; `..` closes the last one
   std::deque<std::string> left = steps_of(below);
   int links = 0;
   const auto here = [&] { return folders.empty() ? handle_.get() : folders.back().get(); };

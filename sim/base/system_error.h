@@ -10,7 +10,7 @@ namespace robosim {
 /// files or processes. Returns an empty string for other causes.
 std::string system_error_of(const std::exception& thrown);
 
-/// Returns a sentence about such a fault of the machine if `output` reports one; otherwise an empty string.
+/// Returns a sentence about a fault of the machine if `output` reports one; otherwise an empty string.
 /// The compiler, linker or other tool named `tool` has printed `output`.
 std::string system_error_of(const std::string& tool, const std::string& output);
 

@@ -212,7 +212,7 @@ class Build {
     std::string key;
     std::size_t slot;            ///< index in objects_
     fs::path compiled, object;   ///< compiler's output and final object; equal unless through_assembly()
-    bool keeps_address = false;  ///< the unit stores a register's address, but Registers::objects have none
+    bool keeps_address = false;  ///< the unit stores a register's address, which Registers::objects lack
   };
 
   /// Returns the warnings of the static checks about each unit that has been compiled. The checks run after

@@ -2,7 +2,7 @@
 // The entry also records the list of names in every folder that was searched. The entry is valid while these
 // files and lists are unchanged. The files' times do not matter.
 //
-// SHA-256 is used for keys, for the content that names a result, and for files that other users can write.
+// SHA-256 is used for keys, for the hash in a result's name, and for files that other users can write.
 // XXH3 takes a tenth of the time. It is used for files of Robosim and of the system, and to detect incomplete
 // results.
 //

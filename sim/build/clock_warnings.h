@@ -2,7 +2,7 @@
 // time since power-on no longer fits the variable:
 //
 //   uint16_t since = 0;
-//   if (millis() - since >= 5000) since = millis();   // from 65.536 s on, the difference is always larger
+//   if (millis() - since >= 5000) since = millis();   // after 65.536 s, `since` gets too small: always true
 //
 // The check does not know the sketch's own templates, macros and types. It ignores a name whose declarations
 // have different types, and a time that it cannot follow.

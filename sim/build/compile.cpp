@@ -33,8 +33,8 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
     case Warnings::none:
       return {"-w"};
     case Warnings::standard: {
-      // Adds warnings that are off by default. Of these, without_style_warnings() shows only likely mistakes.
       if (unit.kind == Unit::Kind::library) return {"-w"};  // users of a library cannot fix its warnings
+      // These warnings are off by default. without_style_warnings() keeps only those about likely mistakes.
       std::vector<std::string> words = {"-Wparentheses", "-Wempty-body"};
       // avr-gcc 5 has no warning for a forgotten break. Any comment in place of the `break` silences gcc's
       // warning.

@@ -46,8 +46,7 @@ std::vector<std::string> own_files(const Sketch& sketch) {
   return names;
 }
 
-/// Adds gcov's report on one source and its counters. A line of a template or a header may appear several
-/// times.
+/// Adds gcov's report on one source. A line of a template or a header may appear several times.
 void add_report(Coverage& coverage, const Sketch& sketch, const std::string& report) try {
   const std::vector<std::string> own = own_files(sketch);
   const nlohmann::json json = nlohmann::json::parse(report);

@@ -29,7 +29,7 @@ struct Declaration {
 /// The declarations in a list of words. Function names are also declarations, of unknown type.
 class Declarations {
  public:
-  /// Further declarations of a name are not searched. Otherwise a search could take quadratic time.
+  /// A name with more declarations is not resolved. Otherwise a search could take quadratic time.
   static constexpr std::size_t kMostOfName = 200;
   static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 

@@ -225,7 +225,7 @@ std::string purpose_of_core_library(const std::string& header) {
 
 std::string foreign_header(const std::string& header) {
   struct Foreign {
-    std::string_view header;  ///< a header, or a beginning of headers followed by *
+    std::string_view header;  ///< a header's name, or the start of several names and a *
     const char* board;
   };
   static constexpr std::array list = {

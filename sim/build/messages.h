@@ -19,8 +19,8 @@ void check_machine(const std::string& tool, const std::string& output);
 /// Returns the header that a failed compilation did not find; empty if it failed for another reason.
 std::string missing_header(const std::string& output, Place* place);
 
-/// Throws CompileError if a missing header is a link, or its name is absolute or contains "..". Does not
-/// check whether such a file exists.
+/// Throws CompileError if `header`, which the compiler did not find, is a link, or if its name is absolute or
+/// contains "..". Does not check whether such a file exists.
 void check_seen(const std::filesystem::path& sketch, const Place& place, const std::string& header);
 
 /// Throws the error for a header that no library in the finder's folders provides: MissingLibrary, or another

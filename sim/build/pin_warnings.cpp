@@ -148,7 +148,7 @@ bool is_number(std::string_view word) {
   return !word.empty() && word.size() < 6 && word.find_first_not_of("0123456789") == word.npos;
 }
 
-/// Detects literal calls such as analogWrite(PIN, 300) and analogWrite(PIN, -100).
+/// Returns a warning for a number outside 0 to 255, as in analogWrite(PIN, 300) and analogWrite(PIN, -100).
 std::string range_warning(const std::vector<Token>& words, std::size_t at) {
   if (words[at].text != "analogWrite" || words[at + 1].text != "(" || words[at + 3].text != ",") return "";
   std::size_t i = at + 4;

@@ -65,7 +65,7 @@ struct Image {
 class CompileError : public InputError {
  public:
   using InputError::InputError;
-  /// Returns the line of the first error.
+  /// Returns the first line of the message, which describes the first error.
   std::string first_line() const {
     const std::string text = what();
     return text.substr(0, text.find('\n'));

@@ -29,7 +29,7 @@ bool is_ino(const std::filesystem::path& path);
 std::vector<std::string> headers_in(const std::filesystem::path& folder);
 
 /// Reads the folder by the rules of Arduino and of the project. Throws InputError for an invalid sketch, and
-/// for more than 8 MB of sources.
+/// for more than 2 MB of sources and headers.
 Sketch read_sketch(const std::filesystem::path& path, const ProjectRules& rules = {});
 
 /// Returns the SHA-256 of names and contents of all files of the sketch.

@@ -72,7 +72,8 @@ std::string text_of_unset(const std::string& message, const BoardSpec&) {
          message.substr(end);
 }
 
-/// For a large sketch, the limit of the analyser's branches keeps its time below that of the compiler.
+/// With the limit of branches (analyzer-bb-explosion-factor), the analyser takes less time for a large sketch
+/// than the compiler.
 const std::array<StaticCheck::Kind, 2> kKinds = {
     {{"avr", {"-fsyntax-only"}, overflows_only_on_chip, width_warnings, line_of, text_of_width},
      {"host",

@@ -28,7 +28,7 @@ class StaticCheck {
   Command command(const Unit& unit, const std::filesystem::path& scratch) const;
 
   /// Returns the messages in the command's output that are of this kind, and about the sketch's own files.
-  /// Skips those that the messages of the build's compiler contain, too.
+  /// Skips mistakes that the build's compiler has reported in `build_messages`.
   std::string warnings(const Sketch& sketch, const std::string& output,
                        const std::string& build_messages) const;
 

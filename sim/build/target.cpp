@@ -109,9 +109,9 @@ const Target kHost = {
              "-Wl,--build-id=none", "-Wl,-z,now",
              // An image is hashed and read before each run. Without this option, an image has about 800 KB.
              "-Wl,--compress-debug-sections=zlib",
-             // Handlers that a sketch does not define must be null, even if the process defines such names.
+             // Handlers that a sketch does not define must be null, even if the process defines their names.
              "-Wl,-z,nodynamic-undefined-weak", "-Wl,-z,noexecstack",
-             // For arm; see hal/host/division.cpp.
+             // Redirects divisions on arm (hal/host/division.cpp).
              "-Wl,--wrap=__aeabi_idiv,--wrap=__aeabi_idivmod,--wrap=__aeabi_uidiv",
              "-Wl,--wrap=__aeabi_uidivmod,--wrap=__aeabi_ldivmod,--wrap=__aeabi_uldivmod"},
     .link_files = {{"exports.map", kExports}, {"sections.ld", kSections}},
@@ -141,8 +141,8 @@ const Target kAvr = {
     .as_avr = {},
     // Link-time optimisation of avr-gcc 5.4 fails for code with checks. Such code is also far larger than the
     // chip's flash. An image with the checks' handlers (hal/avr/undefined.c) therefore runs on a larger
-    // emulated chip. It has 64 KB of flash, and RAM up to the start of the stack, which is also RAMEND
-    // (hal/avr/with_checks).
+    // emulated chip. That chip has 64 KB of flash. Its RAM ends at __stack, where the stack begins. RAMEND
+    // has the same value (hal/avr/with_checks).
     .sanitizer = {.undefined = {"-fno-lto",
                                 "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
                                 "shift,signed-integer-overflow"},

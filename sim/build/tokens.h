@@ -10,7 +10,7 @@
 
 namespace robosim::build {
 
-/// A token of a text, which can have as many tokens as characters.
+/// A token. It refers to the text without a copy, because each character of a text may be a token.
 struct Token {
   enum class Kind : char {
     word,
@@ -31,8 +31,8 @@ struct Token {
 /// The text of the token that marks the end of a #define.
 inline constexpr std::string_view kEndOfDefine = "\n";
 
-/// Returns the tokens of `source`, which must outlive them. Line markers of a preprocessor set files and
-/// lines.
+/// Returns the tokens of `source`, which must outlive them. A preprocessor's line markers determine the
+/// tokens' files and lines.
 std::vector<Token> tokens_of(std::string_view source);
 
 /// One line of a comment.

@@ -20,8 +20,8 @@ struct Vectors {
 std::string vector_name(const Vectors& vectors, int number);
 
 /// Returns a sentence about the first vector that the linker reports as defined twice: its name, its two
-/// owners, and what to do. Returns an empty text if there is no such vector. `own_lines` are the sketch's
-/// preprocessed lines (prototypes.h): avr-gcc's linker names no lines.
+/// owners, and what to do. Returns an empty text if there is no such vector. avr-gcc's linker names no lines;
+/// the hint finds them in `own_lines`, the sketch's preprocessed lines (prototypes.h).
 std::string vector_hint(const std::string& messages, const std::string& own_lines, const BoardSpec& board,
                         const Vectors& vectors);
 

@@ -23,8 +23,8 @@ bool ends_in_word(std::string_view text, std::string_view word) {
   return before == ' ' || before == '\t' || before == '}' || before == ';' || before == '{' || before == ')';
 }
 
-/// Returns whether the semicolon at `at` is itself the body of an `if` or `else`. In the other case, an empty
-/// macro precedes the semicolon.
+/// Returns whether the semicolon at `at` is itself the body of an `if` or `else`. If it is not,
+/// an empty macro precedes the semicolon.
 bool is_whole_body(std::string_view line, std::size_t at) {
   std::string_view before = trimmed(line.substr(0, at));
   if (ends_in_word(before, "else")) return true;

@@ -3,8 +3,8 @@
 //   if (now - last < 100) return;  last = now;  output = kp * error;    // at 0.7 m/s: 70 mm with one command
 //
 // Some PID libraries compute only every 100 ms unless the sketch sets another time. The sketch does read its
-// sensors in each pass of loop(), so that it does not drive blindly (blind_driving.h). But the readings
-// change nothing in between. A finding is a loss of the line with these properties:
+// sensors in each pass of loop(), so that it does not drive blindly (blind_driving.h). But between two
+// computations, the readings have no effect. A finding is a loss of the line with these properties:
 //
 //   - the motor commands changed at regular times, at least four times in a row. Each interval is a multiple
 //     of the shortest one, within 5 % or 2 ms. The shortest interval is 20 ms or longer;

@@ -44,8 +44,8 @@ std::string pin_name(const Evidence& e, Pin pin) {
 bool is_at(const exec::Activity& a, std::string_view function) { return a.call.rfind(function, 0) == 0; }
 
 // Returns the pin for which the sketch seems to wait: the only input that it has read lately. A sketch may
-// read one input while the robot drives. If the robot has moved or drives, the sketch must therefore be in
-// digitalRead().
+// read one input while the robot drives. If the robot has moved or drives, the sketch therefore counts as
+// waiting only in digitalRead() or pulseIn().
 Pin awaited_pin(const Evidence& e) {
   if (is_at(e.activity, "pulseIn"))
     return e.t - e.activity.last_call < kSilentAfter ? e.activity.pin : kNoPin;
@@ -430,7 +430,7 @@ bool reads_no_more(const Evidence& e) {
   return e.moved && has_left_line(e) && seen && e.sensors_read != kNever && e.sensors_read + kLong < seen->at;
 }
 
-// A robot with wrong wiring hardly follows the line for this distance.
+// A robot that has followed the line for this distance is probably wired correctly.
 constexpr double kFollowed_m = 1.0;
 
 // Estimates from the mean speed how far the robot had driven when a sensor last saw the line.

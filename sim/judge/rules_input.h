@@ -20,7 +20,7 @@ struct RulesInput {
   const world::Body& body;
   SimTime t = 0;
   bool at_rest = false;
-  bool moved = false;  ///< since this was last true, the body moved 4 mm, turned a degree, or stopped
+  bool moved = false;  ///< the body has moved 4 mm, turned a degree, or stopped since this was last true
 };
 
 }  // namespace robosim::judge

@@ -15,7 +15,7 @@ struct SupplySummary {
   SimTime since = 0;             ///< time of the last change
   int resets = 0;                ///< number of resets because of low voltage
   SimTime recovered = 0;         ///< when the chip last ran again after such a reset
-  std::optional<double> charge;  ///< charge of a [battery], 0..1; below 0 the voltage collapses
+  std::optional<double> charge;  ///< of a [battery]: 1 = full, 0 = empty; below 0 the voltage collapses
   double volts = 0.0;            ///< V, voltage of the battery under load
   double needed = 0.0;           ///< V, battery voltage that the chip requires to run
 

@@ -45,7 +45,7 @@ int number_of(const Paint& paint, const Paint& usual, Course& course, const Plac
   return static_cast<int>(i) + 1;
 }
 
-// Reads the keys of a paint; `paint` has the defaults. For marks, skips `width`, which is not the paint's.
+// Reads the keys of a paint; `paint` has the defaults. For marks, skips `width`, the mark's own width.
 Paint read_paint(TableReader& table, bool of_line, Paint paint) {
   if (of_line) paint.width = table.quantity("width", Dimension::length, paint.width, kLeastWidth, kMostWidth);
   if (const ConfigValue* const colour = table.find("colour")) paint.colour = read_colour(*colour);

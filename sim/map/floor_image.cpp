@@ -59,7 +59,7 @@ double FloorImage::darkness_in(Vec2 low, Vec2 high) const {
   if (!(area > 0.0)) return 0.0;
   const Runs columns(low.x * per_pixel_, high.x * per_pixel_, width_);
   const Runs rows(height_ - high.y * per_pixel_, height_ - low.y * per_pixel_, height_);
-  // Looks up each sum, at the crossing of a column edge and a row edge, only once.
+  // Each sum belongs to the crossing of a column edge and a row edge. Looks up each sum only once.
   std::array<std::uint32_t, 4> above{}, below{};
   const auto look_up = [&](std::array<std::uint32_t, 4>& sums, int row) {
     for (std::size_t c = 0; c < 4; ++c) sums[c] = sum(columns.edges[c], row);

@@ -205,8 +205,8 @@ class City {
       }
   }
 
-  // Removes a random third of the streets, except those with a station or in a random spanning tree
-  // (Kruskal's algorithm). Each crossing retains at least two streets.
+  // Removes each street with a probability of one in three. Keeps streets with a station, and streets of a
+  // random spanning tree (Kruskal's algorithm). Each crossing retains at least two streets.
   void remove_streets() {
     for (std::size_t n = streets_.size(); n > 1; --n) std::swap(streets_[n - 1], streets_[chance_.below(n)]);
     Groups connected(lattice_.size());

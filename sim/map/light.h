@@ -13,8 +13,8 @@ namespace robosim::map {
 
 /// Uniform daylight, a lamp, or a patch of sun.
 struct Light {
-  /// The effect of the light at its brightest spot on a sensor 3 mm above the floor. Everything looks whiter
-  /// by this share of the difference between white and black.
+  /// The effect on a sensor that is 3 mm above the floor, at the light's brightest spot. Everything looks
+  /// whiter by this share of the difference between white and black.
   double level = 0.0;
   std::optional<Vec2> at;  ///< m, point below the lamp, or middle of the patch of sun; nullopt = everywhere
   double height = 0.0;     ///< m, of a lamp above the floor; 0 = no lamp

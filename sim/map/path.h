@@ -1,6 +1,6 @@
 // A line that does not follow cells: a sequence of straights, arcs and corners. Each piece begins at the end
-// of the previous piece, in the same direction. Courses of most competitions consist of such lines: [[path]]
-// of a map (docs/reference/maps.md).
+// of the previous piece, in the same direction. Courses of most competitions consist of such lines. A map
+// describes such a line in a table [[path]] (docs/reference/maps.md).
 #pragma once
 
 #include <vector>

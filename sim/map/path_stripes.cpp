@@ -15,8 +15,9 @@ struct Unpainted {
   double to;
 };
 
-// Returns the unpainted intervals. `half_widths` contains half the paint's width for each piece. Gaps are
-// longer by these widths, since paint extends this far beyond a stripe's end.
+// Returns the unpainted intervals. At each end, an interval is longer than its gap by half the paint's width.
+// The round end of the neighbouring stripe covers this length. `half_widths` contains half the paint's width
+// for each piece.
 std::vector<Unpainted> gaps_of(const Path& path, const std::vector<double>& half_widths) {
   std::vector<Unpainted> gaps;
   double along = 0.0;

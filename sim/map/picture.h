@@ -14,7 +14,7 @@ struct PictureOptions {
   bool ascii = false;  ///< use only ASCII characters
 };
 
-/// Draws lines with box-drawing characters, station numbers and an arrow at the start. Adds rulers with
+/// Draws lines as box-drawing characters, stations as numbers, and the start as an arrow. Adds rulers with
 /// column and row numbers, and a legend. A cell is two characters wide if the map fits, else one. A map that
 /// is too large is clipped to a part around the start. A sentence below the picture reports this.
 std::string draw(const Map& map, const Network& network, const Start& start, const PictureOptions& options);

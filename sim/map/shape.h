@@ -34,7 +34,7 @@ struct Shape {
 
 /// Reads a shape from a table. The keys of its place are either `at`, or `along`, `path`, `away` and `side`.
 /// The keys of its size are either `size` and `angle`, or `radius`. Messages contain `name`, as in "[[NAME]]"
-/// and "a NAME". `course` contains the paths read before. `length`, if not null, receives a rectangle's
+/// and "a NAME". `course` must already contain the map's paths. `length`, if not null, receives a rectangle's
 /// length and its spread. Throws InputError.
 Shape read_shape(TableReader& table, const Course& course, const char* name, const SampledParameters& figures,
                  Parameter* length = nullptr);

@@ -15,9 +15,9 @@ namespace robosim::map {
 
 /// A piece of centre line, in the world frame (m).
 ///
-/// A segment goes from its smaller to its larger x, or y if both x are equal. If a line is a single cell, a
-/// and b are equal. Segments of cells are parallel to an axis. An arc runs counter-clockwise from a to b, for
-/// at most a quarter of a circle. It is tangent to the segments that it joins.
+/// A segment goes from its smaller to its larger x, or y if both x are equal. If a line is a single cell, `a`
+/// and `b` are equal. Segments of cells are parallel to an axis. An arc runs counter-clockwise from `a` to
+/// `b`, for at most a quarter of a circle. The arc is tangent to the segments that it joins.
 struct Stripe {
   Vec2 a;               ///< one end
   Vec2 b;               ///< the other end
@@ -30,8 +30,8 @@ struct Stripe {
   std::uint8_t paint = 0;  ///< index in paints_of()
 };
 
-/// Returns the distance from p to the nearest point of a stripe, m. Uses no trigonometry, whose results may
-/// differ between machines, and may therefore be called inside a tick.
+/// Returns the distance from p to the nearest point of a stripe, m. May be called inside a tick: it uses no
+/// trigonometry, whose results can differ between machines.
 inline double distance(const Stripe& s, Vec2 p) {
   if (s.radius == 0.0) {
     if (s.a.x != s.b.x && s.a.y != s.b.y) {

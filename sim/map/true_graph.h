@@ -23,8 +23,8 @@ struct Arm {
   Behind behind = Behind::nothing;  ///< kind of the line's other end
   int id = 0;                       ///< number of the station or junction at the other end
   int slot = 0;                     ///< slot of this line at the junction at the other end
-  int length = 0;        ///< moves from node to node, or until the robot stands before the obstacle
-  CellAt obstacle = {};  ///< cell of the obstacle, if behind is `blocked`
+  int length = 0;                   ///< number of moves to the other node, or to the cell before the obstacle
+  CellAt obstacle = {};             ///< cell of the obstacle, if behind is `blocked`
   bool operator==(const Arm&) const = default;
 };
 

@@ -35,7 +35,7 @@ class Gatherer {
   }
   void begin(const RecordedRun& run);
   void add(const wire::Event& event);
-  /// Returns the header so far. content() or encode() add the result and the streams.
+  /// Returns the header so far. content() and encode() add the result and the streams.
   const RecordingHeader& header() const { return header_; }
   std::string content(const result::RunResult& result);
   void encode(const result::RunResult& result, const Put& put);

@@ -124,7 +124,7 @@ struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
   std::int64_t ram_bytes = 0;        ///< variables
   std::int64_t stack_bytes_max = 0;  ///< the maximum in use, including handlers
-  std::int64_t loops = 0;            ///< number of passes of loop(); 0 = unknown, also the next two values
+  std::int64_t loops = 0;            ///< number of passes of loop(); 0 = unknown, like the next two values
   double loop_us_max = 0.0;          ///< longest time from one beginning of loop() to the next or to the end
   double loop_us_mean = 0.0;
   double interrupt_share = 0.0;  ///< share of the time in interrupt handlers: 0..1
@@ -262,7 +262,8 @@ void fields(V& v, Same<V, Pose>& p) {
   v("yaw", p.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
 }
 
-/// Is the text of a cause whose lines ran long before the others, or declare a variable that never changed.
+/// The text of a cause. Its lines ran long before those of other causes, or declare a variable that never
+/// changed.
 inline constexpr const char* kSetBefore = "set before, and kept";
 
 /// One element of the chain of causes that leads back from a verdict.

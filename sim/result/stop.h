@@ -21,7 +21,7 @@ struct Stop {
     at,       ///< the body covers the centre of station `text`
     reading,  ///< part `text` reads at least 0.5 if `level` is true, and less if it is false
     pin,      ///< the firmware drives pin `text`: high or with PWM if `level`, otherwise low
-    motors,   ///< a motor is driven if `level` is true, and no motor if it is false
+    motors,   ///< `level` is true: a motor is driven; `level` is false: no motor is driven
     rest,     ///< no wheel has turned for `rest_ns`, counted from the last resume of the run
   };
   Kind kind = Kind::rest;

@@ -15,7 +15,7 @@ constexpr BatteryKind kKinds[] = {
     {"alkaline", 0.2, {1.60, 1.50, 1.42, 1.36, 1.31, 1.27, 1.24, 1.20, 1.16, 1.10, 0.90}}};
 constexpr double kCollapse = 0.02;  // the voltage falls to 0 V at a charge of -kCollapse
 constexpr double kPerMah = 3.6;     // A s per mAh
-constexpr int kMostPieces = 4;  // number of linear pieces of the current as a function of voltage, plus one
+constexpr int kMostPieces = 4;      // Newton steps: one for each linear piece of the current, and one more
 
 }  // namespace
 

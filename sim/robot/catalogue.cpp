@@ -130,7 +130,7 @@ const std::vector<DriverChip>& driver_chips() {
        1.3,
        false,
        {{{open, open}, {open, open}}, {{shorted, reverse}, {forward, shorted}}}},
-      // "EN" is the chip's input PWM. The bridge is open while IN1 and IN2 are low; else a low PWM brakes.
+      // "EN" is the chip's PWM input. The bridge is open while IN1 and IN2 are low; else a low PWM brakes.
       {"tb6612",
        0.0,
        0.5,

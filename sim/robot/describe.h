@@ -25,7 +25,7 @@ struct PartSummary {
 struct SteeredWheels {
   std::string servo;    ///< name of the steering servo
   double base = 0.0;    ///< m, distance from the driven axle
-  int wheels = 1;       ///< 1, or 2 at the distance Summary::track
+  int wheels = 1;       ///< 1, or 2 that are Summary::track apart
   double middle = 0.0;  ///< rad, the servo's reading when the wheels point ahead
   double ratio = 0.0;   ///< rad of steering to the left per rad of the reading
   double limit = 0.0;   ///< rad, largest steering angle to each side

@@ -68,7 +68,7 @@ struct Motors {
   Parameter no_load_current;  ///< A: friction in motor and gear; sampled for each motor
   Parameter stall_torque;     ///< N m at the wheel, sampled for each motor
   Parameter stall_current;    ///< A, sampled for each motor
-  Parameter static_friction;  ///< friction at rest / while turning, at least 1; sampled for each motor
+  Parameter static_friction;  ///< ratio of static to kinetic friction, at least 1; sampled for each motor
   Parameter gear;             ///< motor turns per turn of the wheel
   Parameter rotor_inertia;    ///< kg m2 of the motor's rotor
   Parameter inductance;       ///< H of the winding, sampled for each motor; 0 = negligible
@@ -160,7 +160,7 @@ struct SourceText {
 };
 
 struct Description {
-  std::string name;  ///< the file's stem; if the board is replaced, followed by @ and its name
+  std::string name;  ///< the file's stem; if the board is replaced, followed by @ and the board's name
   std::filesystem::path file;
   std::string sha256;  ///< hash of the file, its bases and, for a replaced board, "@" and the board's name
   const BoardSpec* board = nullptr;

@@ -141,7 +141,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     double line_side = 0.0;     ///< last value of Robot::line_side() that was not small
     double side_command = 0.0;  ///< difference of the commands when the line came to this side
     /// Mean steering since the line came to this side, -2..2; above 0: towards the line. Ignores a command
-    /// from before that time, unless the command steers towards the line.
+    /// that was given earlier, unless the command steers towards the line.
     double steered = 0.0;
     int collisions_told = 0;
     SimTime senses_at = 0;   ///< no sensor is examined before this time

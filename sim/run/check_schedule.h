@@ -19,7 +19,7 @@ struct DueChecks {
   int next;  ///< number of ticks until the next check
 };
 
-/// The checks for each tick of a period of kRestSpan. Reading this table in every third tick is faster than
+/// The checks for each tick of a period of kRestSpan. Reading this table, in 6 of 20 ticks, is faster than
 /// computing several remainders.
 constexpr auto kCheckSchedule = [] {
   std::array<DueChecks, kRestSpan / kTick> looks{};

@@ -7,7 +7,7 @@
 namespace robosim::run {
 namespace {
 
-constexpr SimTime kTurn = 5 * kRestSpan;  // limits a turn, so that robots need not be far apart
+constexpr SimTime kTurn = 5 * kRestSpan;  // longer turns would need larger distances between robots
 
 }  // namespace
 

@@ -1,8 +1,8 @@
-// Makes the simulation of resting robots almost free, as long as nothing moves on the floor. In a tick of
-// rest, only firmware and parts run, detectors observe, poses are hashed and ticks are counted. act() and
-// evaluate() would repeat their results, and are skipped. They run in full once per kRestSpan, and whenever
-// firmware does something. A series of equal checks has the same effect as its last check, which catch_up()
-// performs before anything changes.
+// Makes the simulation of resting robots almost free, as long as nothing moves on the floor. A tick of rest
+// runs firmware, parts and detectors, hashes poses, and counts the tick. It skips act() and evaluate(), which
+// would repeat their results. They run in full once per kRestSpan, and whenever firmware does something. A
+// series of equal checks has the same effect as its last check, which catch_up() performs before anything
+// changes.
 #include <algorithm>
 
 #include "sim/run/agent.h"

@@ -112,7 +112,7 @@ void StopConditions::happened(const result::RunEvent& event) {
 
 bool StopConditions::says(Watch& watch) const {
   if (scene_.serial.find(watch.stop.text, watch.searched) != std::string::npos) return true;
-  // Searches the end of the output again later, since the text may begin there and end in later output.
+  // Includes the end of the present output in the next search, because the text may begin there.
   const std::size_t kept = std::min(scene_.serial.size(), watch.stop.text.size() - 1);
   watch.searched = std::max(watch.searched, scene_.serial.size() - kept);
   return false;

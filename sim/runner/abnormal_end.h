@@ -13,7 +13,7 @@
 
 namespace robosim::runner {
 
-/// Exit status of a process whose watchdog has detected an endless loop.
+/// Exit statuses of a process whose watchdog has detected an endless loop: after loading, and during loading.
 constexpr int kWatchdogStatus = 99, kLoadingStatus = 98;
 
 constexpr const char* kLoops = "it loops without end, and simulated time does not advance";

@@ -54,8 +54,8 @@ void DebuggedRun::run_on() {
     if (!server_.attached()) moments_.clear();
     const bool can_go_back = server_.history() && server_.attached();
     if (can_go_back && t >= moments_.next()) moments_.add({t, simulation_.save(), told_.count()});
-    // Defers an interruption while the run repeats an earlier part. Otherwise the run could end before
-    // reports that the listener already has.
+    // Defers an interruption while the run repeats an earlier part. Otherwise the run could end at a time
+    // before the last reports that the listener already has.
     setup_.interrupted = told_.is_at_front() ? interrupted_ : nullptr;
     simulation_.run_until(t + kStretch);
   }

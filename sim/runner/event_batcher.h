@@ -53,8 +53,8 @@ class EventBatcher {
   void flush();
 
  private:
-  /// The longest delay of an event, in simulated time, so that the observer of a slow run sees progress. Each
-  /// flush costs as much as a few hundred events.
+  /// The longest delay of an event, in simulated time. The limit lets an observer of a slow run see progress.
+  /// Each flush costs as much as a few hundred events.
   static constexpr SimTime kLongest = 1 * kSecond;
 
   [[gnu::always_inline]] void look() {

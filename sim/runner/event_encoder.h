@@ -49,7 +49,7 @@ class EventEncoder final : public run::Listener {
   static bool goes_on(const EventBatcher* batcher, int agent, SimTime t, Pin pin) {
     return batcher && batcher->follows(agent, t, pin);
   }
-  // Handle all other events: events that need such a record, and events without a batcher.
+  // Handle the events for which goes_on() returns false.
   [[gnu::noinline]] void change_pin(Pin pin, const PinDrive& drive, SimTime t);
   [[gnu::noinline]] void see_volts(Pin pin, double volts, SimTime t);
   // Report an event of a pin if there is no batcher.
@@ -75,7 +75,7 @@ class EventEncoder final : public run::Listener {
   EventBatcher* const quick_inputs_;    ///< the batcher if it gets all input events; or null
   std::string line_;
   std::optional<wire::RunColumns> columns_;
-  std::optional<wire::SourceNumbers> sources_;  ///< set if the client makes the columns and sources are known
+  std::optional<wire::SourceNumbers> sources_;  ///< set if the client makes columns that have source lines
   wire::Sample sample_;                         ///< last sample
 };
 

@@ -82,7 +82,7 @@ class RunWatch {
   std::int64_t begun_ns_ = 0;      ///< processor time before any firmware was loaded
   std::int64_t processor_ns_ = 0;  ///< processor time at the last progress
   Reading looked_{0, -1, false};   ///< reading at the last check
-  std::int64_t silent_us_ = 0;     ///< wall time without progress, less kBusyMachine times the processor time
+  std::int64_t silent_us_ = 0;     ///< wall time without progress minus kBusyMachine times the processor time
 };
 
 }  // namespace robosim::runner

@@ -54,7 +54,7 @@ void add_line(std::vector<result::SourceLine>& lines, const result::SourceLine& 
   if (!there && lines.size() < most) lines.push_back(line);
 }
 
-/// Returns whether a step happened long before `t` or while the sketch began, or is a variable's declaration.
+/// Returns whether a step is a variable's declaration, or happened long before `t` or while the sketch began.
 bool is_before(const CauseStep& step, SimTime t) {
   return step.t + kLongBefore < t || step.kind == Kind::keeps || step.where.function == "setup" ||
          step.where.function.starts_with("_");

@@ -55,7 +55,7 @@ struct BatchMemory {
 class BatchWriter {
  public:
   static constexpr std::size_t kMostName = 255;
-  /// Largest used size at which at least one more event fits.
+  /// The largest number of used bytes with which one more event certainly fits.
   static constexpr std::size_t kFull_bytes = BatchMemory::kRoom_bytes - 16'384;
 
   static constexpr int kHigh = 4, kPwm = 8, kTone = 16, kSource = 32;  ///< bits of `other` in a 'p'

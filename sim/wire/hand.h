@@ -1,5 +1,5 @@
-// Detects manual moves by a script. A manual move adds a part to the robot's path that the robot did not
-// drive.
+// Detects that a script moves the robot by hand. Such a move adds a part to the robot's path that the robot
+// did not drive.
 #pragma once
 
 #include <utility>

@@ -15,7 +15,7 @@
 //   k_e  = (nominal_volts - R no_load_current) / no_load_rate              volts per rad/s
 //   T_c  = k_t no_load_current + T_r, T_r = rolling_resistance m g r / 2   friction while it turns
 //   T_s  = static_friction k_t no_load_current + T_r                       friction that holds it at rest
-// At nominal_volts the wheel turns at no_load_rate off the ground, and stalls at stall_torque.
+// At nominal_volts, a lifted wheel turns at no_load_rate, and a blocked wheel exerts stall_torque.
 //
 // The current depends on the driver's state:
 //   driven (share |drive| of the tick):  i = max(0, supply - drop - k_e w) / (R + driver_ohms), for drive > 0
@@ -58,8 +58,8 @@ struct WheelCommand {
   double drive = 0.0;  ///< -1..1: signed fraction of time (or PWM duty) with the supply across the motor
   double brake =
       0.0;  ///< 0..1: fraction of time with the motor's terminals shorted; the rest is open (coasting)
-  // Used only if a winding has inductance.
-  double against = 0.0;   ///< 0..1: fraction of time driven against `drive`; `brake` includes it twice
+  // Used only if a winding has inductance. `brake` includes twice the fraction `against`.
+  double against = 0.0;   ///< 0..1: fraction of time driven in the direction opposite to `drive`
   double period_s = 0.0;  ///< s, PWM period; 0 = no PWM, or an unknown period
 
   bool operator==(const WheelCommand&) const = default;
@@ -74,7 +74,7 @@ struct WheelParams {
   double no_load_current = 0.0;     ///< A; consumed by friction in motor and gear
   double stall_torque = 0.0;        ///< N m
   double stall_current = 0.0;       ///< A; more than no_load_current
-  double static_friction = 0.0;     ///< friction at rest / while turning, motor and gear; at least 1
+  double static_friction = 0.0;     ///< friction of motor and gear at rest, relative to turning; at least 1
   double gear_ratio = 0.0;          ///< motor turns for each turn of the wheel
   double rotor_inertia_kgm2 = 0.0;  ///< motor rotor
   double wheel_inertia_kgm2 = 0.0;  ///< wheel about its axle
@@ -284,7 +284,7 @@ class Body {
     Pose face;                           // the pose at that face
     double pitch = 0.0, roll = 0.0;      // sines; positive: front up, left side up
     bool eases = false;                  // neither slope nor tipping accelerates the body
-    double speed = 0.0;                  // m/s in the previous tick, reduced by losses that shift no load
+    double speed = 0.0;                  // m/s in the previous tick, changed by pushes that shift no load
     double gain = 0.0;                   // m/s2; smoothed acceleration
     double tip[2] = {0.0, 0.0};          // rad by which the caster [0], or a wheel [1], has left the floor
     double tip_rate[2] = {0.0, 0.0};     // rad/s
@@ -349,7 +349,7 @@ class Body {
   Roller<Pair> roller_ = {};  // inputs of rolling_step.h, from unit_ and the other members
   bool is_ordinary_ = false;  // the body may use rolling_step.h
   double mass_own_ = 0.0,
-         mass_cross_ = 0.0;  // kg: couple a wheel's ground speed to its own impulse, and to the other wheel's
+         mass_cross_ = 0.0;  // kg: a wheel's impulse per its own ground speed, and per the other wheel's
   double half_track_ = 0.0, per_track_ = 0.0;
   double grip_limit_[2] = {0.0, 0.0};                  // N s per tick, for each wheel
   double side_share_[2] = {0.5, 0.5};                  // each wheel's share of a sideways force

@@ -7,10 +7,11 @@
 // meets the second edge with the speed v sin(2 alpha) towards that edge. The wheel loses this speed in an
 // impact without rebound.
 //
-// Above a speed of sqrt(G r), G = 9.8 m/s^2 (0.40 m/s for r = 16 mm), the wheel leaves the first edge and
-// falls. With V = v / sqrt(G r), the wheel touches the second edge when its axle is g / (1 + V) before that
-// edge. The wheel has then sunk by at most 4 / (1 + V)^2 h. If g is small compared to r, the wheel's speed
-// towards the edge is sqrt(G r) g / r. A wheel that carries a mass m loses the kinetic energy
+// If the wheel is faster than sqrt(G r), it leaves the first edge and falls. Here G is 9.8 m/s^2, so the
+// limit is 0.40 m/s for r = 16 mm. With V = v / sqrt(G r), the wheel touches the second edge when its axle is
+// g / (1 + V) before that edge. The wheel has then sunk by at most 4 / (1 + V)^2 h. If g is small compared to
+// r, the wheel's speed towards the edge is sqrt(G r) g / r. A wheel that carries a mass m loses the kinetic
+// energy
 //   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              at most 4 m G h, at any speed
 //
 // A wheel that rolls obliquely, at the angle theta, reaches r |cos theta| along the gap's width. Its tread of

@@ -42,7 +42,7 @@ class Lighting {
   void restore(const std::vector<bool>& on);
   bool is_lit() const { return !lights_.empty(); }
   /// Returns the sum of L over all lights: the share of the white-to-black range by which the floor at p
-  /// looks whiter at `t`. Valid for a sensor 3 mm high.
+  /// looks whiter at `t`. Valid for a sensor 3 mm above the floor.
   double at(Vec2 p, SimTime t) const;
 
  private:

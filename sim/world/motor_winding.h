@@ -21,7 +21,7 @@
 //   open in between (fast decay):        the current continues through the diodes into the battery, against
 //                                        V + 2 V_d, and ends before the period does (discontinuous), unless
 //                                        D V - (1 - D) (V + 2 V_d) > E, for T << tau
-//   then, for T << tau:                  mean i = (V - E) D^2 T / (2 L) (1 + (V - E) / (V + 2 V_d + E))
+//   if discontinuous, T << tau:          mean i = (V - E) D^2 T / (2 L) (1 + (V - E) / (V + 2 V_d + E))
 // If E > D V and the winding is shorted in between, the driven phase returns current to the battery: the
 // motor recovers energy. If the winding is shorted throughout, the energy turns to heat in the winding.
 //

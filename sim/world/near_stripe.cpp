@@ -11,8 +11,9 @@ constexpr double kRounding = 1e-9;  // m: more than the rounding error of distan
 // The smallest useful size of a box, m. Leaving a box requires a new search, which costs more than evaluating
 // a few stripes.
 constexpr double kWorthwhile = 0.015;
-constexpr double kBeside = 5e-4;  // m; a point that is nearer to a straight stripe's reach gets no box
-constexpr double kAlone = 5e-3;   // m; a box that stores one stripe, not two, has at least this half side
+// The smallest useful distance of a point from the area in which footprints reach a straight stripe, m.
+constexpr double kBeside = 5e-4;
+constexpr double kAlone = 5e-3;  // m; least half side of a box with one stripe; else, the box stores two
 constexpr double kDiagonal = 0.70710678118654752;
 
 bool is_level(const map::Stripe& s) { return s.radius == 0.0 && s.a.y == s.b.y && s.a.x < s.b.x; }

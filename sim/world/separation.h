@@ -19,7 +19,9 @@ class Separation {
  private:
   struct Room {
     Vec2 centre;
-    double radius, sight;  // m; of the circle that the body does not leave; sensor range beyond this circle
+    // The body stays in the circle of `radius` about `centre`. Its sensors detect other bodies up to a
+    // distance of `sight` from this circle.
+    double radius, sight;  // m
     std::size_t number;
   };
   std::vector<Room> rooms_;  // sorted from west to east; used only during a call

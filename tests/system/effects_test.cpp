@@ -160,7 +160,8 @@ TEST_F(Effects, OfAReferenceThatSinksHideAWeakBattery) {
   EXPECT_FALSE(notices("[electronics]\nfed_by_battery = true\n"));
 }
 
-// The battery's reading is too high by 24 to 43 % of its difference to the 4.4 V of the previous channel.
+// The reading of 3.7 V from the battery is too high. The error is 24 to 43 % of the difference between the
+// 4.4 V of the previous channel and 3.7 V.
 TEST_F(Effects, OfAWeakSourceShiftReadingsTowardsThePreviousChannel) {
   EXPECT_EQ(prints("", "", 0.1).second, code(3.7));
   const int read = prints(kDivider + kWeak, "", 0.1).second;

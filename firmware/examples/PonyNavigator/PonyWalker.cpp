@@ -14,9 +14,9 @@ const uint8_t STOP_STEPS = 9;    // duration of braking before a rest
 const uint8_t SETTLE_STEPS = 5;  // duration of braking at the end of a turn
 const uint8_t REST_MS = 60;
 const uint16_t WHITE_STEPS = 75;  // steps on white after which the line may have ended
-// Distance to roll until the axle is over the arm, in tenths of a line's width (20 mm). It is 60 mm, the
-// sensors' distance ahead of the axle, less three distances: half a width, the third of a width already
-// driven, and the stopping distance.
+// Distance to roll until the axle is over the arm, in tenths of a line's width (20 mm). The sensors are 60 mm
+// ahead of the axle. Three distances are subtracted: half a width, the stopping distance, and a third of a
+// width, which the robot has already driven.
 const uint16_t ROLL_TENTHS = 20;
 const uint16_t ROUND_TENTHS = 35;  // tenths of a quarter turn; a line found later is the first line again
 const uint8_t SIDE_STEPS = 4;      // debounce time of a dark side sensor

@@ -70,7 +70,7 @@ class FixedWork {
   uint8_t ids_[kIds];
 };
 
-/// Returns whether `behind`, the link of an arm of `node`, is another node at the end of an open line.
+/// Returns whether an open line leads from `node` to another node. `behind` is the link of the line's arm.
 template <class Network>
 bool isOpen(const Network&, typename Network::Id node, typename Network::Id behind) {
   return behind != Network::kNone && behind != Network::kBlocked && behind != node;

@@ -106,8 +106,8 @@ typename Network::Id climbNext(const Network& network, typename Network::Id here
   return from == here ? below : network.parent(here);
 }
 
-/// Computes the last id beyond each node: its descendants are node + 1 to end[node]. Refuses other ids than
-/// those in preorder.
+/// Computes the last id beyond each node: its descendants are node + 1 to end[node]. Refuses ids that are not
+/// in preorder.
 template <class Network>
 Plan intervals(const Network& network, typename Network::Id* end) {
   typedef typename Network::Id Id;

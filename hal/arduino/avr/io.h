@@ -103,9 +103,9 @@ constexpr RegisterPointer Register8::operator&() const { return RegisterPointer(
 
 #define ROBOSIM_INLINE __attribute__((always_inline)) inline
 
-/// A register for which a read has side effects. Programs may read the register without a use of its value:
-/// `(void)UDR0;`, `SPSR;`. Therefore the destructor reads the register if the statement has not accessed the
-/// register otherwise.
+/// A register for which a read has side effects. A program may read the register and ignore the value:
+/// `(void)UDR0;`, `SPSR;`. The destructor therefore reads the register, unless the statement has already
+/// accessed the register.
 class ReadRegister8 {
  public:
   ROBOSIM_INLINE explicit ReadRegister8(robosim_register address) : register_(address) {}
@@ -213,7 +213,7 @@ class Register16 {
 #define _SFR_MEM8(address) (robosim_hal::Register8(address))
 #define _SFR_MEM16(address) (robosim_hal::Register16(address))
 
-#else  // Registers are memory in C, which cannot overload operators, and with ROBOSIM_REGISTER_MEMORY.
+#else  // With ROBOSIM_REGISTER_MEMORY, or in C, which cannot overload operators, registers are memory.
 
 #define ROBOSIM_REGISTER(type, address) (*(volatile type*)(robosim_register_memory + (address)))
 #define _SFR_MEM8(address) ROBOSIM_REGISTER(uint8_t, address)

@@ -40,8 +40,8 @@ const uint8_t kSine[256] = {
 
 const uint32_t kTurn = 1530;  // six ramps from 0 to 255
 
-/// Returns the red component at a position on the colour wheel, 0 to kTurn. For green and blue, the caller
-/// adds two thirds or a third of kTurn to the position.
+/// Returns the red component at a position on the colour wheel, 0 to kTurn. For green, the caller adds two
+/// thirds of kTurn to the position; for blue, the caller adds one third.
 uint8_t red_at(uint32_t place) {
   if (place <= 255) return 255;
   if (place <= 510) return static_cast<uint8_t>(510 - place);

@@ -25,7 +25,7 @@ struct Project {
   std::string board_name;               ///< as in the file; empty = none
   Place board_place;
   bool platformio = false;
-  std::filesystem::path sources;                ///< the folder of PlatformIO's sources
+  std::filesystem::path sources;                ///< source folder of a PlatformIO project
   std::vector<std::filesystem::path> includes;  ///< folders for the sketch's headers
   std::vector<std::filesystem::path> libraries;
   std::vector<WantedLibrary> wanted;

@@ -12,7 +12,7 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::int64_t kSlipping_ns = kSecond_ns;  // time before a loss of the line; it is not compared
+constexpr std::int64_t kSlipping_ns = kSecond_ns;  // this period before a loss of the line is not compared
 
 std::string came_to(const TimedText& place) {
   return place.text == kOffTheLine ? "leaves the line" : "comes to " + place.text;

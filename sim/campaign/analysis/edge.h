@@ -62,7 +62,7 @@ struct Share {
 enum class Alikeness {
   alike,  ///< both targets show both behaviours equally often; or a behaviour occurs in a single run of many
   apart,  ///< one target shows a behaviour that the other never or seldom shows
-  rare,   ///< too few runs: one of the two behaviours is rare
+  rare,   ///< one of the two behaviours is rare, and too few runs were made to decide
 };
 /// Compares two shares by Fisher's exact test, which reports equal targets as different in at most 1 of 20
 /// pairs.

@@ -167,7 +167,7 @@ Bench::PerTurn Bench::per_turn(const Log& log) const {
 void Bench::check(const Log& log, const Drive& drive, std::size_t side) const {
   const char* name = side == 0 ? "left" : "right";
   const int told = drive.told[side].front();
-  double counted = 0.0, along = 0.0;  // all counts; counts times command, above 0 if their signs agree
+  double counted = 0.0, along = 0.0;  // sums of counts, and of counts times command: above 0 if signs agree
   for (std::size_t i = 1; i < drive.t.size(); ++i) {
     const double more = drive.count[side][i] - drive.count[side][i - 1];
     counted += more;

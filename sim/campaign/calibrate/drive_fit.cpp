@@ -12,7 +12,7 @@ namespace robosim::calibrate {
 namespace {
 
 constexpr double kAlike = 10.0;      // number of neighbouring samples that count as one
-constexpr double kMostUnsure = 0.5;  // sd of a parameter's logarithm above which the data do not determine it
+constexpr double kMostUnsure = 0.5;  // maximum sd of the logarithm of a parameter that the data determine
 // Relative standard deviations of speeds and of forces that the model causes: by its ticks, and by a PWM duty
 // cycle that is known only to half a step.
 constexpr double kSpeedModel = 0.005, kForceModel = 0.02;

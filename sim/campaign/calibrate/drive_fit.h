@@ -6,7 +6,7 @@
 //   by the speed at each voltage:    k_e, and R M / k_t
 //   by the time constant:            R J / (k_t k_e)
 //   by the coasting:                 M / J
-// These values give k_e, and the ratios between k_t / R, M and J, but neither R nor J. With R (stall_current)
+// These values give k_e, and the ratios of k_t / R to M and to J, but neither R nor J. With R (stall_current)
 // and J (mass, rotor, wheels) from the file, they give no_load, stall_torque and no_load_current. If J is
 // wrong, stall_torque is wrong by the same factor, and the robot still behaves correctly. Turns on
 // the spot determine the body's inertia about its vertical axis.

@@ -7,7 +7,7 @@
 namespace robosim::calibrate {
 namespace {
 
-constexpr double kSure = 0.1;  // maximum relative uncertainty of a value that is not called rough
+constexpr double kSure = 0.1;  // values with a larger relative uncertainty are called rough
 
 std::string line_of(const Figure& figure, const Found& found, const std::string& name, bool first) {
   const std::string value = shown(figure, found);

@@ -19,8 +19,8 @@ namespace {
 
 using robot::ReflectanceSpec;
 
-constexpr double kPatch = 0.012;                       // m of floor whose readings count as one reading
-constexpr double kMostChange = 0.25;                   // maximum change of levels / (black - white)
+constexpr double kPatch = 0.012;                       // m: readings of this length of floor count as one
+constexpr double kMostChange = 0.25;                   // maximum change of levels, share of black - white
 constexpr double kClock = 4e-6 * std::numbers::sqrt2;  // s, error of a duration by micros() at 16 MHz
 constexpr std::size_t kBatches = 10;
 constexpr std::size_t kMostEdges = 1500;  // limit for a part; more edges do not improve the result
@@ -123,7 +123,7 @@ void measure_levels(Element& element) {
   };
   fit.noise = noise_of(rough_white, step_at(white));
   fit.dark_noise = noise_of(rough_black, step_at(black));
-  const double floor = deviation(white);  // standard deviation: patches of the floor, and noise
+  const double floor = deviation(white);  // caused by patches of the floor, and by noise
   const double circles = 2.0 * std::numbers::pi * radius * static_cast<double>(logs.size());
   const double patches = std::max((radius > 0.0 ? std::min(length, circles) : length) / kPatch, 2.0);
   const bool skewed = static_cast<double>(clipped) > kMostClipped * static_cast<double>(white.size());

@@ -15,7 +15,7 @@ namespace {
 constexpr double kCodes = 1024.0;           // number of codes of analogRead() on all boards
 constexpr double kTapeShare = 0.03;         // minimum share of a sweep's readings over the tape
 constexpr double kMostSaturated = 0.3;      // maximum share of saturated readings, over floor or over tape
-constexpr double kLeastContrast = 0.03;     // minimum range of the readings / range of the converter
+constexpr double kLeastContrast = 0.03;     // minimum range of the readings, as a share of the converter's
 constexpr double kMostDisagreement = 0.35;  // maximum relative error of the tape's width by the wheels
 
 /// Converts a reading to a signal. `late` is the mean delay in us until the sketch notices that a pin is low.

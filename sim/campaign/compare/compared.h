@@ -76,9 +76,10 @@ struct Compared {
   std::array<ComparedSide, 2> sides;  ///< the two sides of the difference
   std::vector<Edge> edges;  ///< edges of both sides, or of the host's ticks; if any, the cause is chance
 
-  /// A target that lacks chip features, and the missing features that the sketch used before the difference.
-  /// If `lacks` is not empty, the sketch is not the cause.
+  /// The target that lacks the features in `lacks`.
   std::string lacking;
+  /// The missing chip features that the sketch used before the difference. If there are any, the sketch is
+  /// not the cause.
   std::vector<result::Lack> lacks;
 
   bool same() const { return !difference || !edges.empty() || !lacks.empty(); }

@@ -11,8 +11,8 @@
 namespace robosim::campaign {
 namespace {
 
-// The clock is wrong from one of these times before a difference, or from the start, until the difference
-// shows.
+// A clock error begins one of these times before a difference, or at the start of the run. It ends when the
+// difference shows.
 constexpr std::int64_t kClockOff_ns[] = {3'000'000'000, 5'000'000'000, 8'000'000'000, 12'000'000'000};
 // An Uno's resonator (Murata CSTCE16M0V53) may be 0.5 % off, so two Unos differ by up to twice that.
 constexpr int kClocksOff_ppm[] = {200, -200, 500, -500, 1000, -1000, 2000, -2000, 3000, -3000, 5000, -5000};
@@ -148,7 +148,7 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
   progress_.say("checking whether the host shows both behaviours when slightly delayed …");
   const analysis::Difference& difference = *compared.difference;
   const bool drives = analysis::is_of_driving(difference);
-  // Checks output only for a short time. behind_tick() then compares the later output with the delayed host.
+  // A difference in output is checked only for a short time, because behind_tick() compares the later output.
   const std::int64_t behind_ns = drives || pair.target_runs[as] != host ? analysis::kBehindEdge_ns : kSoon_ns;
   ObservedRobot observed = observed_robot_of(compared, as, pair);
   std::array<std::vector<result::Lateness>, 2> late{observed.late, observed.late};

@@ -123,8 +123,8 @@ bool is_same(const Divergence& a, const Divergence& b) {
 TestCase counterpart_of(const TestCase& test_case, const HuntSpace& space) {
   TestCase differential = test_case;
   if (test_case.differential == Differential::host) differential.build = *space.host_counterpart;
-  // Starts the clock earlier, so that it does not wrap. Even at kPast_ms, all one-time actions after power-on
-  // are past.
+  // Starts the clock earlier, so that it does not wrap. Starts it no earlier than kPast_ms, when all one-time
+  // actions after power-on are past.
   differential.clock_ms = test_case.differential == Differential::clock
                               ? std::max(kPast_ms, test_case.clock_ms - kEarlier_ms)
                               : 0;

@@ -69,7 +69,7 @@ std::string header(const std::string& from, const std::string& part) {
   return json.dump() + "\n";
 }
 
-/// Parses a line; returns a discarded value if it is not JSON.
+/// Parses a line. If it is not JSON, returns a value of the type `discarded`.
 Json parsed(std::string_view line) {
   return is_within_json_limits(line) ? Json::parse(line, nullptr, false) : Json(Json::value_t::discarded);
 }

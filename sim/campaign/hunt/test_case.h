@@ -60,7 +60,7 @@ struct TestCase {
   std::vector<Stimulus> stimuli;
   int later_ms = 0;  ///< delay of the opening relative to the baseline run
   std::int64_t clock_ms = 0;
-  std::uint64_t family = 0;  ///< number of a family; 0 = no family. Its test cases are equal up to
+  std::uint64_t family = 0;  ///< number of a family; 0 = none. A family's test cases are equal up to
                              ///< `branch_point` and differ in the last stimulus. On a chip, a family is
                              ///< one run that branches (wire::Ways)
   Moment branch_point = {};

@@ -124,8 +124,8 @@ LineNetwork padded(LineNetwork network) {
   return network;
 }
 
-/// Replaces a line of several pieces that ends at a station by a single piece. Adds a network for each place
-/// where that piece fits.
+/// Removes each line of several pieces that ends at a station, and inserts a single piece instead. Adds a
+/// network for each place where that piece fits.
 void add_shorter_ends(const LineNetwork& network, std::vector<LineNetwork>& found) {
   for (const Knot station : padded(network).stations()) {
     LineNetwork rest = padded(network);

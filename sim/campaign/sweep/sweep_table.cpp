@@ -28,8 +28,8 @@ enum Column : std::size_t { kSketch, kMap, kRobot, kTarget, kSeed, kVerdict, kTi
 
 constexpr const char *kScore = "score", *kCommand = "command";
 
-/// Returns the measurements that have columns of their own, in order. Laps have other columns, and the
-/// score's column follows the stations'. Junctions and recovered energy have no columns, because existing
+/// Returns the measurements that have columns of their own, in order. Laps have other columns. The score has
+/// a column after `stations`. Junctions and recovered energy have no columns, because existing
 /// tables lack them.
 const std::vector<Figure>& figure_columns() {
   static const std::vector<Figure> columns = [] {

@@ -139,7 +139,7 @@ RobotDraft CandidateTrial::guess(const Ways& ways) {
 
 void CandidateTrial::choose_key(const RobotDraft& draft) {
   constexpr double kLookForKey_s = 6.0, kMuch = 1.5;
-  constexpr double kSome = 20.0;  // reads
+  constexpr double kSome = 20.0;  // number of reads
   const std::string& object = names_.serial_object;
   if (object.empty() || object.find("Serial") == std::string::npos) return;
   const auto count = [&](const std::string& key) {

@@ -68,8 +68,8 @@ class CandidateTrial {
                         const std::function<void(const wire::Event&)>& on_event);
   Trial attempt(const RobotDraft& draft, const Ways& ways);
 
-  /// Finds the character with which the sketch reads more pins than without, and sends it in all further
-  /// runs.
+  /// Finds the character after which the sketch reads pins most often, and sends it in all further runs.
+  /// Sends none if the sketch reads pins nearly as often without a character.
   void choose_key(const RobotDraft& draft);
 
   launch::Launch launch_;

@@ -51,7 +51,7 @@ void guess_input(Evidence& evidence, RobotDraft& draft, const PinEvidence& clue)
     low ? add_pin_part(evidence, draft, clue, "bumper", "bumper")
         : add_pin_part(evidence, draft, clue, "bumper", "bumper", {{"resistor", "true"}});
   } else if (says(clue.words, {"in", "mot", "dir", "pwm"})) {
-    return;  // the input of a driver that was never set to OUTPUT: ask
+    return;  // a driver's input, by its name, but never set to OUTPUT: becomes a question
   } else if (low || says(clue.words, {"butt", "btn", "switch", "sw", "start", "push", "key", "mode", "knopf",
                                       "taster", "bouton", "boton", "botao", "tombol", "dugme"})) {
     low ? add_pin_part(evidence, draft, clue, "button", "button")

@@ -19,8 +19,8 @@ struct PartDraft {
   std::vector<std::string> notes = {};                    ///< evidence for the user
 };
 
-/// Differences from the first guess that names in the source may leave open. A run on a robot without the
-/// parts does not show them either. A caller can try all combinations.
+/// Possible differences from the first guess. The names in the source may leave them open, and a run on a
+/// robot without the parts does not show them. A caller can try all combinations.
 struct Ways {
   bool black_low = false;       ///< sensors read low over black
   bool close = false;           ///< two sensors are both on the line, not to its sides
@@ -63,7 +63,7 @@ struct RobotDraft {
   std::vector<PartDraft> parts;
   std::vector<std::string> questions;  ///< questions about pins without a part
   Ways ways;                           ///< the ways of this draft
-  Ways open;  ///< true = the sketch leaves this open, and it changes the robot's behaviour
+  Ways open;  ///< true = the sketch leaves this way open, and the way affects the robot's behaviour
 };
 
 RobotDraft guess(const BoardSpec& board, const SketchNames& names, const PinHistory& history,

@@ -118,7 +118,7 @@ class Libraries {
       for (const Pin pin : *pins) clues_.take(pin);
   }
 
-  // Returns whether a function writes only this pin, LOW and HIGH: around shiftOut().
+  // Returns whether a block that calls shiftOut() writes no other pin than this one, its latch.
   bool frames(Pin pin) const {
     for (const PinBlock& block : clues_.names().blocks) {
       const bool is_alone = std::all_of(block.writes.begin(), block.writes.end(),

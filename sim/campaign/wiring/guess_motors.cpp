@@ -116,7 +116,7 @@ class Motor {
   bool found() const { return en_ || in1_; }
   bool is_phase() const { return phase_ != nullptr; }
   bool is_transistor() const { return en_ && !in1_ && !phase_; }
-  /// Returns whether the inputs are named forward and backward, or by such abbreviations.
+  /// Returns whether the name of an input means forward or backward, also as an abbreviation.
   bool direction_is_named() const {
     if (!in1_ || are_letters(*in1_, *in2_)) return false;
     if (in1_->is_direction_from_source && in2_->is_direction_from_source) return false;
@@ -128,7 +128,8 @@ class Motor {
     const auto pin = [](const PinEvidence* clue) { return clue ? clue->pin : kNoPin; };
     return {pin(en_), pin(phase_ ? phase_ : in1_), pin(in2_)};
   }
-  /// Returns 1 if the source drives forward with in1 or the phase HIGH, -1 with LOW, 0 if it is open.
+  /// Returns 1 if the source sets in1 (or the phase) HIGH to drive forward, and -1 if it sets LOW. Returns 0
+  /// if the source leaves this open.
   int forward_in_source() const { return forward_in_blocks(clues_.names().blocks, motor_pins()); }
 
   // Returns a value above 0 if the motor was mostly driven forward.
@@ -191,7 +192,7 @@ constexpr std::size_t kMostPinsOfAMotor = 3;
 struct Sides {
   Pins left, right;
   bool named = true;
-  bool paired = true;  ///< false: which direction pins belong to which PWM pin is only guessed
+  bool paired = true;  ///< false: the assignment of direction pins to PWM pins is only guessed
 };
 
 // Returns the pins of one motor that the sketch passes to one object, as in Motor(5, 7, 8). `number` selects
@@ -356,8 +357,8 @@ Pins find_pins(Evidence& evidence, RobotDraft& draft, bool& has_standby) {
   return pins;
 }
 
-// Corrects the sides by functions such as turnLeft(), if only conventions have named them. If comments or
-// values have named them, such functions may contradict these; the sides are then open.
+// If only conventions name the sides, corrects the sides by functions such as turnLeft(). If comments or
+// values name the sides, and such functions contradict them, marks the sides as open.
 void check_sides_in_source(const Evidence& evidence, Sides& sides) {
   const Motor left(evidence, sides.left), right(evidence, sides.right);
   const auto forward = [](const Motor& motor) {
@@ -385,7 +386,8 @@ void add_motor(const Motor& motor, const Sides& sides, bool is_left, bool both_l
         "which motor is the left one is guessed: from A and B, numbers, or the order of the pins");
   if (!sides.paired)
     part.doubts.push_back("which inputs belong to which PWM pin is guessed from the order of the pins");
-  // A motor that turns on the spot leans back, too, so only both motors disprove names.
+  // If the robot mostly turns on the spot, one motor runs backwards. The names are therefore wrong only if
+  // both motors do.
   const bool leans_back = is_open ? motor.leans_back() : forward == 0 && both_lean_back;
   const bool other_way = is_left ? ways.left_reversed : ways.right_reversed;
   if ((leans_back || forward < 0) != other_way) part.keys.emplace_back("reversed", "true");

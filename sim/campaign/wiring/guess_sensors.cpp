@@ -216,7 +216,7 @@ bool arrange(Pins& sensors) {
     return true;
   }
   sort_by_number(sensors);
-  // One sensor at an end is enough.
+  // One sensor with a named side is enough, if it is at an end.
   const bool is_end =
       count > 2 && left + right == 1 && (place_of(*sensors.front()) != 0 || place_of(*sensors.back()) != 0);
   if (!is_placed && !is_end) return false;

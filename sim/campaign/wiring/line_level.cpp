@@ -166,7 +166,7 @@ class Votes {
     if (why.empty()) why = fmt::format("{}, {}:{}", text, file, line);
   }
 
-  // Adds the level that follows from the name of a turn. It is only as right as that name.
+  // Adds the level that follows from the name of a turn. If that name is wrong, so is the level.
   void add_turn(int sign, const std::string& file, int line) {
     ++turns_;
     add(Kind::remark, sign, "the turn", file, line);
@@ -239,7 +239,7 @@ class LevelReader {
     source_ = &source;
     read_library();
     read_constants();
-    std::set<int> idle;  // lines
+    std::set<int> idle;  // lines of blocks that do not run
     for (const Block& block : source.blocks)
       if (only_running && !block.runs)
         for (int line = block.first_line; line <= block.last_line; ++line) idle.insert(line);
@@ -402,7 +402,8 @@ class LevelReader {
     }
   }
 
-  // Returns the test of the innermost condition, if all its parts agree. The side is that of a single part.
+  // Returns the test of the innermost condition, if all its parts agree. The side is known only if the
+  // condition has a single part and is not negated.
   Test test_of(const Block& block) const {
     if (block.conditions.empty()) return {};
     const Condition& condition = block.conditions.back();
@@ -523,7 +524,7 @@ class LevelReader {
   TestReader tests_;
   const SourceText* source_ = nullptr;
   bool reads_plainly_ = false;  // assigns a digitalRead() without an inversion
-  int line_ = 1;                // the line is 1 = black, -1 = white
+  int line_ = 1;                // colour of the line: 1 = black, -1 = white
   Votes votes_;
 };
 

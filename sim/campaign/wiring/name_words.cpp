@@ -84,7 +84,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 bool is_upper(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
-// Splits the word pin off a word that begins or ends with it: pinena, enapin.
+// Splits words that begin or end with `pin`: pinena, enapin.
 void split_pin(WordList& words) {
   static const std::set<std::string> kWhole = {"ping",   "pinza", "pink", "pins",
                                                "pinion", "spin",  "pino", "pini"};
@@ -171,11 +171,11 @@ Side only_side(const WordList& words) {
 
 Side side_of(const WordList& words) {
   if (const Side side = spelled_side(words); side != Side::unknown) return side;
-  for (std::size_t i = 0; i + 1 < words.size(); ++i) {  // before the letters: motor1DirB
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {  // has precedence over letters: motor1DirB
     if (!is_one_of(words[i], {"m", "motor", "wheel"})) continue;
     if (const Side side = numbered(words[i + 1], false); side != Side::unknown) return side;
   }
-  for (const std::string& word : words) {  // before the other numbers: IN1_B
+  for (const std::string& word : words) {  // has precedence over the other numbers: IN1_B
     if (is_one_of(word, {"a", "ena", "pwma", "ain", "motora", "dira", "speeda", "ma"})) return Side::left;
     if (is_one_of(word, {"b", "enb", "pwmb", "bin", "motorb", "dirb", "speedb", "mb"})) return Side::right;
   }

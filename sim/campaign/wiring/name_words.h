@@ -13,8 +13,8 @@ using WordList = std::vector<std::string>;  ///< words of a name or of a comment
 
 /// Returns the words of a text in lower case, without accents: "Sağ motor" is sag, motor.
 WordList words_of_text(std::string_view text);
-/// Returns the words of a name, in lower case: "leftMotor_EN1" is left, motor, en, 1. The word pin also
-/// counts without a border: PINENA is pin, ena.
+/// Returns the words of a name, in lower case: "leftMotor_EN1" is left, motor, en, 1. Also separates
+/// `pin` without a border: PINENA is pin, ena.
 WordList words_of(std::string_view name);
 
 enum class Side { unknown, left, right };
@@ -24,8 +24,8 @@ enum class Side { unknown, left, right };
 Side spelled_side(const WordList& words);
 /// Returns the side that the words spell out, or unknown if they spell out both.
 Side only_side(const WordList& words);
-/// Returns spelled_side(), or a side by convention for other names: the first of numbered motors and channels
-/// counts as left (ENA, IN3, motorB, M2, m21). Only a run can confirm a convention.
+/// Returns spelled_side(). For other names, returns a side by convention. The first motor or channel counts
+/// as left (ENA, motor1), the second as right (motorB, IN3, m21). Only a run can confirm a convention.
 Side side_of(const WordList& words);
 
 /// Returns whether any of the words starts with any of the beginnings.

@@ -95,7 +95,7 @@ class BlockResolver {
     if (is_parameter) write.parameter = static_cast<int>(parameter - block.parameters.begin());
     write.is_said_off = says_off(statement.line);
     if (value.size() == 1) write.level = level_of(resolver_.value_of(value[0].str()));
-    // digitalWrite(IN1, speed > 0) also shows the level of forward.
+    // digitalWrite(IN1, speed > 0) also shows which level is forward.
     const auto condition_end =
         std::find_if(value.begin(), value.end(), [](const Token& t) { return t.is("?"); });
     const int sign = sign_of({{value.begin(), condition_end}, false, 0}, block);
@@ -173,7 +173,7 @@ void substitute(const std::vector<Pin>& pins, std::vector<PinWrite>& writes) {
   std::erase_if(writes, [](const PinWrite& write) { return write.pin == kNoPin; });
 }
 
-// Adds the writes of the functions that a block without writes calls.
+// If a block has no writes, adds the writes of the functions that it calls.
 void inline_calls(const std::vector<Block>& blocks, const Resolver& resolver,
                   std::vector<PinBlock>& results) {
   constexpr std::size_t kMostWrites = 4;
@@ -237,7 +237,8 @@ int turn_in(const PinBlock& block, const MotorPins& motor) {
   return *one > 0 ? 1 : -1;
 }
 
-// Returns the speed with which a block drives a motor: above 0 forward. Empty if the block does not drive it.
+// Returns the speed with which a block drives a motor; above 0 = forward. Empty if the block does not drive
+// the motor.
 std::optional<int> speed_in(const PinBlock& block, const MotorPins& motor, int forward) {
   const std::optional<int> enable = level_in(block, motor.en);
   if (motor.in1 == kNoPin) return enable;
@@ -249,7 +250,7 @@ std::optional<int> speed_in(const PinBlock& block, const MotorPins& motor, int f
   return turn * *enable;
 }
 
-// Returns `answer(blocks)` for the blocks that run; if that leaves it open, for all blocks.
+// Returns `answer` of the blocks that run. If that result is empty, returns `answer` of all blocks.
 template <typename Answer>
 auto from_running_first(const std::vector<PinBlock>& blocks, Answer answer) {
   std::vector<PinBlock> running;

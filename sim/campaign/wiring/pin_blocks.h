@@ -43,7 +43,8 @@ struct Resolver {
   std::function<std::string(const std::string&)> value_of;      ///< value of a constant
 };
 
-/// Returns the blocks that write to pins. A block without writes has those of the functions that it calls.
+/// Returns the blocks that write to pins. A block without writes gets the writes of the functions that
+/// it calls.
 std::vector<PinBlock> pin_blocks(const std::vector<SourceText>& sources, const Resolver& resolver);
 
 // Blocks that do not run only count if those that run leave the answer open.
@@ -51,8 +52,8 @@ std::vector<PinBlock> pin_blocks(const std::vector<SourceText>& sources, const R
 /// Returns the side of a pin, if all blocks that name one agree.
 Side side_in_blocks(const std::vector<PinBlock>& blocks, Pin pin);
 /// Returns 1 if in1 HIGH and in2 LOW drive forward, -1 for the reverse, 0 if the source leaves it open.
-/// Functions and conditions that name the direction decide. Without any, a motor that only ever turns one way
-/// turns forward.
+/// Functions and conditions that name the direction decide. Without them, a motor that the source turns in
+/// only one direction turns forward.
 int forward_in_blocks(const std::vector<PinBlock>& blocks, const MotorPins& motor);
 /// Returns 1 if functions such as turnLeft() confirm that `left` is the left motor, -1 if they drive it as
 /// the right one. `left_forward` and `right_forward` are results of forward_in_blocks().

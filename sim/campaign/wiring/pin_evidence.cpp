@@ -9,9 +9,9 @@ namespace {
 
 using namespace std::string_literals;
 
-// Replaces letters that mean a side next to certain other names: in Spanish pwmi and pwmd next to izq or der,
-// in Portuguese motorE and motorD, in French motorG and motorD. The letter of a use may follow: EV, DV. The
-// outermost sensors have the letter twice: EE, DD.
+// Replaces letters that mean a side, if other names of the sketch confirm this. Examples: in Spanish pwmi and
+// pwmd with izq or der, in Portuguese motorE with motorD, in French motorG with motorD. A letter for the
+// pin's use may follow: EV, DV. The outermost sensors have the letter twice: EE, DD.
 void read_letters_as_sides(std::vector<PinEvidence>& pins) {
   const auto any = [&](const std::string& word) {
     return std::any_of(pins.begin(), pins.end(), [&](const PinEvidence& clue) {
@@ -22,7 +22,6 @@ void read_letters_as_sides(std::vector<PinEvidence>& pins) {
     return says(clue.words, {"izq", "der"});
   });
   const bool has_no_other = !any("l") && !any("r");
-  // The letter of a use may follow, and the outermost sensors have the letter twice.
   const auto replace = [](PinEvidence& clue, std::size_t i, char letter, const char* side) {
     std::string& word = clue.words[i];
     const bool is_double = word.size() == 2 && word[1] == letter;

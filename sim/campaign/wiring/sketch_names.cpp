@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kLongestList = 400;  // tokens of a list of arguments
 constexpr int kMostSteps = 8;              // longest chain of names that refer to names
-constexpr std::size_t kMostSources_bytes = std::size_t{512} << 10;  // of larger sketches, most is data
+constexpr std::size_t kMostSources_bytes = std::size_t{512} << 10;  // larger sketches are mostly data
 
 const std::set<std::string>& pin_functions() {
   static const std::set<std::string> names = {
@@ -87,7 +87,7 @@ class Reader {
       reads_ports_ |= token.kind == Token::Kind::word && token.text.size() == 4 &&
                       token.text.starts_with("PIN") && token.text[3] >= 'A' && token.text[3] <= 'L';
       if (token.kind == Token::Kind::word && token.text.size() == 7 && token.text.starts_with("Serial")) {
-        // SoftwareSerial Serial3(6, 7); declares a line of the sketch.
+        // SoftwareSerial Serial3(6, 7); declares a serial line.
         const bool is_declared = at_ > 0 && tokens_[at_ - 1].is("SoftwareSerial");
         (is_declared ? own_lines_ : lines_).insert(token.text[6] - '0');
       }
@@ -201,8 +201,8 @@ class Reader {
     return is_named;
   }
 
-  /// Counts the calls of analogWrite() for digital pins that have PWM on this board (`has`), or do not. Skips
-  /// the values 0 and 255, which need no PWM.
+  /// Counts the calls of analogWrite() for digital pins. If `has`, only counts pins with PWM on this board;
+  /// otherwise only pins without PWM. Skips the values 0 and 255, which need no PWM.
   std::ptrdiff_t count_pwm(bool has) {
     std::ptrdiff_t count = 0;
     for (const PinBlock& block : names().blocks)
@@ -651,7 +651,7 @@ class Reader {
   std::set<std::string> numbers_;    // arguments of the other pin functions, except pinMode()
   bool reads_levels_ = false;
   bool reads_ports_ = false;
-  std::set<int> lines_, own_lines_;     // numbers after Serial; and those that the sketch declares
+  std::set<int> lines_, own_lines_;     // numbers of serial lines: used, and declared
   std::set<std::string> modes_;         // arguments of pinMode()
   std::set<std::string> analog_words_;  // A0, A1 …
   std::vector<Given> given_;

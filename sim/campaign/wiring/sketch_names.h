@@ -46,9 +46,9 @@ struct SketchNames {
   std::vector<Given> given;
   /// Pins of interrupts on FALLING that only set a flag.
   std::vector<Pin> flag_interrupts = {};
-  /// Characters with which the sketch compares what it reads from a serial line, and that line's object.
+  /// Characters with which the sketch compares what it reads from a serial line.
   std::vector<char> serial_keys = {};
-  std::string serial_object = {};  ///< "Serial"; empty if the sketch reads no serial line
+  std::string serial_object = {};  ///< object of that line: "Serial"; empty if the sketch reads none
   std::vector<PinBlock> blocks = {};
   std::optional<StatedLevel> level = {};  ///< over black
   /// Words of the comments next to the declaration of a pin, or next to its pinMode().

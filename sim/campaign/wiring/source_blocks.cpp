@@ -199,7 +199,7 @@ class BlockReader {
   std::vector<Block> blocks_;
 };
 
-// Follows the names in code that runs to the functions of these names.
+// Finds the functions that run: setup(), loop(), and each function whose name is in running code.
 class RunningCode {
  public:
   explicit RunningCode(std::vector<SourceText>& sources) {
@@ -237,7 +237,7 @@ class RunningCode {
     by_name_.erase(found);
   }
 
-  // Reaches the names outside of functions, except those of declarations: void turn(int angle);
+  // Calls reach() for names outside of functions, except names in declarations: void turn(int angle);
   void reach_from_globals(const SourceText& source) {
     const Tokens& tokens = source.tokens;
     std::map<std::size_t, std::size_t> functions;  // begin and end

@@ -241,7 +241,7 @@ void describe(const Survey& s, std::ostream& out) {
   if (narrow) out << "  note: " << room_text(*narrow) << '\n';
 }
 
-// Returns the terminal's size without a line for the prompt. Without a terminal, returns a generous size.
+// Returns the terminal's size, minus one line for the prompt. Without a terminal, returns a generous size.
 map::PictureOptions screen() {
   map::PictureOptions options;
   winsize size{};

@@ -2,7 +2,7 @@
 // (doubtful_actions.h).
 //
 // Calls: debug information gives the address where a function of the API begins. It also gives the registers
-// that have the function's arguments at this address. This includes copies that the compiler has inlined.
+// that have the function's arguments at this address. The same applies to inlined copies of a function.
 // Calls are not found if the debug information gives no registers or constants for their arguments.
 //
 // Timers: the detector examines every instruction that stores to TCCRnA, TCCRnB or OCRnx at a constant

@@ -40,7 +40,7 @@ class FloatEquality final : public ChipDetector {
     std::uint32_t pc = 0;
     std::uint32_t left = 0, right = 0;  ///< bits of the first compared floats
     bool left_varies = false, right_varies = false;
-    bool met = false;  ///< can no longer be a finding: was equal, not finite, or both sides vary
+    bool met = false;  ///< not a finding: the sides were once equal or not finite, or both vary
     std::int64_t times = 0;
     float before = 0.0f;  ///< right side minus left side in the last comparison
     bool has_passed = false;

@@ -23,7 +23,7 @@ bool is_usb(int vector, const ChipSpec& chip) {
   return chip.usb.address && vector >= chip.usb.vector && vector < chip.usb.vector + kVectorsOfUsb;
 }
 
-// Returns the variable Serial, Serial1 and so on of the UART to which `vector` belongs. Returns null if
+// Returns the variable of the UART to which `vector` belongs: Serial, Serial1 or another. Returns null if
 // `vector` belongs to no UART, or if the image lacks the variable.
 const Symbol* serial_of(int vector, const Firmware& firmware) {
   for (int i = 0; i < firmware.chip->uart_count; ++i) {

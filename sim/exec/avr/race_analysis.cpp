@@ -184,7 +184,8 @@ void RaceAnalysis::examine(const Armed& armed, int vector) {
                     change->pc, handler_of(*change), began - armed.at});
 }
 
-/// Returns the name of the user's function that the handler called first; empty if the function is an ISR.
+/// Returns the name of the first user function that a handler of the core called. Returns "" if the user
+/// wrote the handler itself (ISR).
 std::string RaceAnalysis::handler_of(const Change& change) const {
   for (const std::uint32_t pc : change.entered) {
     const std::vector<SourceLine> frames = debug_.frames(pc);

@@ -56,7 +56,7 @@ class RaceAnalysis {
     AccessKind kind = AccessKind::reads;
     std::uint32_t pc = 0;           ///< byte address of the main program's access
     std::uint32_t handler_pc = 0;   ///< byte address of the handler's write
-    std::string handler;            ///< function that the interrupt calls; empty if the function is an ISR
+    std::string handler;            ///< function that the core's handler called; empty for the user's ISR
     robosim::avr::Cycle later = 0;  ///< time from the access to the handler's start, in cycles
   };
 
@@ -120,7 +120,7 @@ class RaceAnalysis {
   std::vector<Armed> armed_;            ///< for each number, the last access that a handler can tear
   std::uint64_t writers_ = 0;           ///< handlers that may write a number; one bit per vector
   int vector_ = 0;                      ///< vector of the running handler; 0 = no handler, or not in writers_
-  bool shows_groups_ = false, shows_updates_ = false;  ///< accesses through pointers are shown
+  bool shows_groups_ = false, shows_updates_ = false;  ///< show_ was called for accesses through pointers
   std::vector<Found> found_;
 };
 

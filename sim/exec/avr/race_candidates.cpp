@@ -196,7 +196,7 @@ void Finder::add_group(std::uint32_t pc, std::size_t number) {
   }
 }
 
-/// Adds accesses by the pointer of the access at `pc`, at most 7 bytes away from this access.
+/// Adds accesses that use the same pointer as the access at `pc`, and are at most 7 bytes away from it.
 void Finder::add_group_by_pointer(std::uint32_t pc) {
   const Instruction& first = at(pc);
   const bool stores = row_of(first.op).stores;
@@ -224,8 +224,8 @@ void Finder::add_group_by_pointer(std::uint32_t pc) {
   }
 }
 
-/// Returns whether the instruction at `pc` may read the same byte as `first`: by the same pointer and
-/// displacement, or, if the pointer is incremented, as the first of several reads.
+/// Returns whether the instruction at `pc` may read the same byte as `first`. Both must use the same pointer
+/// and displacement. If the pointer is incremented, `pc` must be the first of several reads.
 bool Finder::reads_start_of(std::uint32_t pc, const Instruction& first) const {
   const Instruction& i = at(pc);
   if (i.op != first.op) return false;
@@ -321,7 +321,7 @@ std::vector<int> Finder::guards_of(std::uint32_t pc) const {
 }
 
 /// Returns whether a caller of the function that contains `pc` calls the function again until two results
-/// agree. The caller may also return the result to such a caller.
+/// agree. Also returns true if the caller itself is called again in this way.
 bool Finder::is_called_again(std::uint32_t pc) {
   const Symbol* const function = firmware_.function_at(2 * pc);
   if (!function) return false;

@@ -92,7 +92,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   unsigned take_traps() { return std::exchange(state_.trapped, 0); }
 
   // --- for debuggers
-  /// Makes run_to() return after each instruction, and after each time skip during sleep.
+  /// Makes run_to() return after each instruction, and whenever it has skipped time during sleep.
   void step_singly(bool singly);
   void set_status(std::uint8_t value) { chip_.cpu().set_sreg(value); }
   void set_pc(std::uint32_t pc);

@@ -52,11 +52,11 @@ class DebugInfo {
   /// The location of a parameter's value when its function begins. The location is unknown if `registers` and
   /// `constant` are empty.
   struct Argument {
-    std::vector<std::uint8_t> registers;  ///< DWARF's numbers of registers with a byte each, the lowest first
+    std::vector<std::uint8_t> registers;  ///< DWARF's register number for each byte, from the lowest byte on
     std::optional<std::int64_t> constant;
   };
-  /// A place where a function begins: its code itself, a variant of it, or a copy that was inlined. The
-  /// address of an inlined copy may be a few instructions after its beginning, where the arguments are known.
+  /// The beginning of a function's own code, of a variant of the function, or of an inlined copy. The address
+  /// of an inlined copy may be a few instructions after its beginning, where the arguments are known.
   struct Entry {
     std::uint32_t address = 0;
     bool is_inlined = false;

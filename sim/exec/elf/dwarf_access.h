@@ -29,7 +29,7 @@ class DwarfSearch {
   /// `steps_left` must outlive the search, which reduces it.
   DwarfSearch(Dwarf* dwarf, std::int64_t& steps_left) : dwarf_(dwarf), steps_left_(steps_left) {}
 
-  /// Takes steps. Returns false if there were fewer.
+  /// Subtracts `steps` from the remaining steps. Returns false if fewer steps remained.
   bool spend(std::size_t steps = 1) {
     steps_left_ -= static_cast<std::int64_t>(steps);
     return steps_left_ >= 0;

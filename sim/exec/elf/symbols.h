@@ -19,7 +19,7 @@ class Symbols {
  public:
   /// Adds a symbol, unless it is a local label of the assembler. avr-as of binutils 2.43 leaves some such
   /// labels in the image, within functions. They begin with ".L", or contain control-A or control-B (manual
-  /// of as, "Symbol Names").
+  /// of the GNU assembler, "Symbol Names").
   void add(Symbol symbol) {
     const bool label = symbol.name.starts_with(".L") || symbol.name.find_first_of("\1\2") != symbol.name.npos;
     if (!label) all_.push_back(std::move(symbol));

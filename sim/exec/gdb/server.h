@@ -33,7 +33,7 @@ struct Stop {
   Signal signal = Signal::trap;
   std::optional<Access> access;  ///< the access detected by a watchpoint
   std::uint32_t address = 0;     ///< address of this watchpoint, as set by gdb
-  Edge edge = Edge::none;        ///< the end of the time span at which the processor has halted
+  Edge edge = Edge::none;        ///< set if the processor has halted at this edge of the time span
 };
 
 /// A halted processor. Addresses are in gdb's numbering. Bytes are in the byte order of the target.

@@ -37,8 +37,8 @@ constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProc
 /// Size in bytes of the kernel's signal sets.
 constexpr std::size_t kSignalSet = 8;
 /// Limit of the address space. RLIMIT_DATA does not count page tables and read-only pages, so this limit
-/// bounds them. A process may make a page read-only after a write. Some kernels allocate even pages that were
-/// never written.
+/// bounds them. Read-only pages can use memory: a process may have written them before, and some kernels
+/// allocate even unwritten pages.
 constexpr rlim_t kConfinedAddresses = kConfinedMemory + (64 << 20);
 /// Size of the process's first stack, which RLIMIT_DATA does not count.
 constexpr rlim_t kConfinedStack = 8 << 20;
@@ -369,8 +369,8 @@ bool serve_call(const siginfo_t& info, ucontext_t& context) {
   const auto* const path = reinterpret_cast<const char*>(asked.arguments[1]);
   long result = 0;
   static std::uint64_t opened = 0;
-  // The loader identifies files by their inode number. Therefore each opened image gets another number,
-  // beginning here. The inode numbers of memory files are smaller.
+  // The loader identifies files by their inode number. Therefore each opened image gets its own number above
+  // kFirstNumber. The inode numbers of memory files are smaller.
   constexpr std::uint64_t kFirstNumber = std::uint64_t{1} << 30;
   if (info.si_syscall == SYS_rt_sigprocmask) {
     // Reports success for SIG_BLOCK, but blocks nothing. If SIGSYS were blocked, the kernel would end the

@@ -50,8 +50,8 @@ constexpr std::uint64_t kConfinedMemory = 192 << 20;  ///< bytes that a process 
 long keyed_read(int fd, void* data, std::size_t bytes);
 long keyed_write(int fd, const void* data, std::size_t bytes);
 
-/// Duplicates the descriptor `fd` of a sealed image to the descriptor `as`. Returns false if that fails, for
-/// example because `fd` is not open.
+/// Duplicates the descriptor of a sealed image from number `fd` to number `as`. Returns false if that fails,
+/// for example because `fd` is not open.
 bool keyed_dup(int fd, int as);
 [[noreturn]] void keyed_exit(int status);
 

@@ -84,7 +84,7 @@ class HostExecutor::Instance final : public host::Host {
     const bool waits = state_.waiting || (state_.polls && state_.polls_by_calls);
     return waits && !owner_.crash_ ? reached : owner_.clocked_.to_world(state_.last_call);
   }
-  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< not checked, not known to loop
+  bool is_unwatched() const { return !state_.watched && !goes_round_; }  ///< not checked, and no loop found
   bool hangs() const {
     return state_.stopped_by || goes_round_ || (state_.endless && !image_.entry().may_interrupt(false));
   }

@@ -259,8 +259,7 @@ SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const 
     if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};
-  // Skips instructions without a source line: their folder is unknown, too, so that they may not be the
-  // user's code.
+  // Skips instructions without a source line. Their folder is unknown, too, and they may belong to the core.
   for (const SourceLine& frame : frames_of(offsets))
     if (frame.line > 0 && !is_own_file(frame.file)) return frame;
   return {};

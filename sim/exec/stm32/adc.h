@@ -46,7 +46,7 @@ class Adc final : public Peripheral {
 
     Group converts = Group::none;
     int regular_at = 0, injected_at = 0;  ///< positions in the two sequences
-    int left = 0;                         ///< regular conversions that the last trigger has yet to run
+    int left = 0;                         ///< unfinished regular conversions of the last trigger
     bool regular_waits = false;           ///< a regular conversion waits for the end of the injected group
     bool dma_asks = false;
     std::uint32_t sampled = 0;

@@ -157,7 +157,7 @@ class Cpu {
   friend class Idle;
   friend class Engine;
   struct Hooks;
-  /// The actions before the instruction at `pc` runs.
+  /// The actions to take before the instruction at `pc` runs.
   struct Mark {
     std::uint32_t pc = 0;
     bool starts = false, loop = false, call = false, sets = false, watched = false, counted = false,
@@ -256,7 +256,7 @@ class Cpu {
   void mark(std::uint32_t pc, bool Mark::*flag, bool set = true);
   /// Returns the target of the branch at `pc` if it branches backwards; otherwise 0.
   std::uint32_t leads_back_to(std::uint32_t pc);
-  /// Starts or stops reporting each store to RAM to idle_.
+  /// Starts or stops calling idle_.stores() for each store to RAM.
   void records(bool recording);
   std::uint8_t* ram(Address address, unsigned bytes) const;
   /// Returns whether the bus handles accesses to `address`.

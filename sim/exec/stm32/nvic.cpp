@@ -6,7 +6,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-constexpr unsigned kIdle = 256;  ///< current priority outside handlers, lower than all real ones
+constexpr unsigned kIdle = 256;  ///< current priority outside handlers; every exception has a higher one
 constexpr std::uint8_t kPriorityBits = 0xF0;
 
 bool within(Address address, Address first, unsigned bytes) {

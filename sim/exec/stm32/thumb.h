@@ -60,7 +60,7 @@ enum class Op : std::uint8_t {
   sxtb,
   sxth,
   uxtb,
-  uxth,  ///< r[d] = extended r[m], which is rotated by value
+  uxth,  ///< r[d] = r[m], rotated by value and then extended
   clz,
   rbit,
   rev,

@@ -72,7 +72,7 @@ class Timer final : public Peripheral {
   bool write_compare(std::size_t channel, std::uint32_t value);
   bool modes_are_modelled() const;
   bool slave_is_modelled() const;
-  /// Applies written modes and outputs, at once or at a commutation (14.3.15).
+  /// Applies the written modes and outputs. Called after the write, or at a commutation (14.3.15).
   void commutate();
   void refresh_lines();
   void refresh_pins();
@@ -113,7 +113,7 @@ class Timer final : public Peripheral {
   bool inverts(int channel, bool complement) const;
   Pulse pulse_of(int channel) const;
   void trigger(Cycle at);
-  /// Returns whether TRGO is the OCxREF of a channel whose OCxREF becomes active at an update event.
+  /// Returns whether TRGO rises at an update event: TRGO is the OCxREF of a channel in PWM mode 1.
   bool rises_at_update() const;
   void edge_of_input(int input, bool level, Cycle at);
 

@@ -12,7 +12,7 @@
 namespace robosim::client {
 namespace {
 
-/// Maximum number of runs that may begin after an unfinished run. Their results wait in memory for that run.
+/// Maximum number of later runs that may begin before a run ends. Their results wait in memory for that run.
 constexpr std::size_t kMostAhead = 10'000;
 /// Limits the wall time of one poll(), because a signal that arrives just before poll() does not wake it.
 constexpr int kSlice_ms = 100;
@@ -101,7 +101,7 @@ struct Pool::Work {
     }
   }
 
-  /// Passes on all finished runs, even those after an unfinished run.
+  /// Passes on the answers of all finished runs, even if an earlier run is unfinished.
   void hand_over_rest() {
     for (auto& [i, answer] : waiting) {
       if (wanted(i)) batch.answered(i, std::move(answer));

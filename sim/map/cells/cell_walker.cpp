@@ -13,7 +13,7 @@ using nav::LandmarkKind;
 
 namespace {
 
-// Returns the directions in which line leaves the robot's cell, including line under obstacles.
+// Returns the directions in which lines leave the robot's cell, including lines under obstacles.
 unsigned lines_at(const CellRobot& robot) {
   const CellFloor& floor = robot.floor();
   if (!floor.is_near_obstacle(robot.at())) return floor.open_neighbours(robot.at());
@@ -84,7 +84,7 @@ Landmark CellWalker::end_of_line() {
     const bool stepped_off = floor.is_open(floor.index_of(end));
     return landmark(stepped_off ? LandmarkKind::end : LandmarkKind::lost, end, pose.facing);
   }
-  // The line ends here if no obstacle blocks it. An obstacle may also be a wall on the line.
+  // The line ends here if no obstacle blocks it. A wall on the line also counts as an obstacle.
   const bool may_be_blocked =
       floor.is_near_obstacle(robot_.at()) || floor.is_wall(floor.next(robot_.at(), pose.facing));
   const bool ends = !may_be_blocked || map::is_dead_end(floor.map(), pose.cell);
@@ -109,8 +109,8 @@ inline bool CellWalker::goes_on() {
   }
 }
 
-// Continues to the next landmark. The cell's byte alone usually shows the landmark. The
-// conditions: no obstacle is near, and the line continues on three or four sides, or only behind the robot.
+// Continues to the next landmark. The cell's byte alone shows the landmark if no obstacle is near. The line
+// must also continue on three or four sides, or only behind the robot.
 Landmark CellWalker::met() {
   const CellFloor& floor = robot_.floor();
   const Spot spot = robot_.spot();

@@ -32,7 +32,7 @@ nlohmann::json json_of(std::string_view text, const std::string& file);
 /// lap.
 Imported read_curvature(std::string_view text, const std::string& file);
 
-/// Reads "x y" in metres. The path has straights with corners between them, at most 0.3 mm from the points.
+/// Reads "x y" in metres. The path consists of straights and corners, and passes each point within 0.3 mm.
 Imported read_points(std::string_view text, const std::string& file);
 
 /// Reads a maze as text (mazefiles, mms). Passages become lines, and dead ends become stations. `walls_m` is

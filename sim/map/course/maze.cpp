@@ -22,7 +22,7 @@ constexpr int kWalls = 16;
 
 struct Maze {
   int width = 0, height = 0;
-  std::vector<bool> east, north;  // whether each cell, from the south-west, has a wall on that side
+  std::vector<bool> east, north;  // for each cell, from the south-west corner on: a wall is on that side
   std::optional<map::CellAt> start, goal;
 
   std::size_t index(int x, int y) const {

@@ -37,7 +37,7 @@ std::span<const TileKind> rescue_tiles();
 /// Returns a line of a tile, in percent of the tile, with roundings in m.
 Polyline polyline_of(const TileLine& line);
 
-/// Turn a side of a tile (L T R or B), or a point in percent, clockwise by quarters about the tile's middle.
+/// Return a side (L T R or B), or a point in percent, after `quarters` clockwise quarter turns of the tile.
 char turned(char side, int quarters);
 Vec2 turned(Vec2 percent, int quarters);
 Vec2 middle_of(char side);

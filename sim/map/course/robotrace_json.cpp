@@ -159,7 +159,7 @@ class Reader {
     mark(goal, -kMarkAway);
     map.course.race = map::RaceLines{0, 0.0, rounded(goal)};
     map.goal = "robotrace";
-    // The robot starts in the start and goal area, so that its sensors are behind the start line.
+    // Starts the robot between the goal line and the start line, with its sensors behind the start line.
     map.start = map::start_on(map, {0, rounded(goal + start_to_goal / 2.0), false});
     return {std::move(map), {}};
   }

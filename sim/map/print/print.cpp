@@ -132,7 +132,7 @@ class Printer {
     }
   }
 
-  // Draws the outlines of objects so thin that no sensor sees a line.
+  // Draws the outlines of objects with lines that are too thin for a sensor to see.
   void outlines(const Box& box, const View& view) {
     pdf_.set_grey(0.6);
     pdf_.set_pen(kHairline, false);

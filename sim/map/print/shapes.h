@@ -37,13 +37,13 @@ class Shapes {
 
   /// Returns the paints, to which lines and bars refer by index.
   const std::vector<map::Paint>& paints() const { return paints_; }
-  /// Passes to `use` the parts of a paint's centre lines that may reach into the box. A part is at most
+  /// Calls `use` for each part of a paint's centre lines that may reach into the box. A part is at most
   /// `longest` long, and turns by at most 22.5 degrees. Each part has round ends, so that adjacent parts join
   /// without gaps.
   void lines_near(std::size_t paint, const Box& box, double longest,
                   const std::function<void(const Line&)>& use) const;
   const std::vector<Bar>& bars() const { return bars_; }
-  /// Passes to `use` the runs of painted cells (of a raster floor), or of walls, within the box.
+  /// Call `use` for each run of adjacent cells within the box: painted cells of a raster floor, or walls.
   void painted_cells_near(const Box& box, const std::function<void(const Box&)>& use) const;
   void walls_near(const Box& box, const std::function<void(const Box&)>& use) const;
   std::vector<Vec2> obstacles_near(const Box& box) const;

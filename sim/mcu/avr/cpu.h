@@ -2,8 +2,8 @@
 // instructions. Sources: AVR Instruction Set Manual, DS40002198B; ATmega328P data sheet DS40002061B, chapter
 // 7.
 //
-//   cycle     an instruction that starts at cycle c and takes n cycles accesses memory and registers at
-//             c + n: two consecutive INs read one cycle apart, two consecutive LDSs two cycles apart
+//   cycle     an instruction of n cycles that starts at cycle c accesses memory and registers at c + n: two
+//             consecutive INs read one cycle apart, two consecutive LDSs two cycles apart
 //   horizon   run() stops at this cycle: the next event of a peripheral, or the end that the caller requests
 //
 // The processor does not access peripherals directly. It calls the hooks that peripherals register for their

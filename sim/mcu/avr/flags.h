@@ -1,5 +1,5 @@
-// Stores the flags of SREG in separate variables. An instruction stores the operands of its flags; a flag is
-// computed only when it is read. Source: AVR Instruction Set Manual, DS40002198B.
+// Stores the flags of SREG in separate variables. An instruction stores only the values that determine its
+// flags; a flag is computed when it is read. Source: AVR Instruction Set Manual, DS40002198B.
 #pragma once
 
 #include <array>

@@ -44,7 +44,7 @@ class HighSpeedTimer final : public Peripheral {
     std::array<std::uint16_t, kOutputs> compare{};
     std::array<bool, kOutputs> taken{}, level{};  ///< `level` is the level after the last match, without PWM
     std::uint8_t flags = 0, enables = 0, requested = 0,
-                 heard = 0;  ///< bits of Counter::Hit; `heard`: one bit per output
+                 heard = 0;  ///< `heard` has one bit per output; the others have bits of Counter::Hit
     bool runs = true;
     bool drives_stale = false;
   };

@@ -9,7 +9,7 @@ namespace {
 /// reads. The upper 32 bits are the registers that the operation writes.
 struct RegisterMasks {
   std::uint64_t always = 0;
-  std::uint64_t a = 0, b = 0;  ///< to be shifted by Instruction::a and Instruction::b
+  std::uint64_t a = 0, b = 0;  ///< `a` must be shifted by Instruction::a, and `b` by Instruction::b
 };
 
 constexpr RegisterMasks masks_of(const InstructionRow& row) {

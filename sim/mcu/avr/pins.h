@@ -86,7 +86,7 @@ class Pins final : public Peripheral {
   /// Return the last pin whose input an instruction has read (-1 = none yet), and the cycle of that read.
   int last_read() const { return state_.last_read; }
   Cycle last_read_at() const { return state_.last_read_at; }
-  /// Returns the last reads of inputs, with numbers of this chip's pins.
+  /// Returns the last reads of inputs. Each pin in the result is an index in ChipSpec::pins.
   const InputReads& reads() const { return state_.reads; }
   /// Records that firmware has started the conversion of an analog input.
   void note_conversion() { note(InputReads::kAnalog); }

@@ -40,7 +40,7 @@ class Usart final : public Peripheral {
     std::uint16_t last_read = 0;
     std::uint16_t waiting_data = 0;
     bool waiting = false;  ///< a frame waits for the shift register
-    bool early = false;    ///< a frame was written before TXEN
+    bool early = false;    ///< a frame was written before TXEN was set
     bool shifting = false;
     bool overrun = false;
     bool drives = false;   ///< the USART drives TxD

@@ -7,9 +7,9 @@
 //   data    ----< b1  >< b2  >< b3  >----   stable for the whole bit; low between messages
 //   clock   _______/‾‾\__/‾‾\__/‾‾\______   rises in the middle of each bit
 //
-// A message sent during another message follows that message after one bit time. The default of 1 ms per
-// bit suits 433 MHz modules for hobbyists (1 to 2 kbit/s). The fault `noisy` inverts bits. Not modelled:
-// range, other senders and damaged preambles.
+// If a script sends a message during another one, the new message begins one bit after the end of the other.
+// The default of 1 ms per bit suits 433 MHz modules for hobbyists (1 to 2 kbit/s). The fault `noisy` inverts
+// bits. Not modelled: range, other senders and damaged preambles.
 #pragma once
 
 #include "sim/base/noise.h"
@@ -74,7 +74,7 @@ class RadioPart final : public Part, public Receiver, public Breakable {
     std::uint64_t bits_sent = 0;
     std::vector<Change> changes;  // level changes of the transmitted messages, by time
     std::size_t announced = 0;    // number of changes that have been scheduled
-    SimTime free_at = 0;          // end of the last transmission
+    SimTime free_at = 0;          // earliest beginning of the next message
     bool dead = false;
     double turned = 0.0;  // share of bits that arrive inverted
   };

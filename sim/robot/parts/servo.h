@@ -58,7 +58,7 @@ class ServoPart final : public Part, public PinWatcher, public Breakable {
   void fail(const Fault&) override;
 
  private:
-  /// Returns the angle in rad from the right (or, reversed, left) stop.
+  /// Returns the angle in rad from the right stop, or from the left stop if the servo is `reversed`.
   double angle(SimTime t) const;
   /// Returns the angle in rad to the left of the middle position.
   double turned(SimTime t) const;

@@ -12,7 +12,7 @@ constexpr std::uint8_t kStart = 0x00, kClearRegister = 0x0B, kStatusRegister = 0
 constexpr std::uint8_t kIsThere = 0x04, kOnce = 0x01, kForEver = 0x06;
 constexpr SimTime kBudget = 33 * kMillisecond;
 constexpr int kNothingNear = 8190;  // mm
-constexpr double kBeyond = 1.0;     // m; despite noise, an object this far beyond `reach` is not detected
+constexpr double kBeyond = 1.0;     // m; noise can make objects up to this far beyond `reach` visible
 
 }  // namespace
 

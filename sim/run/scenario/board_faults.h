@@ -2,9 +2,9 @@
 // `serial`, `eeprom` and `clock`. A script can also break the robot's parts, which sim/robot simulates.
 //
 // - Power. The board's regulator gives the chip min(supply, battery - regulator_drop_volts). Below
-//   brown_out_volts (both in the BoardSpec) the chip is held in reset, and restarts when the voltage rises
-//   again. If even the healthy battery gives the chip less than brown_out_volts or kLogicKeeps, the board
-//   must have another supply. In that case no sag resets the chip.
+//   brown_out_volts, the chip is held in reset; it restarts when the voltage rises again. The BoardSpec
+//   contains both values. If even the healthy battery gives the chip less than brown_out_volts, or less than
+//   kLogicKeeps, the board must have another supply. In that case no sag resets the chip.
 // - Serial. Loses, doubles or corrupts bytes on their way to the firmware. A hash of (seed, number of the
 //   byte) selects the affected bytes.
 // - EEPROM. Writing a byte takes kEepromWriteTime. After a power failure in that time, the byte may have any
@@ -35,8 +35,8 @@ constexpr double kLogicKeeps = 2.0;  ///< V: with a lower supply, a 74HC's regis
 /// 26.4).
 constexpr double kPowerOnReset = 1.3;
 
-/// The faults that a script can request, parsed and checked. A default value stands for the script's "ok",
-/// which ends a fault.
+/// The faults that a script can request, parsed and checked. A default-constructed fault represents the
+/// script's word "ok", which ends a fault.
 struct PowerFault {
   enum class Kind { none, sag, brown_out };
   Kind kind = Kind::none;
@@ -50,13 +50,13 @@ struct SerialFault {
   std::uint64_t nth = 0;  ///< number of the only affected byte, from 1; 0 = `share` decides
   bool repairs() const { return kind == Kind::none; }
 };
-/// A flipped bit. No "ok" ends this fault.
+/// A flipped bit. The word "ok" cannot end this fault.
 struct EepromFlip {
   std::uint16_t address = 0;
   int bit = 0;
   bool repairs() const { return false; }
 };
-/// The bytes of another sketch. No "ok" ends this fault.
+/// The bytes of another sketch. The word "ok" cannot end this fault.
 struct EepromUsed {
   bool repairs() const { return false; }
 };

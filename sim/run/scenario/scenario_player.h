@@ -65,7 +65,7 @@ class ScenarioPlayer {
     return std::min(state_.timed.empty() ? kNever : state_.timed.begin()->first.first,
                     state_.undo.empty() ? kNever : state_.undo.begin()->first.first);
   }
-  /// Sets the battery's voltage at the beginning of a tick. The battery sags and recovers by itself.
+  /// Sets the voltage of a [battery], which sags and recovers by itself, at the beginning of a tick.
   void feed(double volts, SimTime t, judge::Events& events);
   /// Receives a text that a part shows or sends to people.
   void hear(const robot::PartText& told);

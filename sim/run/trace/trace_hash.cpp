@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 // Uses the widest vector instructions of the processor. The hash does not depend on them. Debian's static
-// library does not contain this choice.
+// library cannot choose these instructions at run time.
 #if defined(__x86_64__) && __has_include(<xxh_x86dispatch.h>) && !defined(ROBOSIM_STATIC_XXHASH)
 #include <xxh_x86dispatch.h>
 #endif

@@ -148,7 +148,7 @@ class Session {
   std::string pace_text() const;
 
   void draw_map(terminal::Page& page, int rows, const std::vector<terminal::CellLabel>& labels = {});
-  /// Draws the part of the map around the cell `around`, instead of the robot's cell.
+  /// Draws the part of the map around the cell `around`. draw_map() draws the part around the robot.
   void draw_map_around(terminal::Page& page, int rows, map::CellAt around,
                        const std::vector<terminal::CellLabel>& labels);
   std::string map_title() const;

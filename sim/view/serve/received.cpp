@@ -1,5 +1,5 @@
-// Implements bytes_taken(). The file is separate, because these headers and those of the HTTP library define
-// the same structs.
+// Implements bytes_taken(). This file is separate, because linux/tcp.h and the headers of the HTTP library
+// define the same structs.
 #include "sim/view/serve/received.h"
 
 #include <linux/tcp.h>

@@ -21,7 +21,7 @@ History run() {
   return h;
 }
 
-/// Returns a run whose robot drives ahead, except from `from` to `to`, when it does `manoeuvre`.
+/// Returns a run whose robot does `manoeuvre` between the times `from` and `to`, and otherwise drives ahead.
 History with(Manoeuvre manoeuvre, std::int64_t from, std::int64_t to) {
   History h = run();
   h.stretches = {{0, from, Manoeuvre::ahead, 0.5, 0.5},
@@ -151,8 +151,8 @@ TEST(Compare, ALineThatComesFiveTimesInTwoSecondsIsAStreamToo) {
       Kind::number);
 }
 
-/// Returns a run whose sketch prints one of `values` every 0.4 s. The value at index `odd` is replaced by
-/// `there`.
+/// Returns a run whose sketch prints the numbers `values`, at intervals of 0.4 s. The number `there` replaces
+/// the number at index `odd`.
 History readings(std::vector<int> values, std::size_t odd, int there) {
   History h = run();
   values.at(odd) = there;

@@ -1,4 +1,4 @@
-// Tests external interrupts. Also tests for which pins the chip asks its environment to report edges.
+// Tests external interrupts. Also tests the set of pins whose edges the environment must report to the chip.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"

@@ -17,7 +17,7 @@ namespace instruction_effects_test {
 constexpr std::uint32_t kAllWords = 0x10000;
 constexpr Address kRam = 0x200, kRamEnd = 0x21FF, kStack = 0x1800;
 
-/// A chip whose flash holds at each word address the word of that value: 0 at 0, 1 at 1, up to 0xFFFF.
+/// A chip whose flash contains every possible opcode: each word from 0 to 0xFFFF equals its own address.
 class InstructionEffectsTest : public testing::Test {
  protected:
   static std::vector<std::uint8_t> all_words() {

@@ -1,5 +1,5 @@
-// Tests marks, which are the processor's breakpoints. A mark stops the processor before an instruction, even
-// if the processor would execute its predecessor in the same step.
+// Tests marks, which are the processor's breakpoints. A mark stops the processor before an instruction. It
+// does so even between two instructions that the processor would otherwise execute in one step.
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega328p.h"

@@ -9,7 +9,7 @@ constexpr std::uint16_t kX = 26, kY = 28, kZ = 30;
 
 bool bit(unsigned value, unsigned number) { return value >> number & 1; }
 
-/// The opcode bits that are 0 or 1 in the pattern (`mask`), and their values.
+/// The opcode bits for which a pattern has a digit. `mask` selects these bits, and `value` has their values.
 struct Fixed {
   unsigned mask = 0, value = 0;
 };

@@ -48,8 +48,8 @@ bool moves_its_own_register(std::string_view name, unsigned word) {
   return pointer != 0 && (d == pointer || d == pointer + 1);
 }
 
-/// Returns the name of an instruction that the processor may execute in one step with a preceding `name`.
-/// Sometimes returns `name` instead.
+/// Returns the name of an instruction that may follow the instruction `name`, so that the processor executes
+/// both in one step. Sometimes returns `name` instead.
 std::string_view partner_of(std::string_view name, std::mt19937& random) {
   constexpr std::string_view kPartners[][2] = {
       {"ADD", "ADC"}, {"SUB", "SBC"},  {"SUBI", "SBCI"}, {"CP", "CPC"},   {"CPI", "CPC"},

@@ -212,8 +212,8 @@ TEST(TestCase, OfAFamilyGoOnOnAChipFromOneMoment) {
     EXPECT_EQ(test_case.family, test_cases.back().family);
     EXPECT_NE(space.builds[test_case.build].target, "host");
     EXPECT_EQ(test_case.branch_point.at_ms, 30000);
-    // The test case branches off at 30 s. Its new stimulus is the last in the list, although the second
-    // stimulus takes effect later, at 40 s.
+    // The test case equals `at.test_case` until 30 s. Its new stimulus is the last in the list, although the
+    // second stimulus takes effect later, at 40 s.
     ASSERT_EQ(test_case.stimuli.size(), 3U);
     EXPECT_TRUE(
         std::equal(at.test_case.stimuli.begin(), at.test_case.stimuli.end(), test_case.stimuli.begin()));
@@ -342,8 +342,8 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
           << "a power cut would split the two texts at different bytes";
     const TestCase differential = counterpart_of(test_case, space);
     if (test_case.differential == Differential::clock) {
-      // The counterpart starts with an earlier clock value than the test case, so its clock does not wrap. At
-      // this value, a sketch has already finished its one-time actions.
+      // The counterpart's clock starts earlier than the test case's clock, and therefore does not wrap. It
+      // starts at kPast_ms or later, when a sketch has already finished its one-time actions.
       EXPECT_GE(differential.clock_ms, kPast_ms);
       EXPECT_LT(differential.clock_ms, test_case.clock_ms);
       EXPECT_TRUE(differential.clock_ms == kPast_ms ||

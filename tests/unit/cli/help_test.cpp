@@ -99,8 +99,8 @@ TEST(Help, FitsInEightyColumns) {
 }
 
 /// Returns whether a help text seems to be incomplete without the line above it. A complete text begins with
-/// a verb in the imperative. This function only checks that the text begins in lower case, but not with one
-/// of the words below. It also checks that the text does not end with a full stop.
+/// a verb in the imperative. A text seems incomplete if it begins with a capital letter or a word below,
+/// or ends with a full stop.
 bool leans_on_others(const std::string& text) {
   for (const char* word : {"of ", "the ", "a ", "as ", "is ", "that ", "with ", "for ", "where ", "which ",
                            "what ", "how ", "file", "folder", "default", "if ", "name,"})

@@ -4,8 +4,8 @@
 //   input        answers with an error of kind "input"
 //   slow         sends many lines before it answers
 //   any other    answers with this word as the verdict
-// The program also ends itself if a request has "started": true, which subscribes to an event at the start of
-// a run. A pool does not need this event.
+// The program also ends itself if a request has "started": true. Such a request asks for an event at the
+// start of the run. A pool does not need this event.
 #include <unistd.h>
 
 #include <iostream>

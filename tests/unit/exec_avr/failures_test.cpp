@@ -27,7 +27,7 @@ class FailuresTest : public AvrTest {
     run(duration);
     return avr_->crash();
   }
-  /// Returns an address such as "0x9D56": `offset` bytes after the start of a variable of the last sketch.
+  /// Returns the address `offset` bytes after the start of a variable of the last sketch, as in "0x9D56".
   std::string address(const char* variable, int offset) const {
     const auto found = avr::Firmware::read(built_.image, *find_board(board_name_)).find_variable(variable);
     return found ? fmt::format("0x{:04X}", *found + offset) : "no variable";

@@ -1,4 +1,5 @@
-// Debug information that a sketch writes itself, with assembler directives, to make Robosim search for ever.
+// Tests debug information that is meant to make Robosim search for ever. The sketch writes this information
+// itself, with assembler directives.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -381,7 +381,7 @@ TEST_F(HalTest, TheEepromKeepsWhatIsWrittenThroughItsChangesOfBanks) {
 TEST_F(HalTest, AWriteThatPowerOffInterruptsLeavesTheValueBefore) {
   robosim_eeprom_write(5, 50);
   robosim_eeprom_write(5, 51);
-  // Erases the second halfword of the record, which is the address, as if power had failed before its write.
+  // Erases the second halfword of the record, as if power had failed before the address was written there.
   for (std::uint8_t* half = flash_.data(); half < flash_.data() + robosim::stm32::kFlashBytes; half += 4)
     if (half[0] == 51 && half[1] == 0xA5) half[2] = half[3] = 0xFF;
   EXPECT_EQ(robosim_eeprom_read(5), 50);

@@ -150,7 +150,7 @@ class RandomProgram : public Program {
       case 4:
         if (below(6) == 0) return load(reg, pick({kStkVal, kStkCtrl, kUsartDr, kAdcDr}));
         return junk(2);
-      case 5:  // counts iterations, in one of three cases
+      case 5:  // counts iterations, with a probability of 1/3
         if (below(3)) return junk(1);
         load(reg, kMemory + 12);
         half(0x3001 | reg << 8);

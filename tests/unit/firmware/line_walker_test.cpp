@@ -213,7 +213,7 @@ end 1000, heading 2 at -299,3, cost 161; axle at -298.2,0.0, 9.42 rad, 9205 ms
 )");
 }
 
-// The outer sensor reads as dark as over an arm of a junction, but the other sensors do not.
+// Over the slant, the outer sensor gets as dark as over a junction's arm, but the row as a whole does not.
 TEST(LineWalkerTest, FollowsALineThatComesUnderItsOuterSensorAslant) {
   for (const int length : {40, 80, 150, 300}) {
     const double slant = 36 * M_PI / 180, x = 200 + length * std::cos(slant), y = length * std::sin(slant);

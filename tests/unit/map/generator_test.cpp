@@ -30,7 +30,7 @@ void for_many(Family family, int maps, Visit visit) {
   }
 }
 
-// Counts the line cells of a graph without blocked lines. These are its nodes, and the cells between them.
+// Returns the number of line cells of a graph that has no blocked lines: nodes, and cells between nodes.
 std::size_t cells_of(const TrueGraph& graph) {
   std::size_t between = 0;  // twice the number, because each line is counted at both ends
   for (const GraphStation& station : graph.stations)

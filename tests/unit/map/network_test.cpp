@@ -29,8 +29,8 @@ std::vector<CellAt> cells_of(const std::vector<Station>& stations) {
   return cells;
 }
 
-// A smaller version of Robosim v1's sample map. The connections of its seven ends and five forks, and the
-// letters of its ends, equal those of v1's map.
+// A smaller version of Robosim v1's sample map. Its seven ends and five forks are connected as in v1's map,
+// and its ends have the same letters.
 constexpr const char* kV1Tree =
     "+++\n"
     "[stations]\n"

@@ -118,7 +118,7 @@ segments = [{ length = "400 mm" }, { radius = "150 mm", angle = "250 deg" }, { l
   }
 }
 
-// The tested points include those where the arc is outside the bounding box of its two ends.
+// Tests points along the whole arc. Parts of the arc are outside the bounding box of the arc's two ends.
 TEST(Path, StripesAreNearEachPointBesideIt) {
   const Map map = map_of(R"([[path]]
 from = ["1357 mm", "226 mm"]

@@ -162,9 +162,9 @@ INSTANTIATE_TEST_SUITE_P(All, Sample,
                                          Facts{"island", 48, 4, 2, 0, 1}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-// Expects the paper's scan times. Robosim v1's formula for trees of three-way forks is T = 2(L-1) + S + 2W +
-// W0. L is the number of line cells, and S is the number of stations. W and W0 are numbers of
-// stations at a wall, which are 0 on these maps.
+// Expects the scan times of the Robosim paper (docs/howto/research.md). Robosim v1's formula for trees of
+// three-way forks is T = 2(L-1) + S + 2W + W0. L is the number of line cells, and S is the number of
+// stations. W and W0 are numbers of stations at a wall, which are 0 on these maps.
 TEST(SampleMaps, CToFTakeTheScanTimesOfThePaper) {
   const std::pair<const char*, std::size_t> times[] = {{"c", 94}, {"d", 141}, {"e", 129}, {"f", 247}};
   for (const auto& [name, time] : times) {

@@ -75,7 +75,7 @@ void expectTrips(Dice& dice, Floor& floor, Walker& walker, const Network& networ
       EXPECT_EQ(navigator.here(), to);
     } else {
       EXPECT_EQ(end, NavState::no_way);
-      // The robot stores only real obstacles. If the robot finds no path, no path must exist.
+      // The robot stores only real obstacles. So if the robot finds no path, there is none.
       nav::FixedPath<200> path;
       nav::FixedWork<200> work;
       EXPECT_EQ(nav::bfs(network, navigator.here(), uint8_t(to), path, work), nav::Plan::no_way);

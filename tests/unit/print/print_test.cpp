@@ -96,14 +96,14 @@ TEST(Print, TheBarOnEachSheetIs100MillimetresLong) {
   }
 }
 
-// The part of the floor on the second sheet begins at x = 267 mm. It begins 15 mm from the sheet's edge.
+// The second sheet shows the floor from x = 267 mm on. This x is 15 mm from the sheet's left edge.
 TEST(Print, ALineGoesOnAtTheSamePlaceOnTheNextSheet) {
   const auto pages = pages_of(printed(path_map("{ length = \"600 mm\" }")).pdf);
   const auto ends_of = [&](std::size_t page) {
     double least = 1e9, most = -1e9;
     const auto all = operations_of(pages[page]);
     for (std::size_t i = 1; i < all.size(); ++i) {
-      // The line is 100 mm above the floor's lower edge. The pieces on these sheets begin 60 mm above this
+      // The line is 100 mm above the floor's lower edge. These sheets show the floor from 60 mm above this
       // edge.
       if (all[i].name != "l" || std::fabs(all[i].mm[1] - (100.0 - 60.0 + 15.0)) > 1e-3) continue;
       least = std::min(least, all[i - 1].mm[0]);

@@ -54,8 +54,8 @@ class Sweep {
     bench_.body().place({bench_.line() + Vec2{0.0, beside}, {1.0, 0.0}});
     return bench_.robot.readings().front().value;
   }
-  /// Returns the distance in m from the line's middle at which the reading has changed by `share`. 0 is the
-  /// reading on the line, and 1 the reading on white.
+  /// Returns the distance in m from the line's middle at which the reading reaches `share`. A `share` of 0 is
+  /// the reading on the line, and 1 is the reading on white.
   double reads(double share) {
     const double dark = blackness(0.0), white = blackness(0.06);
     double beside = 0.0;

@@ -17,8 +17,8 @@ namespace fork_runs_test {
 
 using ::testing::HasSubstr;
 
-/// The built-in driver, which also prints "hello" at 1.5 s. Its number of ticks replaces the line counters of
-/// real firmware.
+/// The built-in driver, which also prints "hello" at 1.5 s. Its counters() returns the number of ticks,
+/// instead of the line counters of real firmware.
 class Talker final : public exec::Executor {
  public:
   RobotPort& board() override { return driver_.board(); }

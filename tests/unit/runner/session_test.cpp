@@ -119,8 +119,7 @@ class Session {
   /// ends first.
   bool comes_to_wait() const {
     const std::string runner = "/proc/" + std::to_string(runner_.pid());
-    // Requires that many checks in a row find both processes blocked, because they may briefly wait for each
-    // other.
+    // Both processes must be blocked at kOften checks in a row, because they may briefly wait for each other.
     constexpr int kOften = 2000;
     for (int times = 0; times < kOften; ++times, ::sched_yield()) {
       pid_t run = 0;

@@ -530,7 +530,7 @@ TEST_F(Serving, TellsWhatAWatchedRunSaysAndPassesRequestsOn) {
   EXPECT_EQ(http_->Get("/api/live/1234567890")->status, 404);
 }
 
-// The program keeps a pipe open until it ends. The test reads the end of the pipe when the program has ended.
+// The program keeps a pipe open until it ends. The test then reads the end of file from the pipe.
 TEST_F(Serving, EndsARunWhosePageHasGone) {
   const fs::path pipe = outside_.path() / "alive";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);

@@ -101,7 +101,8 @@ bool ends_with_operator(const std::string& text) {
 /// `row` is the preceding line, and is full. `after` is the line after `line`, or null.
 bool is_cut_off(const Line& row, const Line& line, const Line* after) {
   if (row.gaps.empty()) {
-    // A line of prose in an indented paragraph may leave a bracket open, but code and drawings do not.
+    // In an indented paragraph, a line of prose may leave a bracket open. In code and drawings, an open
+    // bracket shows that a row was cut off.
     const bool is_code = line.text.back() == ';' || line.text.back() == '{';
     return line.gaps.empty() && has_open_bracket(row.text) &&
            (is_code || row.text.find(kDrawn) != row.text.npos);
@@ -116,8 +117,8 @@ bool is_cut_off(const Line& row, const Line& line, const Line* after) {
     return ends_table && !is_statement &&
            std::islower(static_cast<unsigned char>(line.text[line.indent])) != 0;
   }
-  // `line` may consist of the rest of `row` and of the next row, which a tool has joined. Without the words
-  // of the rest, the first cells of `line` and `row` would then have the same column.
+  // A tool may have joined the rest of `row` and the next row to `line`. Without the words of the rest, the
+  // second cells of `line` and `row` would then begin at the same column.
   const auto [gap_from, gap_to] = line.gaps.front();
   if (row.has_cell_at(gap_to)) return false;
   for (std::size_t word = line.indent; (word = end_of_word(line, word)) < gap_from;) {

@@ -19,13 +19,13 @@ std::vector<std::string> long_comments(const Files& files, std::size_t limit);
 ///   label   a row that fills its line up to the limit, continued
 ///           at the column of its last cell
 ///
-/// Tools that wrap a row like prose put its rest at the label's column, or before the next label. People make
-/// the same mistake when a row has grown. A line is reported if it starts at the label's column and its
-/// first word would overflow the row. One of these conditions must also hold:
+/// A tool that wraps a row like prose puts the row's rest at the label's column, or before the next label.
+/// People make the same mistake when a row has grown. A line is reported if it starts at the label's column
+/// and its first word would overflow the row. One of these conditions must also hold:
 ///
 ///   - the row has an open bracket, or ends with an operator or a comma;
 ///   - the line is a short text, at the table's end or before a line at the column of the last cell;
-///   - the line's last cell would be at the row's column without the line's first words.
+///   - without its first words, the line would have its second cell at the column of the row's second cell.
 ///
 /// A line is also reported if it starts before the previous row's last cell and continues below that cell.
 /// Rows without a second cell, labels that are wider than their column, nested lists and pictures are not

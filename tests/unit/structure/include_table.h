@@ -14,8 +14,8 @@ using Files = std::map<std::string, std::string>;
 struct IncludeTable {
   std::vector<std::string> search;                        ///< folders, in the order of the search
   std::map<std::string, std::vector<std::string>> rows;   ///< folders that each folder may include
-  std::map<std::string, std::vector<std::string>> alone;  ///< folders that may include the headers with a
-                                                          ///< prefix, by prefix
+  std::map<std::string, std::vector<std::string>> alone;  ///< for each beginning of a header's name: the
+                                                          ///< only folders that may include such headers
 };
 
 /// Reads the table. Throws InputError at a line that is not a row.

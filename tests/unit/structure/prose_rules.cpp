@@ -99,8 +99,8 @@ struct Element {
   bool is_anchor() const { return !negated && words.front() != "^" && words.front() != "$"; }
 };
 
-/// A list of phrases with an index. The keys of a phrase are the words of its first element that is neither
-/// negated nor `^` or `$`.
+/// A list of phrases with an index by word. The keys of a phrase are the words of its anchor, which is its
+/// first element except `!a|b`, `^` and `$`.
 class PhraseList {
  public:
   template <std::size_t kCount>

@@ -1,4 +1,4 @@
-// Finds code that would not compile in the web page (docs/howto/tab.md), because CI does not build this page.
+// Finds code that would not compile for the web page (docs/howto/tab.md). CI does not build this page.
 #include <gtest/gtest.h>
 
 #include <filesystem>

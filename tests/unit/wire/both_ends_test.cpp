@@ -152,7 +152,7 @@ class BothEnds : public ::testing::Test {
     return message;
   }
 
-  /// Expects that the client can read an answer, and that writing the read answer gives the same line again.
+  /// Expects that the client can read an answer, and that writing the result gives the same line again.
   template <class T>
   void expect_same_answer(const T& message, std::int64_t id = 7) {
     const std::string line = to_line(Id(id), Answer(message));

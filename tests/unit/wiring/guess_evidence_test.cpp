@@ -13,7 +13,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-// Guesses without a run, from the calls in the source.
+// Returns the robot file that is guessed from the calls in the source, without a run.
 std::string guessed(const std::string& source, const char* board = "uno") {
   const BoardSpec& spec = *find_board(board);
   return text_of(guess(spec, names_in_text(source, "a.ino", spec), PinHistory(spec), {}));

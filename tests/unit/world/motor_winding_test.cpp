@@ -56,9 +56,9 @@ TEST(Winding, DrawsLessTheFasterItsPulsesAre) {
   const double fast = mean({driven(share), shorted(1.0 - share)}, emf, 2e-5).drawn;
   EXPECT_NEAR(fast, share * (share * kVolts - emf) / kOhms, kWithinFormula * fast);
   // At medium frequencies, the ripple of the current also heats the winding. The ripple's height is
-  // V D (1 - D) T / L. Its mean square is a twelfth of the squared height. R times the mean square is the
-  // power by which the drawn power exceeds V D times the mean current. V is the supply, D the duty cycle, T
-  // the period, R the resistance, and L the inductance.
+  // V D (1 - D) T / L. Its mean square is a twelfth of the squared height. The drawn power exceeds V D times
+  // the mean current by R times the mean square. V is the supply, D the duty cycle, T the period, R the
+  // resistance, and L the inductance.
   const double period = 1e-4;
   const double ripple = kVolts * share * (1.0 - share) * period / kHenries;
   const double more = kVolts * mean({driven(share), shorted(1.0 - share)}, emf, period).drawn -
@@ -175,7 +175,7 @@ class WoundBody : public testing::Test {
 };
 
 // If the wheel turns the motor, the motor has the torque k_e per ampere. The loss of speed therefore
-// determines the charge. The charge flows into the battery for half of the time.
+// determines the charge. The duty cycle is 0.5, so half of this charge flows into the battery.
 TEST_F(WoundBody, GivesBackWhatASlowerDutyTakesOffItsSpeed) {
   const BodyParams p = wound();
   const WheelParams& w = p.wheel[left];

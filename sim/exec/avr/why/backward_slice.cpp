@@ -208,8 +208,8 @@ std::optional<BackwardSlice::Want> BackwardSlice::take_wanted(Index index) {
 }
 
 void BackwardSlice::visit(Index index) {
-  // No branch within this call decided that the pending instructions ran. Therefore the branch that decided
-  // that the call ran is their cause.
+  // Within this call, no branch decided whether the pending instructions ran. Therefore their cause is the
+  // branch that decided whether the call ran.
   if (const auto inside = pending_.find(index); inside != pending_.end()) {
     const std::vector<Pending> waiting = std::move(inside->second);
     pending_.erase(inside);

@@ -32,7 +32,7 @@ class Branches {
     static constexpr std::uint32_t kInCaller = ~0u;
     std::uint32_t meets = kInCaller;
     std::uint32_t registers = 0;       ///< written registers, one bit each
-    std::vector<std::uint16_t> bytes;  ///< sorted addresses of written bytes, also by called functions
+    std::vector<std::uint16_t> bytes;  ///< sorted addresses of bytes that the path or its calls write
     /// The bytes that are written through pointers, as offsets from the pointer's value at the branch. The
     /// index is the pointer register. Writes by called functions are not included.
     std::map<std::uint8_t, std::vector<std::uint8_t>> bytes_by_pointer;

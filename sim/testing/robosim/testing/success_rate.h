@@ -21,15 +21,16 @@ struct MinimumRate {
   double rate;
   bool sure;
 };
-/// Requires that this share of the tested seeds succeeds.
+/// Requires that at least the share `rate` of the tested seeds succeeds.
 constexpr MinimumRate at_least(double rate) { return {rate, false}; }
-/// Requires that the tested seeds prove this rate for all possible seeds, at 95 % confidence. The lower end
-/// of Wilson's interval must reach the rate. This needs more runs: 381 without a failure for 0.99.
+/// Requires that the tested seeds prove `rate` for all possible seeds, at 95 % confidence. The lower end of
+/// Wilson's interval must reach the rate. This needs more runs: 381 without a failure for 0.99.
 constexpr MinimumRate surely_at_least(double rate) { return {rate, true}; }
 
-/// Runs a trial to its verdict with each of the seeds. Passes if at least this share of the runs reaches the
-/// goal. Stops as soon as the result is certain. A failure prints the failed seeds with the reasons, and the
-/// interval of the true rate (Wilson's, 95 %). It also prints the command that replays the first failed run.
+/// Runs a trial to its verdict with each of the seeds. Passes if the share of runs that reach the goal meets
+/// `least`. Stops as soon as the result is certain. A failure prints the failed seeds with the reasons, and
+/// the interval of the true rate (Wilson's, 95 %). It also prints the command that replays the first failed
+/// run.
 ///
 /// ROBOSIM_JOBS=N runs N trials at a time (default: the number of processors), with the same result. Throws
 /// the same exceptions as Simulation, and InputError if these seeds are too few to prove the rate.

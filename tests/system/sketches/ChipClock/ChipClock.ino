@@ -1,5 +1,5 @@
-// Checks too early whether 100 ms have passed, once correctly and once wrongly. The results differ if
-// millis() is about to wrap.
+// Checks by a correct and a wrong comparison whether 100 ms have passed, although they have not. The results
+// differ if millis() is about to wrap.
 void setup() {
   Serial.begin(115200);
   for (int round = 0; round < 5; ++round) {

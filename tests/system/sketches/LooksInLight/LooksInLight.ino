@@ -1,7 +1,7 @@
 // A line follower. A letter on the serial line selects how it reads its five sensors:
 //   t  thresholds at half scale, one conversion each      r  raw, unscaled
-//   c  scaled by a calibration turn over the line         m  as c, each the mean of 10 ms
-//   d  difference with and without its own light          w  as d, 1 ms after switching the light
+//   c  scaled by a calibration turn over the line         m  as c, with means over 10 ms
+//   d  difference with and without its own light          w  as d, waits 1 ms whenever it switches the light
 //   e  as t, ends at the first reading without a line     l  as t, ends after 250 ms without a line
 //   b  as t, ends if one battery reading is 20 steps low  v  as b, with the mean of 16 readings
 //   k  keeps the middle sensor on the line's right edge

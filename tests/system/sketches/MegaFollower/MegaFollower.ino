@@ -1,5 +1,5 @@
-// Follows a line with pins that an Uno does not have: motors and sensors above pin 19 and A7, encoders on 20
-// and 21, and a second serial port for a log.
+// Follows a line with pins that an Uno does not have. Motors are on pins 22 and above, sensors on A8 to A12,
+// encoders on 20 and 21. A second serial port sends a log.
 
 #include <LineKit.h>
 
