@@ -181,7 +181,7 @@ std::string serial_warning(const std::string& own_lines, const std::string& all,
   }
   if (!first) return "";
   return fmt::format(
-      "{}:{}: warning: Serial.begin() is never called, so that nothing is sent: put Serial.begin(9600); into "
+      "{}:{}: warning: Serial.begin() is never called, so nothing is sent: put Serial.begin(9600); into "
       "setup()",
       first->file, first->line);
 }

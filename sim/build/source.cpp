@@ -61,7 +61,7 @@ void take(Sketch& sketch, const fs::path& file) {
 /// Throws InputError if `folder` or a folder below it cannot be read. A missing folder is not an error.
 void check_all_read(const fs::path& folder, const std::error_code& error) {
   if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory)
-    throw InputError({folder.string()}, "cannot read the folder or one below it: " + error.message());
+    throw InputError({folder.string()}, "cannot read this folder or a subfolder: " + error.message());
 }
 
 void take_all_below(Sketch& sketch, const fs::path& folder) {

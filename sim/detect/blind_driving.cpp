@@ -80,8 +80,7 @@ exec::Detected BlindDriving::State::told(const Steering& now) const {
   told.where = stretch.busy.where;
   told.first_s = 1e-9 * static_cast<double>(stretch.began);
   told.what = fmt::format(
-      "the robot drove {:.0f} mm ({:.2f} s) without reading a line sensor, and the line went out from under "
-      "the sensors{}",
+      "the robot drove {:.0f} mm ({:.2f} s) without reading a line sensor, and the sensors left the line{}",
       1e3 * (now.distance_m - stretch.from_m), seconds, call.empty() ? "" : ": the sketch was in " + call);
   told.mend = mend_for(call);
   return told;

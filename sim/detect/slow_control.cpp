@@ -66,7 +66,7 @@ void SlowControl::commands_changed(const Steering& now) {
       s.lost = {
           result::detector("slow_control"),
           fmt::format(
-              "the line went out from under the sensors between two changes of the motors' power: the power "
+              "the sensors left the line between two changes of the motors' power: the power "
               "changed only every {:.0f} ms, or {:.0f} mm, although line sensors were read {} times in "
               "between",
               1e3 * seconds, 1e3 * step_m, s.reads),

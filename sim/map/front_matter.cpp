@@ -41,7 +41,8 @@ FrontMatter::PlacedStart read_start(const ConfigValue& value, const Course& cour
     if (paths == 0) throw InputError(along->place, "[start] with along requires a [[path]]");
     if (start.cell || !facing.empty())
       throw InputError(along->place,
-                       "[start]: `along` is a place on a path, so x, y and facing, a cell, are not allowed");
+                       "[start]: `along` is a place on a path: x, y and facing, which describe a cell, are "
+                       "not allowed with it");
     OnPath on;
     on.path = static_cast<int>(table.integer("path", 1, 1, paths) - 1);
     on.along = as_quantity(*along, "along", Dimension::length, 0.0,

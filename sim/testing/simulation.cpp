@@ -76,7 +76,7 @@ Drive Simulation::run_until(const Event& event, Within<Duration> within, const c
   if (over()) {
     const bool awaited = ending && impl_->verdict() == ending->text;
     if (!awaited)
-      drive.fail_with(fmt::format("the run was over at {} before {}", seconds(now()), event.clause()));
+      drive.fail_with(fmt::format("the run ended at {}, before {}", seconds(now()), event.clause()));
   } else if (stop < 0) {
     drive.fail_with(fmt::format("it did not happen within {} that {}", seconds(within.most), event.clause()));
   } else {

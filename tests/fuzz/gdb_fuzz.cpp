@@ -30,11 +30,11 @@ class Memory final : public Processor {
     return number < 32 && bytes.size() == 1;
   }
   std::string read_memory(std::uint32_t address, std::uint32_t size) const override {
-    require(size <= 0x1000, "no more is asked for than a packet may hold");
+    require(size <= 0x1000, "a read is at most 0x1000 bytes");
     return address < 0x8000 ? std::string(size, 'm') : "";
   }
   bool write_memory(std::uint32_t, std::string_view bytes) override {
-    require(bytes.size() <= 1 << 16, "no more is written than came");
+    require(bytes.size() <= 1 << 16, "a write is not longer than the input");
     return true;
   }
   bool set_breakpoint(std::uint32_t, bool) override { return true; }
@@ -86,7 +86,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   require(::send(debugger.get(), data, size, MSG_NOSIGNAL) == static_cast<ssize_t>(size),
-          "a debugger can speak");
+          "the socket accepts the whole input");
   ::shutdown(debugger.get(), SHUT_WR);
 
   Past past;

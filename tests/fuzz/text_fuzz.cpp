@@ -16,7 +16,7 @@ namespace {
 using namespace robosim;
 
 void look_at(const ConfigValue& value, int depth) {
-  require(depth < 200, "there is an end to it");
+  require(depth < 200, "values are nested less than 200 deep");
   require(value.place.file == "fuzz.toml" && value.place.line >= 1, "everything has its place");
   for (const ConfigValue& item : value.items) look_at(item, depth + 1);
   for (const auto& [key, member] : value.members) look_at(member, depth + 1);

@@ -131,9 +131,10 @@ std::string summary_of(const std::vector<Attempt>& attempts, std::uint64_t seed,
         text += fmt::format("- {}{}\n", mutate::described(one.bug),
                             one.library.empty() ? "" : ": " + one.library);
   };
-  list("No test minds:", [](const Attempt& one) { return one.ending == survived && one.library.empty(); });
-  list("Only the unit tests mind:", [](const Attempt& one) { return !one.library.empty(); });
-  list("Without a trace:",
+  list("Bugs that change a run, but that no test finds:",
+       [](const Attempt& one) { return one.ending == survived && one.library.empty(); });
+  list("Bugs that only the unit tests find:", [](const Attempt& one) { return !one.library.empty(); });
+  list("Bugs that change no run, and that no test finds:",
        [](const Attempt& one) { return one.ending == unobserved && one.library.empty(); });
   return text;
 }

@@ -112,7 +112,7 @@ std::string with_figures(std::string_view text, const std::string& file, const s
       if (const std::size_t at = offset_of(text, table->place); at >= text.size() || text[at] != '[')
         throw InputError(
             table->place,
-            fmt::format("{0} is not a table of lines, so that {1} cannot be added: expected a table {2}",
+            fmt::format("{0} is an inline table, to which {1} cannot be added: expected a table {2}",
                         figure.table, figure.key,
                         figure.of_part ? "[[part]]" : fmt::format("[{}]", figure.table)));
       const std::size_t end = end_of_table(text, *table);

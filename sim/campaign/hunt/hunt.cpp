@@ -112,7 +112,7 @@ bool Hunt::shrink(HuntFinding& finding) {
       const std::vector<TestCase> some(candidates.begin() + static_cast<std::ptrdiff_t>(from),
                                        candidates.begin() + static_cast<std::ptrdiff_t>(to));
       listener_.progress(
-          fmt::format("{}: looking for a smaller world, try {}", finding.symptom.group, tries + 1));
+          fmt::format("{}: looking for a smaller world, attempt {}", finding.symptom.group, tries + 1));
       std::vector<std::optional<result::RunResult>> results;
       std::vector<std::vector<Symptom>> found;
       if (!look(some, results, found)) return false;

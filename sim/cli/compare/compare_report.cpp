@@ -197,7 +197,7 @@ std::string compare_text(const campaign::Compared& c) {
   text += !c.difference      ? "do the same\n"
           : !c.lacks.empty() ? fmt::format("differ, but {} lacks a feature that the sketch uses\n", c.lacking)
           : c.edges.empty()  ? "differ\n"
-                             : "differ no more than each differs from itself\n";
+                             : "differ only as much as runs of one target with slightly wrong clocks\n";
   text += lanes_text(c);
   for (const campaign::ComparedKnown& known : c.known)
     text += fmt::format("known difference, not counted: {}{} ({} “{}”, {} “{}”)\n", known.difference.what,

@@ -150,7 +150,7 @@ std::string explain_mismatch(const Mismatch& data, std::uintptr_t address) {
     return fmt::format(
         "{} at an address that is not a multiple of {} (the Uno accepts it, other chips do not)", use,
         alignment);
-  return use + " where there is not enough room for one";
+  return use + " at a place that is too small for it";
 }
 
 std::string explain_pointer(std::uintptr_t base, std::uintptr_t result) {

@@ -73,7 +73,7 @@ std::string Diagnosis::reason(const Fault& fault) const {
     case Fault::Kind::breakpoint:
       return fmt::format("breakpoint instruction at 0x{:08X} without a debugger", fault.pc);
     case Fault::Kind::division:
-      return "division by zero, which SCB_CCR makes a fault";
+      return "division by zero, which is a fault because the sketch has set DIV_0_TRP in SCB_CCR";
     case Fault::Kind::unhandled:
       return fmt::format("exception {} without a handler", fault.address);
     case Fault::Kind::unmodelled: {

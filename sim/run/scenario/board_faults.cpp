@@ -76,10 +76,10 @@ BoardFault read_drift(const Words& words, std::size_t) {
   const auto value = parse_quantity(in_ppm ? text.substr(0, text.size() - 3) : text, Dimension::ratio);
   const double ppm = value.value_or(kMostDrift + 1) * (in_ppm ? 1.0 : 1e6);
   if (!(std::abs(ppm) <= kMostDrift))
-    throw InputError(
-        fmt::format("fault clock drift: expected how much too fast the clock runs, from -{:g}ppm to {:g}ppm, "
-                    "got “{}”",
-                    kMostDrift, kMostDrift, text));
+    throw InputError(fmt::format(
+        "fault clock drift: expected the amount by which the clock is too fast, from -{:g}ppm to {:g}ppm, "
+        "got “{}”",
+        kMostDrift, kMostDrift, text));
   return ClockDrift{static_cast<int>(std::lround(ppm))};
 }
 

@@ -32,7 +32,7 @@ Trigger parse_trigger(ScriptLine& line) {
     return trigger;
   }
   if (when != "after")
-    line.refuse(fmt::format("unknown trigger: expected at TIME or after EVENT, got “{}”{}", when,
+    line.refuse(fmt::format("unknown trigger: expected `at TIME` or `after EVENT`, got “{}”{}", when,
                             did_you_mean(when, {"at", "after"})));
   const std::string event = line.take("an event: serial, station, boot, eeprom or a part").text;
   if (event == "serial") {
@@ -78,7 +78,7 @@ void parse_obstacle(ScriptLine& line, Action& action) {
     action.radius = line.quantity("a radius from 5mm to 500mm", Dimension::length, 0.005, 0.5);
   if (line.take_if("to")) {
     action.to = line.take("the cell that it moves to, as X,Y").text;
-    if (!line.take_if("in")) line.refuse("the duration of the move is missing: expected to X,Y in TIME");
+    if (!line.take_if("in")) line.refuse("the duration of the move is missing: expected `to X,Y in TIME`");
     action.period = line.duration();
     if (action.period < kTick) line.refuse("the move is too fast: expected at least 1ms after \"in\"");
   }

@@ -22,7 +22,7 @@ std::string note_of(Ending ending) {
     case Ending::out_of_moves:
       return "It ended because the robot had made more moves than any scan needs.";
     case Ending::no_way:
-      return "An obstacle is between here and there.";
+      return "An obstacle blocks the way to this station.";
     case Ending::complete:
     case Ending::refused:
       break;

@@ -58,7 +58,7 @@ a.cpp:7: Failure
   EXPECT_EQ(cases[2].group, "Suite") << "tests of ctest have no class";
   EXPECT_EQ(cases[2].ending, JunitCase::Ending::failed);
   EXPECT_THAT(cases[2].message, AllOf(StartsWith("a.cpp:7: Failure"), EndsWith("in a browser")))
-      << "the test's output explains the failure, ctest's message does not";
+      << "the test's output explains the failure, but ctest's message does not";
   EXPECT_EQ(kept_page(cases[2].message), "artifacts/Suite.Test/run.html");
   EXPECT_EQ(cases[3].ending, JunitCase::Ending::skipped);
   EXPECT_EQ(cases[4].ending, JunitCase::Ending::skipped);

@@ -172,7 +172,7 @@ TEST_F(Stm32ChipTest, EveryFaultIsToldWithItsReasonAndPlace) {
              "return to address 0x30000000, where there is no code (the return address on the stack was "
              "overwritten)"},
         Case{"*(volatile int*)0xE000ED14 |= 16; n = 100 / n;",
-             "division by zero, which SCB_CCR makes a fault"},
+             "division by zero, which is a fault because the sketch has set DIV_0_TRP in SCB_CCR"},
         Case{"*(volatile int*)0x40005C40 = 1;",
              "write of 0x1 to register 0x40005C40 (USB), which Robosim does not model"},
         Case{"n = *(volatile int*)0x40006408;", "read of register 0x40006408 (CAN1)"}}) {

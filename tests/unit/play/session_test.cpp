@@ -77,7 +77,7 @@ class FakeDriver final : public CellDriver {
   map::Start pose() const override { return start_; }
   int here() const override { return here_; }
   RouteReport route(int) override {
-    if (!way_) return {false, "An obstacle is between here and there.", {}, "", 0.0};
+    if (!way_) return {false, "An obstacle blocks the way to this station.", {}, "", 0.0};
     return {true, "", std::vector<int>(way_junctions_, 1), std::string(way_junctions_, 'R'), 5.0};
   }
   WalkReport drive(int to, const OnStep& on_step) override {
@@ -236,7 +236,8 @@ TEST_F(SessionTest, AVeryLongRouteIsCutSoThatTheMapStillShows) {
 
 TEST_F(SessionTest, NoWayIsToldAndTheSessionGoesOn) {
   host_.way = false;
-  EXPECT_THAT(shown("1\n\n\n\n\n\n2\n"), HasSubstr("S1 to S2: An obstacle is between here and there.\n"));
+  EXPECT_THAT(shown("1\n\n\n\n\n\n2\n"),
+              HasSubstr("S1 to S2: An obstacle blocks the way to this station.\n"));
 }
 
 TEST_F(SessionTest, TheDrivenRobotsResultOrTroubleIsTold) {

@@ -158,7 +158,7 @@ TEST(Scenario, ExplainsEveryMistakeWithItsLineAndColumn) {
       "s.txt:2:7: unknown event: expected serial, station, boot, eeprom or a part with a text in quotes, "
       "got “seriel”; did you mean serial?");
   EXPECT_EQ(error_of("when 2s press b"),
-            "s.txt:1:1: unknown trigger: expected at TIME or after EVENT, got “when”");
+            "s.txt:1:1: unknown trigger: expected `at TIME` or `after EVENT`, got “when”");
   EXPECT_THAT(error_of("aftr boot 2 lift"), testing::HasSubstr("did you mean after?"));
   EXPECT_THAT(error_of("at 2 press b"),
               testing::StartsWith("s.txt:1:4: invalid time: expected a number with a unit"));

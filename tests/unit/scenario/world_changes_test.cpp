@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Bad{"at 1s light 1 off", "the map has no light to switch"},
                     Bad{"at 1s obstacle 4,4 to", "expected the cell that it moves to, as X,Y"},
                     Bad{"at 1s obstacle 4,4 to 5,5",
-                        "the duration of the move is missing: expected to X,Y in TIME"},
+                        "the duration of the move is missing: expected `to X,Y in TIME`"},
                     Bad{"at 1s obstacle 4,4 to 5,5 in", "expected a time such as 2s or 100ms"},
                     Bad{"at 1s obstacle 4,4 to 5,5 in 10us", "the move is too fast: expected at least 1ms"},
                     Bad{"at 1s obstacle 4,4 to 99,5 in 1s", "invalid cell"}));

@@ -61,7 +61,7 @@ class Checker {
     const std::string file = hash == 0 ? place.substr(0, place.find(':'))
                                        : (folder / target.substr(0, hash)).lexically_normal().string();
     if (!documents_.count(file) && !fs::exists(fs::path(root_) / file)) {
-      dead.push_back(fmt::format("{}: links to {}, and there is no such file", place, file));
+      dead.push_back(fmt::format("{}: links to {}, which does not exist", place, file));
     } else if (hash < target.size() && documents_.count(file) &&
                !anchors_of(documents_.at(file)).count(target.substr(hash + 1))) {
       dead.push_back(
@@ -75,7 +75,7 @@ class Checker {
     for (std::sregex_iterator it(words.begin(), words.end(), path), end; it != end; ++it) {
       const std::string name = (*it)[2];
       if (name.find("NAME") == name.npos && !fs::exists(fs::path(root_) / name))
-        dead.push_back(fmt::format("{}: names {}, and there is no such file", place, name));
+        dead.push_back(fmt::format("{}: names {}, which does not exist", place, name));
     }
   }
 
@@ -121,7 +121,7 @@ std::vector<std::string> dead_functions(const Files& documents, const Files& sou
                          std::any_of(sources.begin(), sources.end(), [&](const auto& source) {
                            return source.second.find(call) != source.second.npos;
                          });
-      if (!found) dead.insert(fmt::format("{}: names {}, and no source has that function", file, it->str()));
+      if (!found) dead.insert(fmt::format("{}: names {}, which no source contains", file, it->str()));
     }
   }
   return {dead.begin(), dead.end()};
@@ -150,7 +150,7 @@ std::vector<std::string> dead_mentions(const Files& sources, const std::string& 
       if (end == content.npos || content.compare(end, 3, ".md") != 0) continue;
       const std::string name = content.substr(at, end + 3 - at);
       if (!fs::exists(fs::path(root) / name))
-        dead.push_back(fmt::format("{}: names {}, and there is no such file", file, name));
+        dead.push_back(fmt::format("{}: names {}, which does not exist", file, name));
     }
   }
   return dead;

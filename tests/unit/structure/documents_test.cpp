@@ -47,7 +47,7 @@ TEST(References, ToAMissingFileOrHeadingAreDead) {
                                 "# One `two`, three\n[b](b.md) [r](../README.md) [x](#one-two-three)\n"
                                 "[y](#two) [web](https://x.org/y.md)\n"}},
                               kRoot),
-              ElementsAre("docs/a.md:2: links to docs/b.md, and there is no such file",
+              ElementsAre("docs/a.md:2: links to docs/b.md, which does not exist",
                           "docs/a.md:3: links to docs/a.md, which has no heading 'two'"));
 }
 
@@ -56,17 +56,17 @@ TEST(References, InBackticksAreDeadIfThePathDoesNotExist) {
                                 "`sim/base/error.h` `sim/gone.h:12` `make sim/away`, but not `x/y.h`\n"
                                 "```\nrobosim run docs/mine/Sketch\n```\n"}},
                               kRoot),
-              ElementsAre("README.md:1: names sim/gone.h, and there is no such file",
-                          "README.md:1: names sim/away, and there is no such file"));
+              ElementsAre("README.md:1: names sim/gone.h, which does not exist",
+                          "README.md:1: names sim/away, which does not exist"));
   EXPECT_THAT(
       dead_references({{"README.md", "`docs/*.md`, `tests/`, `tests/NAME.cpp`, `tests/unit/ROOM`"}}, kRoot),
-      ElementsAre("README.md:1: names tests/unit/ROOM, and there is no such file"));
+      ElementsAre("README.md:1: names tests/unit/ROOM, which does not exist"));
 }
 
 TEST(References, ToAFunctionThatNoSourceHasAreDead) {
   EXPECT_THAT(dead_functions({{"a.md", "`Floor::coverage()`, `gone()`, `read_NAME()`, not `sin(x)`"}},
                              {{"sim/x.h", "double coverage(Vec2 p) const;"}}),
-              ElementsAre("a.md: names `gone()`, and no source has that function"));
+              ElementsAre("a.md: names `gone()`, which no source contains"));
 }
 
 TEST(References, ToATestThatNoSourceHasAreDead) {
@@ -78,8 +78,8 @@ TEST(References, ToATestThatNoSourceHasAreDead) {
 TEST(References, OfSourcesAreDeadIfThePageIsGone) {
   EXPECT_THAT(
       dead_mentions({{"sim/x.h", "// docs/explanation/design.md, docs/gone.md, docs/howto/gone.md"}}, kRoot),
-      ElementsAre("sim/x.h: names docs/gone.md, and there is no such file",
-                  "sim/x.h: names docs/howto/gone.md, and there is no such file"));
+      ElementsAre("sim/x.h: names docs/gone.md, which does not exist",
+                  "sim/x.h: names docs/howto/gone.md, which does not exist"));
 }
 
 }  // namespace documents_test

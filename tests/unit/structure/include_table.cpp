@@ -109,7 +109,7 @@ std::vector<std::string> broken_rules(const IncludeTable& table, const Files& fi
         continue;
       }
       if (match[1] == "\"" && is_below_any(header, {"sim", "hal", "firmware", "tests"})) {
-        broken.push_back(fmt::format("{}:{}: includes {}, and there is no such file", file, number, header));
+        broken.push_back(fmt::format("{}:{}: includes {}, which does not exist", file, number, header));
       }
     }
   }

@@ -108,7 +108,7 @@ TEST(IncludeTable, KeepsAnothersHeaderToTheFoldersThatMayUseIt) {
 TEST(IncludeTable, MissesFilesAndFolders) {
   EXPECT_THAT(
       broken_rules(kTable, {{"sim/map/map.cpp", "#include \"sim/base/gone.h\""}, {"sim/new/a.h", ""}}),
-      ElementsAre("sim/map/map.cpp:1: includes sim/base/gone.h, and there is no such file",
+      ElementsAre("sim/map/map.cpp:1: includes sim/base/gone.h, which does not exist",
                   "sim/new/a.h: its folder has no row in the table"));
 }
 
