@@ -233,7 +233,8 @@ TEST_F(BoardFaultsTest, WhatIsNoFaultIsRefusedWithWhatThereIs) {
   EXPECT_THAT(refusal({"eeprom", "flip", "3", "1"}, true),
               HasSubstr("happens once and cannot end after a time"));
   EXPECT_THAT(refusal({"clock", "drift", "200000ppm"}), HasSubstr("from -100000ppm to 100000ppm"));
-  EXPECT_THAT(refusal({"clock", "drift", "fast"}), HasSubstr("expected the amount by which the clock is too fast"));
+  EXPECT_THAT(refusal({"clock", "drift", "fast"}),
+              HasSubstr("expected the amount by which the clock is too fast"));
   EXPECT_EQ(refusal({"serial", "lost", "5%"}, true), "accepted");
   probe.reaches_eeprom = false;
   EXPECT_EQ(refusal({"clock", "drift", "5ppm"}), "accepted");
