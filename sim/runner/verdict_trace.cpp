@@ -91,7 +91,7 @@ void Inquiry::sampled(const run::Sample& sample) {
 }
 
 void Inquiry::level_seen(Pin pin, bool level, SimTime t) {
-  if (looks_again_) return seen_[pin].emplace_back(t, level ? "HIGH" : "LOW"), void();
+  if (looks_again_) return seen_[pin].insert_or_assign(t, level ? "HIGH" : "LOW"), void();
   for (const robot::WiredPin& wired : wiring_)
     if (wired.pin == pin && is_line_sensor(wired) && (looks_.empty() || t >= looks_.back() + kTick))
       looks_.push_back(t);
@@ -99,7 +99,7 @@ void Inquiry::level_seen(Pin pin, bool level, SimTime t) {
 
 void Inquiry::volts_seen(Pin pin, double volts, SimTime t) {
   if (looks_again_)
-    seen_[pin].emplace_back(t, fmt::format("{:.2f} V", volts));
+    seen_[pin].insert_or_assign(t, fmt::format("{:.2f} V", volts));
   else
     level_seen(pin, false, t);
 }
@@ -330,10 +330,8 @@ std::string Inquiry::read_at(const CauseStep& step) const {
   const std::string name = name_of(step.pin);
   const auto seen = seen_.find(step.pin);
   if (seen == seen_.end()) return name;
-  const std::string* value = nullptr;
-  for (const auto& [t, text] : seen->second)
-    if (t <= step.t) value = &text;
-  return value ? name + " " + *value : name;
+  const auto later = seen->second.upper_bound(step.t);
+  return later == seen->second.begin() ? name : name + " " + std::prev(later)->second;
 }
 
 std::vector<result::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std::size_t most,

@@ -70,9 +70,11 @@ class Inquiry final : run::Listener {
   exec::CauseFinder& causes_;
   bool looks_again_ = false;
 
-  std::vector<Command> commands_;                                     ///< commands of the motors
-  std::vector<SimTime> looks_;                                        ///< times when line sensors were read
-  std::map<Pin, std::vector<std::pair<SimTime, std::string>>> seen_;  ///< levels in the second run
+  std::vector<Command> commands_;  ///< commands of the motors
+  std::vector<SimTime> looks_;     ///< times when line sensors were read
+  /// By pin and time: the values that firmware read while the run was repeated. The run may have been
+  /// repeated from later moments first.
+  std::map<Pin, std::map<SimTime, std::string>> seen_;
 
   run::Simulation simulation_;  // its constructor already reports to the fields above
   SnapshotIndex moments_;
