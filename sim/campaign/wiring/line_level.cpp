@@ -239,12 +239,18 @@ class LevelReader {
     source_ = &source;
     read_library();
     read_constants();
-    std::set<int> idle;  // lines of blocks that do not run
+    std::set<int> idle;  // lines whose comments do not count: blocks that do not run
     for (const Block& block : source.blocks)
       if (only_running && !block.runs)
         for (int line = block.first_line; line <= block.last_line; ++line) idle.insert(line);
       else
         read_block(block);
+    // A comment next to a computed value, such as `error`, describes that value.
+    for (const Token& token : source.tokens)
+      if (token.kind == Token::Kind::word &&
+          says(words_of(token.text),
+               {"err", "pos", "offset", "dev", "diff", "turn", "steer", "corr", "speed"}))
+        idle.insert(token.line);
     for (const Comment& comment : source.comments)
       if (!idle.contains(comment.line) && !is_instruction(comment.words)) read_comment(comment);
   }
@@ -348,7 +354,12 @@ class LevelReader {
       const bool is_stated = i + 1 < words.size() && words[i + 1] == "eq";
       const bool is_index =
           i > 0 && !is_stated && says({words[i - 1]}, {"sens", "ir", "chan", "kanal", "cas", "step", "s"});
-      const int one_level = is_index ? 0 : level_of_word(words[i]);
+      // A bound, as in "> 0: the line is on the right", is not a level.
+      const auto compares = [&](std::size_t before) {
+        return i >= before && (words[i - before] == "gt" || words[i - before] == "lt");
+      };
+      const bool is_bound = compares(1) || (i > 0 && words[i - 1] == "eq" && compares(2));
+      const int one_level = is_index || is_bound ? 0 : level_of_word(words[i]);
       const int one_meaning = has_colour          ? colour_of({words[i]})
                               : is_line(words[i]) ? line_of({i > 0 ? words[i - 1] : "", words[i]}) * line_
                                                   : 0;

@@ -104,6 +104,14 @@ TEST(LineLevel, ACommentThatStatesAConditionIsNoStatement) {
   EXPECT_EQ(level("// the sensor is HIGH if it is on black\n"), "HIGH") << "states what the sensor does";
 }
 
+TEST(LineLevel, ACommentOnAComputedValueIsNoStatement) {
+  EXPECT_EQ(level("void loop() { int error = r - l;  // > 0: the line is on the right\n}\n"), "");
+  EXPECT_EQ(level("void loop() { int x = r - l;  // >= 0 the line is on the right\n}\n"), "");
+  EXPECT_EQ(level("void loop() { int error = r - l;  // 0 = on the line\n}\n"), "");
+  EXPECT_EQ(level("int lastPosition = 0;  // 0 = black line in the middle\n"), "");
+  EXPECT_EQ(level("void loop() { int s = digitalRead(2);  // 0 = on the line\n}\n"), "LOW");
+}
+
 TEST(LineLevel, AWhiteLineReversesWhatAFlagMeans) {
   const std::string flag = "void loop() { if (s <= THRESHOLD) p = 1; else p = 0; }\n";
   EXPECT_EQ(level("#define THRESHOLD 700\n" + flag), "LOW");
