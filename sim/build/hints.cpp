@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <regex>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -128,6 +130,23 @@ std::string version_hint(const std::string& first) {
   return "";
 }
 
+/// Returns the word of the sketch to which the first message's `^` points; empty if it points to no word.
+std::string word_at_caret(const std::string& first) {
+  std::istringstream lines(first);
+  std::string before;
+  for (std::string line; std::getline(lines, line); before = line) {
+    const std::size_t caret = line.find('^');
+    if (caret == std::string::npos || line.find_first_not_of(" |") != caret || caret >= before.size())
+      continue;
+    const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+    if (std::isdigit(static_cast<unsigned char>(before[caret])) != 0) return "";
+    const auto end =
+        std::find_if_not(before.begin() + static_cast<std::ptrdiff_t>(caret), before.end(), is_letter);
+    return {before.begin() + static_cast<std::ptrdiff_t>(caret), end};
+  }
+  return "";
+}
+
 bool is_of_esp32(const std::string& name) {
   return name.rfind("ledc", 0) == 0 || name.rfind("esp_", 0) == 0 || name == "WiFi" || name == "touchRead" ||
          name == "dacWrite";
@@ -163,6 +182,10 @@ std::string hint_for(const std::string& messages) {
     return "the previous line may lack a ; at its end";
   if (has(first, "expected '}' at end of input"))
     return "each { requires a }: one is missing at the end or earlier";
+  if (has(first, "before numeric constant"))
+    if (const std::string name = word_at_caret(first); !name.empty())
+      return fmt::format(
+          "{} is already a number in this chip's headers, such as a bit of a register; rename it", name);
   if (has(first, "redefinition of 'void setup()'") || has(first, "redefinition of 'void loop()'"))
     return "all .ino files of a folder form one sketch, with one setup() and one loop()";
   static const std::regex included(R"((?:^|\n)([^\n: ]+\.ino):[^\n]*error: redefinition of )");

@@ -67,6 +67,21 @@ TEST(Hints, OtherBoardsProgramsAreToldWhatIsSimulated) {
   EXPECT_EQ(library_of_header("Mine.h"), "");
 }
 
+TEST(Hints, ANameThatTheChipsHeadersDefineIsNamed) {
+  EXPECT_THAT(hint_for("a.ino:1:11: error: expected unqualified-id before numeric constant\n"
+                       " const int SPEED = 110;\n"
+                       "           ^\n"),
+              HasSubstr("SPEED is already a number in this chip's headers"));
+  EXPECT_THAT(hint_for("a.ino:2:14: error: expected identifier before numeric constant\n"
+                       "    2 | enum { USBS, OTHER };\n"
+                       "      |        ^~~~\n"),
+              HasSubstr("USBS is already a number"));
+  EXPECT_EQ(hint_for("a.ino:1:5: error: expected unqualified-id before numeric constant\n"
+                     " int 5;\n"
+                     "     ^\n"),
+            "");
+}
+
 TEST(Hints, OnlyTheFirstErrorIsLookedAt) {
   EXPECT_EQ(hint_for("a.ino:1:2: error: 'speed' was not declared in this scope\n"
                      "a.ino:2:2: error: 'A8' was not declared in this scope"),

@@ -7,7 +7,7 @@ const int RIGHT_SPEED = 6, RIGHT_FORWARD = 9, RIGHT_BACKWARD = 10;
 
 const int FLOOR = 110;     // analogRead() over the floor
 const int LINE = 880;      // analogRead() over the line
-const int SPEED = 110;     // of 255; for both wheels while the line is in the middle
+const int BASE_SPEED = 110; // of 255; for both wheels while the line is in the middle
 const float STEERING = 70; // change of speed if the line is off by one sensor
 
 float off = 0;             // position of the line: -2 under the left sensor .. 2 under the right one
@@ -39,7 +39,7 @@ void setup() {
 void loop() {
   look();
   int turn = STEERING * off;
-  turn_wheel(LEFT_SPEED, LEFT_FORWARD, LEFT_BACKWARD, SPEED + turn);
-  turn_wheel(RIGHT_SPEED, RIGHT_FORWARD, RIGHT_BACKWARD, SPEED - turn);
+  turn_wheel(LEFT_SPEED, LEFT_FORWARD, LEFT_BACKWARD, BASE_SPEED + turn);
+  turn_wheel(RIGHT_SPEED, RIGHT_FORWARD, RIGHT_BACKWARD, BASE_SPEED - turn);
   delay(5);
 }
