@@ -32,7 +32,7 @@ namespace robosim::cli {
 namespace {
 
 const std::vector<std::string> kWarningLevels{"none", "default", "more", "all"};
-const std::vector<std::string> kFamilies{"tree", "cycles", "grid"};
+const std::vector<std::string> kFamilies{"tree", "cycles", "grid", kTrackFamily};
 const std::vector<std::string> kPlanners{"bfs",   "dfs",      "iterative", "pruned",
                                          "climb", "interval", "dijkstra"};
 const std::vector<std::string> kShells{"bash", "zsh", "fish"};
@@ -214,24 +214,34 @@ PrintText help_of_actions(const std::string& command, const std::string& summary
 
 Command parse_generate(const Words& words) {
   GenerateArguments generate;
-  std::string stations, count = "1", first_seed = "1";
+  std::string stations, squares, count = "1", first_seed = "1";
   Options options("map generate", "generate random maps",
-                  "The same family, number of stations and seed always give the same map.");
-  options.text("--family", generate.family, "FAMILY",
-               "generate a tree (junctions of three ways), cycles (a tree with cycles) or a grid (streets)",
-               PossibleValues::of(kFamilies));
+                  "The same family, size and seed always give the same map.");
+  options.text(
+      "--family", generate.family, "FAMILY",
+      "generate a tree (junctions of three ways), cycles (a tree with cycles), a grid (streets) or a "
+      "track (one loop)",
+      PossibleValues::of(kFamilies));
   options.text("--stations", stations, "N", "give each map this many dead ends, 2 to a million");
+  options.text("--squares", squares, "N", "make each track the outline of this many squares, 1 to 100");
   options.text("--count", count, "K", "generate K maps, with seeds S, S+1, ... (default: 1)");
   options.text("--seed", first_seed, "S", "generate the first map from this seed (default: 1)");
   options.text("--out", generate.out, "DIR",
                "write FAMILY-N-SEED.map into this folder (default: the current folder)",
                PossibleValues::folder());
   if (const auto help = options.parse(words)) return *help;
-  for (const auto& [option, value] : {std::pair{"--family", &generate.family}, {"--stations", &stations}})
-    if (value->empty()) throw InputError(fmt::format("robosim map generate requires {}", option));
+  if (generate.family.empty()) throw InputError("robosim map generate requires --family");
   check_choice("--family", generate.family, kFamilies);
-  generate.stations =
-      static_cast<int>(whole_number("--stations", stations, map::kMinStations, map::kMaxStations));
+  const bool is_track = generate.family == kTrackFamily;
+  const auto& [option, value] =
+      is_track ? std::pair("--squares", squares) : std::pair("--stations", stations);
+  if (value.empty())
+    throw InputError(fmt::format("robosim map generate --family {} requires {}", generate.family, option));
+  if (!stations.empty() && !squares.empty())
+    throw InputError("--squares is for tracks, and --stations for all other families: expected one of them");
+  generate.size =
+      static_cast<int>(is_track ? whole_number(option, value, 1, 100)
+                                : whole_number(option, value, map::kMinStations, map::kMaxStations));
   generate.seed = seed_number(first_seed);
   generate.count = whole_number("--count", count, 1, 1'000'000);
   if (generate.count - 1 > kMostSeed - generate.seed)

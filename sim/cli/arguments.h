@@ -94,10 +94,13 @@ struct MapArguments {
   bool dot = false;   ///< for graph
 };
 
+/// The family of closed tracks (sim/campaign/random_worlds/track.h).
+inline constexpr const char* kTrackFamily = "track";
+
 /// `robosim map generate`
 struct GenerateArguments {
-  std::string family;
-  int stations = 0;
+  std::string family;  ///< map::Family, or kTrackFamily
+  int size = 0;        ///< number of stations, or of a track's squares
   std::uint64_t count = 1;
   std::uint64_t seed = 1;  ///< seed of the first map; each further map adds 1
   std::string out = ".";   ///< folder that receives the maps

@@ -8,7 +8,7 @@
 
 namespace robosim::cli {
 
-/// Writes `count` maps, with seeds seed, seed + 1, …, as FOLDER/FAMILY-STATIONS-SEED.map. Writes nothing if
+/// Writes `count` maps, with seeds seed, seed + 1, …, as FOLDER/FAMILY-SIZE-SEED.map. Writes nothing if
 /// any of these files already exists. Throws InputError.
 ExitStatus generate_maps(const GenerateArguments& arguments, std::ostream& out);
 

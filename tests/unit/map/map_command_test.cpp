@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -173,6 +174,21 @@ TEST_F(MapCommand, GenerateWritesMapsWhoseNamesTellHowToMakeThemAgain) {
     EXPECT_EQ(map.generator, "cycles 1 stations 5 seed " + std::to_string(seed));
     EXPECT_EQ(check({folder + '/' + name + ".map"}), ExitStatus::ok);
   }
+}
+
+TEST_F(MapCommand, GeneratedTracksAreLoopsThatTheirSeedDetermines) {
+  const std::string folder = folder_.path().string();
+  EXPECT_EQ(generate_maps({kTrackFamily, 12, 2, 3, folder}, out_), ExitStatus::ok);
+  std::set<std::string> texts;
+  for (const int seed : {3, 4}) {
+    const std::string path = folder + "/track-12-" + std::to_string(seed) + ".map";
+    EXPECT_EQ(map::read_map(path).goal, "laps:1");
+    EXPECT_EQ(check({path}), ExitStatus::ok);
+    texts.insert(read_file(path));
+  }
+  EXPECT_EQ(texts.size(), 2u) << "another seed, another track";
+  generate_maps({kTrackFamily, 12, 1, 3, folder + "/again"}, out_);
+  EXPECT_TRUE(texts.contains(read_file(folder + "/again/track-12-3.map")));
 }
 
 TEST_F(MapCommand, GenerateOverwritesNothing) {
