@@ -55,7 +55,9 @@ std::optional<std::string> why_failed(const Check& check, const result::RunResul
     const std::string wanted = check.expect == std::vector<std::string>{"reached"}
                                    ? ""
                                    : " (expected: " + one_of(check.expect) + ")";
-    return fmt::format("{}{}: {}", result.verdict, wanted, result.why);
+    const bool is_cause = !result.next.empty() && result.next_by.empty();  // not only a way to find the cause
+    return fmt::format("{}{}: {}{}", result.verdict, wanted, result.why,
+                       is_cause ? " Next: " + result.next + "." : "");
   }
   if (const auto missing = missing_of(check.serial, result.serial, " over its serial port"))
     return fmt::format("the sketch did not send {}", *missing);
