@@ -256,10 +256,12 @@ const KEYS = ['sketch', 'robot', 'map', 'target', 'seed', 'seconds', 'script'];
 /** Sets a field of the form from a link. Throws an Error with a sentence for an invalid value. */
 function choose(key, value) {
   const field = $(key), before = field.value;
-  field.value = value;
-  if (field.value === value || key === 'script') return;
-  field.value = before;
   const isFile = ['sketch', 'robot', 'map'].includes(key);
+  for (const name of isFile ? [value, `./${value}`] : [value]) {
+    field.value = name;
+    if (field.value === name || key === 'script') return;
+  }
+  field.value = before;
   throw new Error(isFile ? `Unknown ${key} in the link: expected one in this folder or one that comes with Robosim, got ${value}.` : `Invalid ${key} in the link: ${value}.`);
 }
 
