@@ -177,7 +177,7 @@ void Agent::look_to_the_side() {
   const double side = robot_.line_side();
   if (std::abs(side) < kAside) return;
   const double left = robot_.right_command() - robot_.left_command();
-  // A command that was given before the line came to this side is no response to the line.
+  // A command that was given before the line came to this side is not a response to the line.
   if (side * state_.line_side <= 0.0) {
     state_.side_command = left;
     state_.steered = 0.0;

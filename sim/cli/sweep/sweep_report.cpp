@@ -63,7 +63,7 @@ struct Scores {
   }
 };
 
-// What a line of the table counts.
+// The numbers of a line of the table.
 struct Counts {
   std::int64_t runs = 0, successes = 0;
   double reached_time_s = 0.0;  // sum over the successful runs
@@ -91,8 +91,7 @@ std::vector<std::string> line_of(const std::vector<std::string>& names, const Co
   return line;
 }
 
-// Returns a line with the totals of each sketch that has several combinations. Returns no lines if a
-// combination may have been stopped early, because its runs would then count less than those of the others.
+// Returns a line with the totals of each sketch that has several combinations.
 Lines totals(const campaign::SweepPlan& plan, const std::vector<Counts>& counts, bool scored) {
   std::vector<std::string> sketches;  // in the table's order
   std::map<std::string, std::vector<std::size_t>> places;
@@ -211,7 +210,7 @@ std::string sweep_report(const campaign::SweepOptions& options, const campaign::
     counts.push_back(of);
     failed += failures_text(plan, i, tallies.back(), failures, outcomes);
   }
-  if (!options.stop_early) {
+  if (!options.stop_early) {  // it would give some combinations fewer runs than others
     const Lines sums = totals(plan, counts, scored);
     lines.insert(lines.end(), sums.begin(), sums.end());
   }
