@@ -74,7 +74,8 @@ std::string sanitizers_word(const std::string& output) {
 std::string failure_of(const fs::path& program) {
   const std::string name = program.filename().string();
   try {
-    const mutate::TestRun run = mutate::run_tests(program, "", program.parent_path(), kMostSeconds);
+    const mutate::TestRun run =
+        mutate::run_tests(program, "", program.parent_path(), program.parent_path(), kMostSeconds);
     return run.failed.empty() ? "" : name + ": " + run.failed;
   } catch (const mutate::CouldNotRun& threw) {
     return name + ": " + threw.what();

@@ -75,7 +75,7 @@ void Stage::spoil(const std::vector<mutate::Edit>& edits) {
 }
 
 TestRun Stage::test(const Choice& choice) const {
-  return mutate::run_tests(folder_ / "bin/tests", filter(choice), folder_);
+  return mutate::run_tests(folder_ / "bin/tests", filter(choice), folder_, folder_);
 }
 
 void take_environment() {

@@ -98,7 +98,8 @@ std::size_t MutationResult::brittle() const {
 
 double MutationResult::score() const {
   const std::size_t shown = mutants.size() - unobserved();
-  return shown == 0 ? 1.0 : static_cast<double>(found()) / static_cast<double>(shown);
+  if (shown == 0) return mutants.empty() ? 1.0 : 0.0;  // tests that no change affects check nothing
+  return static_cast<double>(found()) / static_cast<double>(shown);
 }
 
 MutationResult plant_bugs(const MutateOptions& options, Progress& progress,
@@ -125,7 +126,7 @@ MutationResult plant_bugs(const MutateOptions& options, Progress& progress,
   const Trial unchanged = bench.try_unchanged(ask);
   if (unchanged.ending == Trial::Ending::not_compiled)
     throw InputError({choice.path.string()},
-                     "a copy of only the sketch's folder does not build: " + unchanged.why);
+                     "a copy of only the sketch's folder cannot be tested: " + unchanged.why);
   if (unchanged.ending != Trial::Ending::passed && unchanged.check.empty())
     throw InputError({file}, unchanged.why);
   if (unchanged.ending != Trial::Ending::passed)

@@ -45,8 +45,8 @@ TestRun read_report(const std::string& report) {
 
 }  // namespace
 
-TestRun run_tests(const fs::path& program, const std::string& filter, const fs::path& scratch,
-                  int most_seconds) {
+TestRun run_tests(const fs::path& program, const std::string& filter, const fs::path& folder,
+                  const fs::path& scratch, int most_seconds) {
   const fs::path timeout = build::find_program("timeout");
   if (timeout.empty())
     throw ToolMissing("the program timeout is missing; the Debian package coreutils contains it");
@@ -56,7 +56,7 @@ TestRun run_tests(const fs::path& program, const std::string& filter, const fs::
                                     program.string(),  "--gtest_fail_fast",
                                     "--gtest_brief=1", "--gtest_output=json:" + report.string()};
   if (!filter.empty()) words.push_back("--gtest_filter=" + filter);
-  const build::CommandResult result = build::run(build::Command{words, scratch, {}});
+  const build::CommandResult result = build::run(build::Command{words, folder, {}});
   if (result.status > 1 || !fs::exists(report))
     throw ProgramBroke(fmt::format("{} ended with status {}{}{}", program.filename().string(), result.status,
                                    fs::exists(report) ? "" : ", but wrote no report, unlike GoogleTest",

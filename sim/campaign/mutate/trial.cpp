@@ -38,11 +38,15 @@ Trial make_checks(const std::string& sketch, const std::string& file, std::size_
   return trial;
 }
 
-Trial make_tests(const std::vector<std::string>& programs, const fs::path& scratch) {
+/// Runs the tests in the current folder, or in its copy if the sketch's folder contains it.
+Trial make_tests(const std::vector<std::string>& programs, const Workbench& bench) {
+  const fs::path here = fs::current_path(), within = here.lexically_relative(bench.original());
+  const bool is_outside = within.empty() || *within.begin() == "..";
+
   Trial trial;
   try {
     for (const std::string& program : programs) {
-      const TestRun run = run_tests(program, "", scratch);
+      const TestRun run = run_tests(program, "", is_outside ? here : bench.copy() / within, bench.scratch());
       for (const auto& [test, trace] : run.traces) trial.traces.push_back(test + ' ' + trace);
       if (run.failed.empty()) continue;
       trial.ending = Trial::Ending::failed;
@@ -85,9 +89,7 @@ Workbench::Ask ask_checks(std::string file, std::size_t jobs) {
 Workbench::Ask ask_tests(std::vector<std::string> programs, const Workbench& bench) {
   ::setenv("ROBOSIM_MUTANT", (bench.original().string() + "=" + bench.copy().string()).c_str(), 1);
   ::setenv("ROBOSIM_ARTIFACTS", "none", 1);
-  return [programs = std::move(programs), &bench](const std::string&) {
-    return make_tests(programs, bench.scratch());
-  };
+  return [programs = std::move(programs), &bench](const std::string&) { return make_tests(programs, bench); };
 }
 
 }  // namespace robosim::mutate
