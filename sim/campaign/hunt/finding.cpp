@@ -80,7 +80,7 @@ std::string Shown::Option::value_in(const fs::path& folder) const {
   return own_file ? (folder / value).string() : value;
 }
 
-std::string hunt_check(const HuntFinding& finding, std::size_t number) {
+std::string hunt_check(const HuntFinding& finding, std::size_t number, const fs::path& out) {
   const Symptom& symptom = finding.symptom;
   const std::string folder = std::to_string(number);
   if (symptom.kind == kUnlike || symptom.kind == kWarned)  // no single run fails
@@ -88,7 +88,10 @@ std::string hunt_check(const HuntFinding& finding, std::size_t number) {
   std::string text = fmt::format("# {}\n[[check]]\nname = {}\n", symptom.sentence,
                                  in_quotes(fmt::format("hunt {}: {}", number, symptom.group)));
   for (const Shown::Option& option : finding.shown.options) {
-    const std::string value = option.value_in(folder);
+    std::string value = option.value_in(folder);
+    // The project may move, so paths are relative to the file.
+    if (fs::path(value).is_absolute())
+      value = fs::path(value).lexically_relative(fs::absolute(out).lexically_normal()).string();
     text += fmt::format("{} = {}\n", option.name, option.name == "seed" ? value : in_quotes(value));
   }
   if (finding.shown.checked) text += "sanitize = true\n";

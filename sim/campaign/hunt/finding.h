@@ -48,7 +48,7 @@ struct HuntFinding {
 std::string hunt_text(const HuntFinding& finding, std::size_t number, const std::filesystem::path& out);
 /// Returns a [[check]] that fails until the fault is fixed, with paths relative to the findings' folder.
 /// Returns only comments for a finding that no single run shows.
-std::string hunt_check(const HuntFinding& finding, std::size_t number);
+std::string hunt_check(const HuntFinding& finding, std::size_t number, const std::filesystem::path& out);
 
 /// Writes `out`/NUMBER: the test case's files, its script and a page that replays it; sets the `shown`
 /// fields. Throws InputError.

@@ -43,7 +43,7 @@ fs::path folder_for(const HuntArguments& arguments) {
 /// Returns the text of a checks.toml that fails until the findings are fixed. Repeats the hunt's `never` and
 /// `always` assertions, because findings may depend on them.
 std::string checks_text(const std::vector<campaign::HuntFinding>& findings,
-                        const campaign::CampaignRunner& runner) {
+                        const campaign::CampaignRunner& runner, const fs::path& out) {
   std::string text;
   for (const auto& [key, when] : {std::pair{"never", campaign::TextAssertion::When::never},
                                   {"always", campaign::TextAssertion::When::always}}) {
@@ -54,7 +54,7 @@ std::string checks_text(const std::vector<campaign::HuntFinding>& findings,
     if (!list.empty()) text += fmt::format("{} = [{}]\n", key, list);
   }
   for (std::size_t i = 0; i < findings.size(); ++i)
-    text += (text.empty() ? "" : "\n") + campaign::hunt_check(findings[i], i + 1);
+    text += (text.empty() ? "" : "\n") + campaign::hunt_check(findings[i], i + 1, out);
   return text;
 }
 
@@ -137,7 +137,7 @@ int hunt_command(const HuntArguments& arguments) {
        [&](const campaign::HuntFinding& finding, std::size_t number) {
          progress.clear();
          print(campaign::hunt_text(finding, number, out) + "\n");
-         write_file(out / "checks.toml", checks_text(hunt.findings(), runner));
+         write_file(out / "checks.toml", checks_text(hunt.findings(), runner, out));
        }});
   const bool complete = parts.empty() ? hunt.go() : hunt.merge(parts);
   progress.clear();
