@@ -100,7 +100,7 @@ Prepared Launcher::prepare(const Launch& launch, Chosen chosen, const Describe& 
   for (const std::string& sentence : lacks(launch, chosen, runner)) tell(listener_.lacking, sentence);
   for (const std::string& sentence : remarks_on_project(chosen.sketch, launch.libraries))
     tell(listener_.chosen, sentence);
-  tell(listener_.chosen, chosen.map.announcement);
+  tell(chosen.map.is_doubtful ? listener_.lacking : listener_.chosen, chosen.map.announcement);
   tell(listener_.chosen, chosen.robot.announcement);
   Carrier carrier = fit_to_target(chosen.robot, chosen.target, describe);
   tell(listener_.chosen, carrier.announcement);

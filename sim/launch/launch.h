@@ -60,8 +60,9 @@ struct Prepared {
 
 /// Receives reports during preparation; any function may be empty.
 struct Listener {
-  std::function<void(const std::string& sentence)> chosen;   ///< sentences on automatic choices
-  std::function<void(const std::string& sentence)> lacking;  ///< sentences on missing confinement (trust.h)
+  std::function<void(const std::string& sentence)> chosen;  ///< sentences on automatic choices
+  std::function<void(const std::string& sentence)>
+      lacking;  ///< sentences on doubtful choices, and missing confinement
   std::function<void(const std::string& sketch)> compiling;
   /// Called during `compiling` if the core for a board and target has not been compiled yet.
   std::function<void(const std::string& board, const std::string& target)> compiling_core;

@@ -220,7 +220,10 @@ Choice choose_map(const std::string& name, const fs::path& sketch_folder) {
   }
   const std::string why =
       beside.empty() ? "" : fmt::format(" ({} maps are next to the sketch)", beside.size());
-  return {"oval", stock_map_folder() / "oval.map", "the map is oval" + why + "; choose another with --map"};
+  Choice oval{"oval", stock_map_folder() / "oval.map",
+              "the map is oval" + why + "; choose another with --map"};
+  oval.is_doubtful = !beside.empty();
+  return oval;
 }
 
 namespace {

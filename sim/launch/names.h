@@ -30,6 +30,7 @@ struct Choice {
   std::string name;  ///< for messages and `inputs`; a path of this machine only if the user typed it
   std::filesystem::path path;  ///< file to open; for a robot, the name for the runner, perhaps with @BOARD
   std::string announcement;
+  bool is_doubtful = false;          ///< several files fit, so users must see the announcement
   const BoardSpec* board = nullptr;  ///< for a robot, the board of the project; null = the robot's own board
   std::string board_said;            ///< reports that board's source: "platformio.ini names the board uno"
 };
