@@ -131,7 +131,7 @@ class Comparer {
     std::size_t i = 0;
     for (; i < a.size() && i < b.size(); ++i) {
       const std::array<std::int64_t, 2> t{a[i].t_ns, b[i].t_ns};
-      const std::string from = i > 0 ? "the way after " + a[i - 1].text : "the beginning of the way";
+      const std::string from = i > 0 ? "the way after " + a[i - 1].text : "the way from the start";
       if (a[i].text != b[i].text)
         return report({Difference::Kind::place, from, t, {came_to(a[i]), came_to(b[i])}, "", {}, {i, i}});
       if (!same_time(t, before, a[i].text + ", " + from, {}, {i, i})) return;
