@@ -124,6 +124,7 @@ struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
   std::int64_t ram_bytes = 0;        ///< variables
   std::int64_t stack_bytes_max = 0;  ///< the maximum in use, including handlers
+  std::int64_t free_bytes_min = 0;   ///< RAM that variables, heap and stack never used
   std::int64_t loops = 0;            ///< number of passes of loop(); 0 = unknown, like the next two values
   double loop_us_max = 0.0;          ///< longest time from one beginning of loop() to the next or to the end
   double loop_us_mean = 0.0;
@@ -138,6 +139,9 @@ void fields(V& v, Same<V, Resources>& r) {
   v("ram_bytes", r.ram_bytes, "variables");
   v("stack_bytes_max", r.stack_bytes_max,
     "maximum stack use, including interrupt handlers; measured at every change of the stack pointer");
+  v("free_bytes_min", r.free_bytes_min,
+    "bytes of RAM between the highest end of variables and heap, and the deepest stack",
+    {.presence = kOptional});
   v("interrupt_share", r.interrupt_share, "share of the time in interrupt handlers, 0..1");
   v("cpu_load", r.cpu_load, "share of the time not asleep, 0..1; waiting loops count as load");
   v("loops", r.loops,

@@ -112,7 +112,7 @@ std::optional<Usage> Drive::usage() const {
   if (!log_->resources) return std::nullopt;
   const result::Resources& used = *log_->resources;
   return Usage{used.flash_bytes, used.ram_bytes, used.stack_bytes_max,
-               Duration(static_cast<std::int64_t>(used.loop_us_max * 1e3))};
+               Duration(static_cast<std::int64_t>(used.loop_us_max * 1e3)), used.free_bytes_min};
 }
 
 std::string Drive::title() const {

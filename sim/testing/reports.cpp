@@ -132,6 +132,7 @@ void record_figures(const RunLog& log, const result::RunResult& result) {
   record("trace_hash", result.trace_hash);
   if (!result.resources) return;
   record("flash_bytes", std::to_string(result.resources->flash_bytes));
+  record("free_bytes_min", std::to_string(result.resources->free_bytes_min));
   record("ram_bytes", std::to_string(result.resources->ram_bytes));
   record("stack_bytes_max", std::to_string(result.resources->stack_bytes_max));
   record("loop_us_max", fmt::format("{:.1f}", result.resources->loop_us_max));

@@ -51,21 +51,14 @@ std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
   return terminal::trail_every_ns(arguments.request.for_ns);
 }
 
-/// Returns the number of bytes of RAM that neither the variables nor the stack have occupied. Returns nothing
-/// if the run did not measure this number.
-std::optional<std::int64_t> free_bytes(const result::RunResult& result, const BoardSpec& board) {
-  if (!result.resources) return std::nullopt;
-  const std::int64_t used = result.resources->ram_bytes + result.resources->stack_bytes_max;
-  return std::max<std::int64_t>(0, static_cast<std::int64_t>(board.ram_bytes) - used);
-}
-
 /// Returns how far each limit that the firmware declares (build::Limit) could be raised in the free RAM.
-std::vector<terminal::Room> rooms(const build::Image& image, std::optional<std::int64_t> free) {
+std::vector<terminal::Room> rooms(const build::Image& image, const result::RunResult& result) {
   std::vector<terminal::Room> rooms;
-  if (!free) return rooms;
+  if (!result.resources) return rooms;
   for (const build::Limit& limit : build::stated_limits(image)) {
     if (limit.bytes_each == 0) continue;
-    const std::uint64_t fit = limit.value + static_cast<std::uint64_t>(*free) / limit.bytes_each;
+    const std::uint64_t fit =
+        limit.value + static_cast<std::uint64_t>(result.resources->free_bytes_min) / limit.bytes_each;
     rooms.push_back({limit.what, limit.value, std::min(fit, limit.most), limit.bytes_each});
   }
   return rooms;
@@ -224,11 +217,10 @@ int run_command(const RunArguments& arguments) {
   } else if (!arguments.live) {
     const ScreenSize screen = screen_size();
     const auto drawn = map_to_draw(run.request);
-    const auto free = free_bytes(result, board);
     listeners.finish_serial();
     (arguments.serial ? complain_coloured : print_coloured)(
         terminal::end_screen({sketch, run.map.name, run.robot.name, run.target, listeners.started(), result,
-                              listeners.trail(), wall_s, free, rooms(run.image, free), board.chip->target,
+                              listeners.trail(), wall_s, rooms(run.image, result), board.chip->target,
                               !run.robot_info.sensors.empty(), board.name, board.ram_bytes},
                              drawn.get(), screen.columns, screen.look));
     if (!unwritten) (arguments.serial ? complain : print)(written_text(arguments));

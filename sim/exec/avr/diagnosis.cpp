@@ -96,7 +96,7 @@ std::string Diagnosis::overflow_text() const {
   const WatchedChip& chip = machine_.chip();
   if (!chip.has_own_stack())
     return fmt::format(
-        "stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave free",
+        "stack overflow: the stack has outgrown the {} bytes of RAM that variables and heap leave free",
         machine_.stack().room_bytes());
   const Symbol* const variable = chip.own_stack_variable();
   if (!variable && chip.sp() < firmware_.chip->ram_address)

@@ -129,6 +129,7 @@ Resources Machine::resources() const {
   r.flash_bytes = static_cast<std::uint32_t>(firmware_.flash.size());
   r.ram_bytes = firmware_.ram_bytes;
   r.stack_bytes_max = stack_.most_bytes();
+  r.free_bytes_min = stack_.least_free_bytes();
   r.loops = state_.rounds.count();
   r.loop_us_max = static_cast<double>(state_.rounds.longest(chip_.cycle())) * cycle_us;
   if (r.loops > 0)

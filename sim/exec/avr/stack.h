@@ -6,6 +6,7 @@
 // returns soon, or by an array that is never written.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +27,8 @@ class Stack {
   }
   /// Returns the number of bytes from the end of the variables and the heap to the end of RAM.
   std::uint32_t room_bytes() const { return firmware_.last_ram + 1u - state_.heap_end; }
+  /// Returns the number of bytes that the variables, the heap and the stack have never used.
+  std::uint32_t least_free_bytes() const { return room_bytes() - std::min(room_bytes(), most_bytes()); }
   /// Returns whether the stack has reached the variables or the heap.
   bool has_overflown() const { return chip_.lowest_sp() + 1 < state_.heap_end; }
 

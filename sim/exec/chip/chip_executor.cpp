@@ -105,6 +105,7 @@ std::optional<Resources> ChipExecutor::resources() const {
   Resources r = chip_->resources();
   if (state_.before) {
     r.stack_bytes_max = std::max(r.stack_bytes_max, state_.before->stack_bytes_max);
+    r.free_bytes_min = std::min(r.free_bytes_min, state_.before->free_bytes_min);
     r.loop_us_max = std::max(r.loop_us_max, state_.before->loop_us_max);
   }
   return r;

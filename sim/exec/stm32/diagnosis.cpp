@@ -57,7 +57,7 @@ std::string Diagnosis::jump_text(const Fault& fault) const {
 std::string Diagnosis::reason(const Fault& fault) const {
   if (fault.kind == Fault::Kind::stack)
     return fmt::format(
-        "stack overflow: the stack has outgrown the {} bytes of RAM that the variables leave free",
+        "stack overflow: the stack has outgrown the {} bytes of RAM that variables and heap leave free",
         kRam + kRamBytes - cpu_.stack_limit());
   switch (fault.kind) {
     case Fault::Kind::bad_read:

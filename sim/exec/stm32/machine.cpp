@@ -110,7 +110,9 @@ Resources Machine::resources() const {
   Resources r;
   r.flash_bytes = firmware_.flash_bytes;
   r.ram_bytes = firmware_.ram_bytes;
-  r.stack_bytes_max = stack_top_ - std::min(cpu_.lowest_sp(), stack_top_);
+  const Address lowest = std::min(cpu_.lowest_sp(), stack_top_);
+  r.stack_bytes_max = stack_top_ - lowest;
+  r.free_bytes_min = lowest - std::min(cpu_.stack_limit(), lowest);
   r.loops = rounds.count();
   r.loop_us_max = static_cast<double>(rounds.longest(time_of(bus_.link().clock.now))) * kNanoToMicro;
   if (r.loops > 0)

@@ -200,10 +200,10 @@ void write_figures(Writer& out, const Report& report) {
   }
   if (r.resources) {
     const result::Resources& used = *r.resources;
-    const std::string free =
-        report.free_bytes ? fmt::format(" · {} bytes of RAM never used", *report.free_bytes) : "";
-    out.labelled("chip        ", fmt::format("flash {} bytes · variables {} bytes · stack {} bytes at most{}",
-                                             used.flash_bytes, used.ram_bytes, used.stack_bytes_max, free));
+    out.labelled("chip        ",
+                 fmt::format("flash {} bytes · variables {} bytes · stack {} bytes at most · {} bytes of RAM "
+                             "never used",
+                             used.flash_bytes, used.ram_bytes, used.stack_bytes_max, used.free_bytes_min));
     for (const Room& room : report.rooms)
       out.labelled("room for    ", fmt::format("{} {}; with this stack {} would fit, at {} bytes each",
                                                room.now, room.what, room.fit, room.bytes_each));

@@ -64,8 +64,6 @@ struct Report {
   result::RunResult result;
   Trail trail;
   std::optional<double> wall_s;  ///< empty = not shown
-  /// On a chip: RAM that was used neither by variables nor by the deepest stack.
-  std::optional<std::int64_t> free_bytes;
   std::vector<Room> rooms;
   std::string chip_target;  ///< the target with the chip of the robot's board
   bool sees_lines = true;   ///< the robot has line sensors

@@ -296,7 +296,7 @@ TEST_F(FailuresTest, AStackInTheLastVariableOutgrowsIt) {
   start(on_tail("", "old = deep(99);"));
   run(50 * kMillisecond);
   ASSERT_TRUE(avr_->crash());
-  EXPECT_THAT(avr_->crash()->reason, HasSubstr("bytes of RAM that the variables leave free"));
+  EXPECT_THAT(avr_->crash()->reason, HasSubstr("bytes of RAM that variables and heap leave free"));
 }
 
 TEST_F(FailuresTest, AStackInTheHeapOutgrowsItsBlock) {

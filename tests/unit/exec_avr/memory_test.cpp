@@ -39,6 +39,16 @@ void loop() {})");
   EXPECT_LT(r.stack_bytes_max, 300u);
 }
 
+TEST_F(MemoryTest, MemoryOfTheHeapIsNotFree) {
+  const auto with = [&](const char* code) {
+    return used(std::string("char* p;\nvoid setup() { ") + code + " if (p) p[0] = 1; }\nvoid loop() {}")
+        .free_bytes_min;
+  };
+  const auto without = with("p = (char*)malloc(10);"), with_heap = with("p = (char*)malloc(1010);");
+  EXPECT_NEAR(static_cast<double>(without - with_heap), 1000.0, 10.0);
+  EXPECT_GT(with_heap, 500);
+}
+
 TEST_F(MemoryTest, VariablesAndFlashAreThoseOfTheImage) {
   const Resources r = used("volatile byte table[300];\nvoid setup() { table[0] = 1; }\nvoid loop() {}");
   EXPECT_GE(r.ram_bytes, 300u);

@@ -43,6 +43,7 @@ struct Usage {
   std::int64_t ram_bytes = 0;    ///< variables
   std::int64_t stack_bytes = 0;  ///< maximum, including interrupt handlers
   Duration longest_loop{};       ///< 0 = unknown
+  std::int64_t free_bytes = 0;   ///< RAM that variables, heap and stack never used
 };
 
 /// A run's score under the rules of a goal such as "robotrace".
