@@ -35,8 +35,8 @@ struct Place {
   uint8_t change_mask = 0;   ///< the pin's bit in PCMSKn
   int8_t counted_by = -1;    ///< timer that can count the pin's edges as external clock; -1 = none
   int8_t captured_by = -1;   ///< timer that can capture the pin's edges; -1 = none
-  bool no_channel = false;   ///< an analog pin after the chip's last channel: the Blue
-                             ///< Pill's 11 and 12, a Mega's A8 to A15
+  bool no_channel = false;   ///< an analog pin without a channel of the ADC: pins 11 and 12
+                             ///< of the Blue Pill, A8 to A15 of a Mega
   Pin wired = 0;             ///< result of first_number() for the pin
   uint16_t off_bits = 0;     ///< bits in inputs_off that switch the pin's digital input off
 };

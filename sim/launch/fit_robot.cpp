@@ -63,12 +63,10 @@ Carrier fit_to_target(const Choice& own, const std::string& target, const Descri
   const std::string alone = parse_robot_name(robot.name).robot;
   carrier.announcement =
       alone.find('.') == alone.npos
-          ? fmt::format(
-                "on {} the robot is {}: its {} has no such chip, so a {} replaces it on the same pins",
-                target, carrier.robot.name, fitted.own_board, board)
-          : fmt::format(
-                "on {} a {} replaces the {} in {} on the same pins, because the old board has no such chip",
-                target, board, fitted.own_board, alone);
+          ? fmt::format("for target {0}, the robot is {1}: a {3} replaces its {2} on the same pins", target,
+                        carrier.robot.name, fitted.own_board, board)
+          : fmt::format("for target {}, a {} replaces the board {} of {} on the same pins", target, board,
+                        fitted.own_board, alone);
   return carrier;
 }
 

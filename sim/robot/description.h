@@ -48,13 +48,13 @@ struct Chassis {
   Parameter wheel;       ///< m, a wheel's diameter; sampled for each wheel
   Parameter wheel_inertia;  ///< kg m2 of a wheel with its tyre
   Parameter grip;           ///< coefficient of friction between tyre and floor
-  Parameter rolling;        ///< force / weight of tyres and caster
+  Parameter rolling;        ///< rolling resistance of tyres and caster, as a share of the weight on them
   Parameter wall_friction;  ///< coefficient of friction between outline and wall
   Parameter caster;         ///< m ahead of the axle; negative = behind it; 0 = the default place
   Parameter caster_radius;  ///< m
   Parameter height;         ///< m, of the centre of mass; 0 = loads do not shift
-  Parameter wheelbase;  ///< m, of four wheels, or of wheels equivalent to tracks; 0 = two wheels and a caster
-  Parameter downforce;  ///< kg, mass whose weight equals a fan's downforce
+  Parameter wheelbase;      ///< m; crawler tracks count as four wheels; 0 = two wheels and a caster
+  Parameter downforce;      ///< kg, mass whose weight equals a fan's downforce
   Steering steering;
   Vec2 circle_centre;         ///< m, centre of a circular outline
   double circle_radius = 0;   ///< m; 0 = the outline is `polygon`

@@ -3,10 +3,10 @@
 //   - The run is saved at intervals.
 //   - The run is repeated around the decisive moment of the verdict, and each instruction is recorded
 //     (exec::CauseFinder).
-//   - The causes may include bytes that were written long before. To find the write, the run is repeated from
-//     the last snapshot before one of these bytes changed. This may happen several times.
-//   - The sketch's lines that were found become links of a chain: one link for each file, one for all lines
-//     that read pins, and one for all lines that set values long before.
+//   - The causes may include bytes that were written long before the decisive moment. To find the write, the
+//     run is repeated from the last snapshot that has another value. This may happen several times.
+//   - The lines that were found become links of a chain. Lines that read pins form one link, and lines that
+//     set a value long before the decisive moment form another. All other lines form a link for each file.
 #pragma once
 
 #include <map>

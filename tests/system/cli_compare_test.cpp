@@ -211,7 +211,9 @@ TEST_F(CliCompare, AnUnosRobotIsTakenWithABoardOfEachTarget) {
   EXPECT_EQ(runs[0]["robot"], "robot.toml");
   EXPECT_EQ(runs[1]["robot"], "robot.toml");
   EXPECT_EQ(runs[2]["robot"], "robot.toml@bluepill");
-  EXPECT_THAT(ended.err, HasSubstr("on stm32 a bluepill replaces the uno in robot.toml on the same pins"));
+  EXPECT_THAT(
+      ended.err,
+      HasSubstr("for target stm32, a bluepill replaces the board uno of robot.toml on the same pins"));
 }
 
 TEST_F(CliCompare, OfSeveralRobotsItIsSaidWhoseTheDifferenceIs) {

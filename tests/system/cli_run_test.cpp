@@ -216,8 +216,8 @@ TEST(CliRun, PutsABoardOfTheTargetOnARobotThatHasNone) {
   const Ended ended = robosim_command(with(kShort, {"--target", "stm32", "--json"}));
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_THAT(ended.err,
-              HasSubstr("on stm32 the robot is uno5@bluepill: its uno has no such chip, so a bluepill "
-                        "replaces it on the same pins\n"));
+              HasSubstr("for target stm32, the robot is uno5@bluepill: a bluepill replaces its uno on the "
+                        "same pins\n"));
   EXPECT_EQ(json_of(ended)["inputs"]["robot"], "uno5@bluepill");
   std::vector<std::string> named = with(kShort, {"--target", "stm32", "--json"});
   named[5] = "uno5@bluepill";

@@ -7,7 +7,8 @@
 namespace robosim::detect::avr {
 namespace {
 
-constexpr std::size_t kFewest = 3, kMost = 64;  // active calls: fewest in a finding, most recorded
+constexpr std::size_t kFewest = 3;  // a finding has at least this many active calls
+constexpr std::size_t kMost = 64;   // at most this many active calls are recorded
 
 }  // namespace
 

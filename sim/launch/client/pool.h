@@ -48,10 +48,10 @@ struct Batch {
   /// Receives the answer of each run, in ascending order of the run numbers. If this function throws, the
   /// batch ends and Pool::run() throws the exception.
   std::function<void(std::size_t, Answer)> answered;
-  /// Returns whether the result of a run is still needed; may be empty. Pool calls this function before a run
-  /// begins. Earlier runs may then still be in progress. Pool calls it again before it passes the run's
-  /// answer to `answered`. The answers of all earlier runs have then been passed. An unneeded run is dropped,
-  /// even if it was executed.
+  /// Returns whether the result of a run is still needed; may be empty. Pool calls this function twice:
+  ///   - before the run begins, when earlier runs may still be in progress;
+  ///   - before it passes the run's answer to `answered`, after the answers of all earlier runs.
+  /// An unneeded run is dropped, even if it was executed.
   std::function<bool(std::size_t)> wanted;
 };
 
