@@ -1,9 +1,10 @@
-// Runs each program of tests/conformance/avr on Robosim's emulated AVR, and compares its report with the data
-// sheet.
+// Runs each program of tests/conformance/avr on Robosim's emulated AVR and on the target host, and compares
+// its report with the data sheet.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "tests/conformance/bench.h"
+#include "tests/conformance/host.h"
 #include "tests/conformance/program.h"
 #include "tests/support/require_target.h"
 
@@ -35,13 +36,34 @@ TEST_P(Conformance, ReportsWhatTheDataSheetSays) {
   bench.run(program.cycles);
   EXPECT_TRUE(bench.ended) << "the program has not ended after " << program.cycles << " cycles, at word "
                            << bench.chip.cpu().pc() << " of flash";
-  EXPECT_TRUE(matches(program.expected, bench.reported))
+  EXPECT_TRUE(is_right(program, {bench.reported, true}))
       << program.sentence << " (" << program.source << ")\n  expected " << text_of(program.expected)
       << "\n  reported " << text_of(bench.reported);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Conformance, testing::ValuesIn(cases()),
                          [](const auto& of) { return of.param.program.name + "_" + of.param.chip; });
+
+class HostConformance : public testing::TestWithParam<Program> {};
+
+// A program that fails on the host says why (`Host:`).
+TEST_P(HostConformance, ReportsWhatTheDataSheetSaysOrStatesItsReason) {
+  const Program& program = GetParam();
+  const Report report = run_on_host(program);
+  EXPECT_EQ(is_right(program, report), program.host.empty())
+      << program.sentence << " (" << program.source << ")\n  expected " << text_of(program.expected)
+      << "\n  reported " << text_of(report.bytes) << (report.ended ? "" : ", has not ended")
+      << "\n  reason to fail on the host: " << program.host;
+}
+
+std::vector<Program> programs_for_the_host() {
+  std::vector<Program> all = programs_in(ROBOSIM_CONFORMANCE_PROGRAMS);
+  std::erase_if(all, [](const Program& program) { return !is_for(program, kHostChip); });
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, HostConformance, testing::ValuesIn(programs_for_the_host()),
+                         [](const auto& of) { return of.param.name; });
 
 }  // namespace conformance_test
 }  // namespace robosim::conformance

@@ -1,6 +1,6 @@
-// robosim_conformance [FILE]: runs each program of tests/conformance/avr on Robosim's emulated AVR and on
-// other emulators (referees.h), and prints a table of the results. With FILE, writes the table into that
-// file, between the lines "<!-- table -->" and "<!-- end -->".
+// robosim_conformance [FILE]: prints a table of the results of each program of tests/conformance/avr. The
+// programs run on Robosim's emulated AVR, on the target host and on other emulators (referees.h). With FILE,
+// writes the table into that file, between the lines "<!-- table -->" and "<!-- end -->".
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "sim/base/file.h"
+#include "tests/conformance/host.h"
 #include "tests/conformance/referees.h"
 
 namespace robosim::conformance {
@@ -21,25 +22,35 @@ std::string cell(const Program& program, const std::optional<Report>& report) {
          (report->ended ? "" : ", does not end");
 }
 
+/// Returns the program's result on the host, or its reason to fail.
+std::string host_cell(const Program& program) {
+  if (!is_for(program, kHostChip)) return "";
+  const Report report = run_on_host(program);
+  return is_right(program, report) || program.host.empty() ? cell(program, report) : program.host;
+}
+
 std::string table(int& wrong) {
   std::string text =
-      "| program | what must hold | source | expected | Robosim | simavr 1.6 | avr8js "
-      "|\n|---|---|---|---|---|---|---|\n";
-  int count = 0, simavr_right = 0, avr8js_right = 0;
+      "| program | what must hold | source | expected | Robosim | host | simavr 1.6 | "
+      "avr8js |\n|---|---|---|---|---|---|---|---|\n";
+  int count = 0, host_count = 0, host_right = 0, simavr_right = 0, avr8js_right = 0;
   for (const Program& program : programs_in(ROBOSIM_CONFORMANCE_PROGRAMS)) {
     const auto flash = compile(program, program.chips.front());
     const Report ours = run_on_ours(program, flash), simavr = run_on_simavr(program, flash);
     const std::optional<Report> avr8js = run_on_avr8js(program, flash);
+    const std::string host = host_cell(program);
     ++count;
+    host_count += !host.empty();
+    host_right += host == "yes";
     wrong += !is_right(program, ours);
     simavr_right += is_right(program, simavr);
     avr8js_right += avr8js && is_right(program, *avr8js);
-    text += fmt::format("| `{}` | {} | {} | `{}` | {} | {} | {} |\n", program.name, program.sentence,
-                        program.source, text_of(program.expected), cell(program, ours), cell(program, simavr),
-                        cell(program, avr8js));
+    text += fmt::format("| `{}` | {} | {} | `{}` | {} | {} | {} | {} |\n", program.name, program.sentence,
+                        program.source, text_of(program.expected), cell(program, ours), host,
+                        cell(program, simavr), cell(program, avr8js));
   }
-  return text + fmt::format("| {} programs | | | | {} | {} | {} |\n", count, count - wrong, simavr_right,
-                            avr8js_right);
+  return text + fmt::format("| {} programs | | | | {} | {} of {} | {} | {} |\n", count, count - wrong,
+                            host_right, host_count, simavr_right, avr8js_right);
 }
 
 int write_table(const std::filesystem::path& file) {

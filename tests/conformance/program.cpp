@@ -36,6 +36,17 @@ std::vector<std::optional<std::uint8_t>> bytes_of(const std::filesystem::path& f
   return bytes;
 }
 
+/// The reasons why a program fails on the host. A name of the feature may follow after ": ".
+constexpr const char* kHostReasons[] = {"assembler",   "cycles",        "memory",
+                                        "boot loader", "not simulated", "differs"};
+
+std::string reason_of(const std::filesystem::path& file, const std::string& text) {
+  const std::string reason = text.substr(0, text.find(": "));
+  if (std::find(std::begin(kHostReasons), std::end(kHostReasons), reason) == std::end(kHostReasons))
+    refuse(file, "Host: '" + reason + "' is no reason of program.cpp");
+  return text;
+}
+
 Program read(const std::filesystem::path& file) {
   Program program;
   program.file = file;
@@ -61,6 +72,8 @@ Program read(const std::filesystem::path& file) {
       program.cycles = std::stoull(*ends);
     } else if (const auto loop = field("Loop")) {
       program.loop = std::stoi(*loop);
+    } else if (const auto host = field("Host")) {
+      program.host = reason_of(file, *host);
     } else if (program.source.empty()) {
       program.sentence += (program.sentence.empty() ? "" : " ") + text;
     }
@@ -124,10 +137,15 @@ std::string text_of(const std::vector<std::optional<std::uint8_t>>& bytes) {
 
 std::string text_of(const std::vector<std::uint8_t>& bytes) { return joined(bytes, hex); }
 
-bool matches(const std::vector<std::optional<std::uint8_t>>& expected,
-             const std::vector<std::uint8_t>& reported) {
-  return std::equal(expected.begin(), expected.end(), reported.begin(), reported.end(),
-                    [](const auto& want, std::uint8_t have) { return !want || *want == have; });
+bool is_right(const Program& program, const Report& report) {
+  return report.ended && std::equal(program.expected.begin(), program.expected.end(), report.bytes.begin(),
+                                    report.bytes.end(), [](const auto& want, std::uint8_t have) {
+                                      return !want || *want == have;
+                                    });
+}
+
+bool is_for(const Program& program, const std::string& chip) {
+  return std::find(program.chips.begin(), program.chips.end(), chip) != program.chips.end();
 }
 
 }  // namespace robosim::conformance

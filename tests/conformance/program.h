@@ -1,5 +1,5 @@
-// Reads, compiles and runs programs for a chip. Their reports (avr/report.h) decide whether the core conforms
-// to the data sheet.
+// Reads and compiles programs for a chip. Their reports (avr/report.h) decide whether a core conforms to the
+// data sheet.
 #pragma once
 
 #include <cstdint>
@@ -22,14 +22,27 @@ struct Program {
   std::uint64_t cycles = 100000;                      ///< the program is stopped after this number
   std::vector<std::string> chips{"atmega328p"};       ///< the chips with this behaviour, by avr-gcc name
   int loop = -1;                                      ///< the USART whose TX is connected to its RX, or -1
+  std::string host;  ///< why the program fails on the host; empty = it passes
 };
+
+/// A program's report, and whether the program reached its end.
+struct Report {
+  std::vector<std::uint8_t> bytes;
+  bool ended = false;
+};
+
+/// Returns whether the program ended, and reported what it must.
+bool is_right(const Program& program, const Report& report);
 
 /// Returns the chip with this avr-gcc name. Throws std::runtime_error if no board has this chip.
 const ChipSpec& chip_named(const std::string& name);
 
 /// Returns all programs of a folder, by name. Throws std::runtime_error if a program has no sentence, source
-/// or expectation.
+/// or expectation, or an unknown reason to fail on the host.
 std::vector<Program> programs_in(const std::filesystem::path& folder);
+
+/// Returns whether this chip, by its avr-gcc name, behaves as the program says.
+bool is_for(const Program& program, const std::string& chip);
 
 /// Compiles the program by avr-gcc for a chip ("atmega328p"), and returns the content of its flash. Throws
 /// std::runtime_error with the compiler's message.
@@ -40,8 +53,5 @@ std::string text_of(const std::vector<std::optional<std::uint8_t>>& bytes);
 std::string text_of(const std::vector<std::uint8_t>& bytes);
 /// Prints a program for gtest.
 inline void PrintTo(const Program& program, std::ostream* out) { *out << program.name; }
-
-bool matches(const std::vector<std::optional<std::uint8_t>>& expected,
-             const std::vector<std::uint8_t>& reported);
 
 }  // namespace robosim::conformance

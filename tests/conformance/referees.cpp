@@ -26,10 +26,6 @@ void on_end(avr_t*, avr_io_addr_t, std::uint8_t, void* report) { static_cast<Rep
 
 }  // namespace
 
-bool is_right(const Program& program, const Report& report) {
-  return report.ended && matches(program.expected, report.bytes);
-}
-
 Report run_on_ours(const Program& program, std::span<const std::uint8_t> flash) {
   Bench bench(chip_named(program.chips.front()), flash);
   bench.wire_to_itself(program.loop);

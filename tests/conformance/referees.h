@@ -4,20 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
 #include "tests/conformance/program.h"
 
 namespace robosim::conformance {
-
-/// A program's report, and whether the program reached its end.
-struct Report {
-  std::vector<std::uint8_t> bytes;
-  bool ended = false;
-};
-
-bool is_right(const Program& program, const Report& report);
 
 /// Runs a program on Robosim's own core.
 Report run_on_ours(const Program& program, std::span<const std::uint8_t> flash);

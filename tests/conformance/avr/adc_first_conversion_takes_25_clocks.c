@@ -3,6 +3,7 @@
 // Source: DS40002061B, 24.4, table 24-1
 // Expect: c0 90
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: differs: phase of the ADC's clock
 #include "report.h"
 
 // The conversion ends 1 + 25 * 2 cycles after ADEN.

@@ -3,6 +3,7 @@
 // Source: DS40002061B, 24.3, 24.4
 // Expect: f0 e0 e0 f0
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: differs: phase of the ADC's clock
 #include "report.h"
 
 // Conversions end 51, 77, 103, … cycles after ADEN. ADIF is cleared at cycle 60.

@@ -1,6 +1,7 @@
 // Entering idle sleep also starts a conversion, even if ADIE is 0.
 // Source: DS40002061B, 10.3, 24.6
 // Expect: c7 97
+// Host: not simulated: conversions that sleep starts
 #include "report.h"
 
 ISR(USART_TX_vect) {}
@@ -11,7 +12,7 @@ int main(void) {
   SMCR = _BV(SE);
   sei();
   UDR0 = 0;
-  __asm__ volatile("sleep");
+  sleep_cpu();
   report(ADCSRA);
   __builtin_avr_delay_cycles(26 * 128);
   report(ADCSRA);

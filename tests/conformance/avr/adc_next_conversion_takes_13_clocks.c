@@ -2,6 +2,7 @@
 // Source: DS40002061B, 24.4, table 24-1
 // Expect: c0 90
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: differs: phase of the ADC's clock
 #include "report.h"
 
 // ADEN is set at cycle 0, so rising edges are at 1 + 2 k. ADSC is set at cycle 100: the conversion runs from

@@ -1,6 +1,7 @@
 // Entering ADC noise reduction mode starts a conversion, whose interrupt wakes the chip.
 // Source: DS40002061B, 10.4, 24.6
 // Expect: a1 00 e1 02
+// Host: not simulated: sleep modes other than idle
 #include "report.h"
 
 ISR(ADC_vect) { report(0xA1); }
@@ -10,7 +11,7 @@ int main(void) {
   ADCSRA = _BV(ADEN) | _BV(ADIE) | 7;
   SMCR = _BV(SM0) | _BV(SE);
   sei();
-  __asm__ volatile("sleep");
+  sleep_cpu();
   report_word(ADC);
   report(2);
   end_program();

@@ -2,6 +2,7 @@
 // Source: DS40002061B, 10.10, 10.11.3
 // Expect: 00 80 4e
 // Chips: atmega328p attiny85
+// Host: not simulated: PRR
 #include "report.h"
 
 int main(void) {

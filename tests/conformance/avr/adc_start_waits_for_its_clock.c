@@ -4,6 +4,7 @@
 // Expect: c7 97 c7 97
 // Ends: 200000
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: differs: phase of the ADC's clock
 #include "report.h"
 
 // ADEN is set at cycle 0. Rising edges are at 64 + 128 k, and the first conversion ends at 64 + 25 * 128 =

@@ -2,6 +2,7 @@
 // ends after 13.5 clocks.
 // Source: DS40002061B, 24.3, 24.4, table 24-1
 // Expect: e0 b0
+// Host: not simulated: ADTS
 #include "report.h"
 
 // INTF0 is set 2 cycles after the edge, the prescaler starts at cycle 5, and the conversion ends at 5 + 13.5

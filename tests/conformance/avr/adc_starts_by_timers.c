@@ -3,6 +3,7 @@
 // Source: DS40002061B, 24.3, table 24-6
 // Expect: 00 10 00 10 00 10 00 10
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: not simulated: ADTS
 #include "report.h"
 
 // Timers start 100 counts before their overflow, and match 50 counts before it. A conversion takes 3 + 13.5 *

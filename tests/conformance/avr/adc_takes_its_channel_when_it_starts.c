@@ -2,6 +2,7 @@
 // conversion.
 // Source: DS40002061B, 24.5
 // Expect: 00 e1 00 00
+// Host: differs: phase of the ADC's clock
 #include "report.h"
 
 // The first rising edge comes 64 cycles after ADEN.

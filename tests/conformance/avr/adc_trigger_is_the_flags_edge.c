@@ -1,6 +1,7 @@
 // A trigger flag that stays set does not start another conversion: it must be cleared first.
 // Source: DS40002061B, 24.3
 // Expect: b0 a0 b0
+// Host: not simulated: ADTS
 #include "report.h"
 
 static void pulse(void) {

@@ -4,6 +4,7 @@
 // Expect: 00 01
 // Ends: 1000000
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: not simulated: CLKPR
 #include "report.h"
 
 static volatile uint8_t served;

@@ -2,6 +2,7 @@
 // Source: DS40002061B, 9.12.2
 // Expect: 00
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
+// Host: assembler
 #include "report.h"
 
 // STS takes 2 cycles.

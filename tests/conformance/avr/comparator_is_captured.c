@@ -1,6 +1,7 @@
 // With ACIC, an edge of ACO that ICES1 selects copies TCNT1 to ICR1. An edge of ICP1 then captures nothing.
 // Source: DS40002061B, 16.6.1, 23.3.1
 // Expect: 13 20 00 20
+// Host: assembler
 #include "cycles.h"
 
 // TCNT1 is 0x10; one cycle later AIN0 rises above AIN1.

@@ -3,9 +3,13 @@
 //
 //   OUT_IN    the read comes nops + 1 cycles after the write; both registers are among the first 64 of I/O
 //   STS_LDS   the read comes nops + 2 cycles after the write
+//
+// host.h has these macros for the target host.
 #pragma once
 
 #include "report.h"
+
+#ifndef ROBOSIM
 
 #define OUT_IN(to, value, nops, from)                                                                     \
   ({                                                                                                      \
@@ -33,3 +37,5 @@
                        "r"((uint8_t)(value2)), "n"(nops), "I"(_SFR_IO_ADDR(from)));                 \
     found_;                                                                                         \
   })
+
+#endif

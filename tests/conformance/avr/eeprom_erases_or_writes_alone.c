@@ -5,7 +5,7 @@
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
 #include "report.h"
 
-static uint8_t byte(void) {
+static uint8_t stored(void) {
   EEDR = 0x11;
   EECR |= _BV(EERE);
   return EEDR;
@@ -23,7 +23,7 @@ static uint8_t byte(void) {
     uint8_t after = EECR;               \
     report(before);                     \
     report(after);                      \
-    report(byte());                     \
+    report(stored());                     \
   })
 
 int main(void) {

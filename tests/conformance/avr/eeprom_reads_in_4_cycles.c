@@ -2,6 +2,7 @@
 // Source: DS40002061B, 8.4
 // Expect: 20 60
 // Chips: atmega328p atmega2560
+// Host: cycles
 #include "report.h"
 
 // A frame of the USART takes 160 cycles. Between the frame's start and the read of the status, the code takes

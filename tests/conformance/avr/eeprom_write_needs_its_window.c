@@ -2,6 +2,7 @@
 // Source: DS40002061B, 8.6.3
 // Expect: 00 00 02 04 00
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
+// Host: assembler
 #include "report.h"
 
 #define WRITE_BEHIND(nops)                                                                                      \

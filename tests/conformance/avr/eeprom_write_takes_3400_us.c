@@ -3,6 +3,7 @@
 // Expect: 02 00 5a
 // Ends: 300000
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
+// Host: cycles
 #include "report.h"
 
 // The processor is halted for 2 of the cycles; IN takes 1.

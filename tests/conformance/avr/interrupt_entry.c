@@ -1,6 +1,7 @@
 // Entering an interrupt takes 4 cycles; the vector's JMP takes 3 more.
 // Source: DS40002061B, 7.7.1
 // Expect: 07 00
+// Host: assembler
 #include "report.h"
 
 // Timer 0 runs at the processor's clock and overflows during a row of NOPs. The handler reads the timer

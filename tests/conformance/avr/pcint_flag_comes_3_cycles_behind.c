@@ -2,6 +2,7 @@
 // Source: DS40002061B, figure 13-1
 // Expect: 00 01
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: assembler
 #include "report.h"
 
 int main(void) {

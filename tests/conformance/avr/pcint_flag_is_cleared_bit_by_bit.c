@@ -12,7 +12,7 @@ int main(void) {
   PORTD = _BV(PORTD7);
   NOPS(4);
   report(PCIFR);
-  __asm__ volatile("sbi %0, 0" ::"I"(_SFR_IO_ADDR(PCIFR)));
+  PCIFR |= _BV(PCIF0);  // SBI
   report(PCIFR);
   end_program();
 }

@@ -2,6 +2,7 @@
 // the new level.
 // Source: DS40002061B, 14.2.4, figures 14-3 and 14-4
 // Expect: 00 20 20 00
+// Host: cycles
 #include "cycles.h"
 
 int main(void) {

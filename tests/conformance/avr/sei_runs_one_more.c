@@ -2,6 +2,7 @@
 // Source: DS40002061B, 7.7
 // Expect: 01 f1
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: assembler
 #include "report.h"
 
 ISR(TIMER0_OVF_vect, ISR_NAKED) {

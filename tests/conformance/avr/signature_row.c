@@ -2,6 +2,7 @@
 // bits are cleared after four cycles.
 // Source: DS40002061B, 27.8.10, 27.9.1, 28.3
 // Expect: 1e 95 0f 21 00 0c
+// Host: memory
 #include <avr/boot.h>
 
 #include "report.h"

@@ -10,7 +10,7 @@ int main(void) {
   SMCR = _BV(SE);
   sei();
   UDR0 = 0;
-  __asm__ volatile("sleep");
+  sleep_cpu();
   report(2);
   end_program();
 }

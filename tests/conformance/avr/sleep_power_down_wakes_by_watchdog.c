@@ -4,6 +4,7 @@
 // Expect: dd 20 60
 // Ends: 1000000
 // Chips: atmega328p atmega2560
+// Host: not simulated: sleep modes other than idle
 #include "report.h"
 
 ISR(WDT_vect) {
@@ -18,7 +19,7 @@ int main(void) {
   SMCR = _BV(SM1) | _BV(SE);
   sei();
   UDR0 = 0;
-  __asm__ volatile("sleep");
+  sleep_cpu();
   report(UCSR0A);
   __builtin_avr_delay_cycles(16000);
   report(UCSR0A);

@@ -6,7 +6,7 @@
 
 int main(void) {
   SMCR = _BV(SM1);
-  __asm__ volatile("sleep");
+  sleep_cpu();
   report(5);
   end_program();
 }

@@ -3,11 +3,10 @@
 // Expect: 00 80 01 81 00 80
 #include "report.h"
 
-// IN takes 1 cycle.
 #define STATUS_AFTER(cycles)                  \
   ({                                          \
     SPDR = 0x55;                              \
-    __builtin_avr_delay_cycles((cycles) - 1); \
+    __builtin_avr_delay_cycles((cycles) - IN_TAKES); \
     uint8_t status = SPSR;                    \
     __builtin_avr_delay_cycles(1100);         \
     (void)SPSR;                               \

@@ -2,6 +2,7 @@
 // Source: DS40002198B, BSET, BRLT
 // Expect: 10 01 00
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
+// Host: assembler
 #include "report.h"
 
 int main(void) {

@@ -2,6 +2,7 @@
 // current stack.
 // Source: DS40002061B, 7.5; DS40002198B, CALL, RET
 // Expect: a1 b1 a2 b2 a3 b3 01
+// Host: memory
 #include "report.h"
 
 static uint8_t stack_of_b[64];

@@ -1,6 +1,7 @@
 // An edge of ICP1 that ICES1 chooses copies TCNT1 to ICR1 three cycles later, and sets ICF1.
 // Source: DS40002061B, 16.6
 // Expect: 13 20 00 00 20
+// Host: assembler
 #include "cycles.h"
 
 // TCNT1 is 0x10; one cycle later the pin rises.

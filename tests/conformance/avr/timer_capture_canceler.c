@@ -1,6 +1,7 @@
 // The noise canceler delays a capture by 4 cycles, and suppresses pulses of less than 4 cycles.
 // Source: DS40002061B, 16.6.2
 // Expect: 17 00 20
+// Host: assembler
 #include "cycles.h"
 
 // TCNT1 is 0x10; one cycle later the pin rises.

@@ -2,6 +2,7 @@
 // Source: DS40002061B, 15.7.2
 // Expect: 62 63 00 01 02
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: cycles
 #include "cycles.h"
 
 int main(void) {

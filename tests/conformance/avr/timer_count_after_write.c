@@ -2,6 +2,7 @@
 // Source: DS40002061B, 15.5.3
 // Expect: 30 31 32 39
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
+// Host: cycles
 #include "cycles.h"
 
 int main(void) {

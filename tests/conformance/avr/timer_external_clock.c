@@ -1,6 +1,7 @@
 // A timer counts the edges of its pin that CS02 to CS00 select, three cycles after each edge.
 // Source: DS40002061B, 17.2
 // Expect: 05 03 00 01
+// Host: cycles
 #include "cycles.h"
 
 static inline void pulses(uint8_t count) {

@@ -2,6 +2,7 @@
 // Source: DS40002061B, 15.7.3, table 15-8
 // Expect: 06 09 00 04 00 04
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
+// Host: cycles
 #include "cycles.h"
 
 static inline void begin(void) {

@@ -10,7 +10,7 @@
     report(flags & 7);                                                   \
     flags = _BV(1);                                                      \
     report(flags & 7);                                                   \
-    __asm__ volatile("sbi %0, 0" ::"I"(_SFR_IO_ADDR(flags)));            \
+    flags |= _BV(0); /* SBI */                                           \
     report(flags & 7);                                                   \
     flags = _BV(2);                                                      \
     report(flags & 7);                                                   \

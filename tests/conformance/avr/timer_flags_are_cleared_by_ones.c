@@ -11,9 +11,9 @@ int main(void) {
   report(TIFR0);
   TIFR0 = _BV(OCF0A);
   report(TIFR0);
-  __asm__ volatile("sbi %0, 0" ::"I"(_SFR_IO_ADDR(TIFR0)));
+  TIFR0 |= _BV(TOV0);  // SBI
   report(TIFR0);
-  __asm__ volatile("cbi %0, 2" ::"I"(_SFR_IO_ADDR(TIFR0)));
+  TIFR0 &= (uint8_t)~_BV(OCF0B);  // CBI
   report(TIFR0);
   end_program();
 }

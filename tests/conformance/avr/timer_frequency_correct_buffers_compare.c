@@ -2,6 +2,7 @@
 // Source: DS40002061B, 16.9.5, table 16-4
 // Expect: 04 03 00 08 07
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: assembler
 #include "cycles.h"
 
 // TCNT1 is 0 when the timer starts; OCR1A becomes 8 two cycles later.

@@ -12,7 +12,7 @@ int main(void) {
   TCCR2B = _BV(CS22);
   SMCR = _BV(SE);
   sei();
-  __asm__ volatile("sleep");
+  sleep_cpu();
   report(0x01);
   end_program();
 }

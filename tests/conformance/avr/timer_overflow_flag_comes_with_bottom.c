@@ -2,6 +2,7 @@
 // Source: DS40002061B, 15.8, figure 15-8
 // Expect: 00 01 07
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: cycles
 #include "cycles.h"
 
 // OCR0A and OCR0B are 0, so their flags are set one clock later.

@@ -2,6 +2,7 @@
 // Source: DS40002061B, 15.7.4, table 15-8
 // Expect: 04 00 02 01
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: cycles
 #include "cycles.h"
 
 static inline void begin(void) {

@@ -2,6 +2,7 @@
 // Source: DS40002061B, 15.7.4
 // Expect: 02 03 02 01 00 01
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: cycles
 #include "cycles.h"
 
 static inline void begin(void) {

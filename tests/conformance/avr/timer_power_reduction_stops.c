@@ -2,6 +2,7 @@
 // Source: DS40002061B, 10.10, 10.11.3
 // Expect: 12 00 05
 // Chips: atmega328p attiny85
+// Host: assembler
 #include "cycles.h"
 
 int main(void) {

@@ -2,6 +2,7 @@
 // Source: DS40002061B, 17.4.1
 // Expect: 00 00 81 00 00 00 81 01 01 00
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: not simulated: TSM
 #include "cycles.h"
 
 static inline void hold(void) {

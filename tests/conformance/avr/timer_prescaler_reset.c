@@ -2,6 +2,7 @@
 // Source: DS40002061B, 17.4.1, 18.11.9
 // Expect: 00 01 00 01
 // Chips: atmega328p atmega2560
+// Host: not simulated: PSRSYNC
 #include "cycles.h"
 
 int main(void) {
@@ -11,7 +12,7 @@ int main(void) {
   TCNT0 = TCNT2 = 0;
   for (uint8_t i = 0; i < 100; ++i) {
     GTCCR = _BV(PSRSYNC);
-    NOPS(20);
+    NOPS(5);
   }
   report(TCNT0);
   report(TCNT2 != 0);
@@ -19,7 +20,7 @@ int main(void) {
   TCNT0 = TCNT2 = 0;
   for (uint8_t i = 0; i < 100; ++i) {
     GTCCR = _BV(PSRASY);
-    NOPS(20);
+    NOPS(5);
   }
   report(TCNT2);
   report(TCNT0 != 0);

@@ -3,6 +3,7 @@
 // Source: DS40002061B, 17.1
 // Expect: 00 01 00 01 00 01
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: assembler
 #include "cycles.h"
 
 // The prescaler is at 0; the timer starts `wait` + 1 cycles later, and is read `nops` + 1 cycles after that.

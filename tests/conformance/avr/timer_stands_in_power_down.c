@@ -4,6 +4,7 @@
 // Expect: 01
 // Ends: 2000000
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: not simulated: sleep modes other than idle
 #include "cycles.h"
 
 ISR(WDT_vect) {}
@@ -17,7 +18,7 @@ int main(void) {
   TCCR1B = _BV(CS11) | _BV(CS10);
   TCNT1 = 0;
   sei();
-  __asm__ volatile("sleep");
+  sleep_cpu();
   count = TCNT1;
   report(count < 300);
   end_program();

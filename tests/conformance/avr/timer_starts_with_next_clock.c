@@ -2,6 +2,7 @@
 // Source: DS40002061B, 15.4
 // Expect: 00 01 02 00 01 02
 // Chips: atmega328p atmega2560
+// Host: cycles
 #include "cycles.h"
 
 static inline void stop(void) {

@@ -2,6 +2,7 @@
 // Source: DS40002061B, 15.4
 // Expect: 22 22 25 25
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: cycles
 #include "cycles.h"
 
 int main(void) {

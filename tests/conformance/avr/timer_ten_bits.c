@@ -2,6 +2,7 @@
 // Source: DS40002061B, 16.9.3
 // Expect: ff 00 00 01
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: cycles
 #include "cycles.h"
 
 int main(void) {

@@ -2,6 +2,7 @@
 // Source: DS40002061B, 15.7.2
 // Expect: 44 ff 00 01 20 00
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: cycles
 #include "cycles.h"
 
 int main(void) {

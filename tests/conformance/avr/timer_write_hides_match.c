@@ -2,6 +2,7 @@
 // Source: DS40002061B, 15.5.3
 // Expect: 00 02 00 42
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: cycles
 #include "cycles.h"
 
 static inline void clear(void) {

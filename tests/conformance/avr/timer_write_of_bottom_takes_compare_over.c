@@ -2,6 +2,7 @@
 // Source: DS40002061B, 16.9.5
 // Expect: 01 03 05 03
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: assembler
 #include "cycles.h"
 
 int main(void) {

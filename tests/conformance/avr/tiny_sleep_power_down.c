@@ -20,7 +20,7 @@ int main(void) {
   WDTCR = _BV(WDIE);
   sei();
   MCUCR = _BV(SM1);
-  __asm__ volatile("sleep");
+  sleep_cpu();
   report(5);
   MCUCR = _BV(SM1) | _BV(SE);
   TCCR0B = _BV(CS00);

@@ -2,6 +2,7 @@
 // cleared.
 // Source: DS40002061B, 10.10, 10.11.3
 // Expect: 00 20 60
+// Host: not simulated: PRR
 #include "report.h"
 
 #define STATUS_AFTER(cycles)                           \

@@ -3,6 +3,7 @@
 // Source: DS40002061B, 11.8, 11.9.2
 // Expect: 08 08 08 0e 18 08 00
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: assembler
 #include "report.h"
 
 // STS takes 2 cycles.

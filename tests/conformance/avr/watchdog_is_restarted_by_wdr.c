@@ -8,9 +8,9 @@
 int main(void) {
   WDTCSR = _BV(WDE);
   __builtin_avr_delay_cycles(250000);
-  __asm__ volatile("wdr");
+  wdt_reset();
   __builtin_avr_delay_cycles(250000);
-  __asm__ volatile("wdr");
+  wdt_reset();
   report(WDTCSR);
   __builtin_avr_delay_cycles(255000);
   report(WDTCSR);

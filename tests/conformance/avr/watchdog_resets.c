@@ -3,6 +3,7 @@
 // Expect: 01 09 08
 // Ends: 1000000
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: boot loader
 #include "report.h"
 
 int main(void) {

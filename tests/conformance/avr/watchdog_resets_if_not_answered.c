@@ -3,6 +3,7 @@
 // Expect: 01 c8 09
 // Ends: 2000000
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: boot loader
 #include "report.h"
 
 int main(void) {

@@ -3,6 +3,7 @@
 // Expect: 08 08 00
 // Ends: 1000000
 // Chips: atmega328p atmega2560 atmega32u4
+// Host: boot loader
 #include "report.h"
 
 static inline __attribute__((always_inline)) void switch_off(void) {
