@@ -38,14 +38,15 @@ class Register8 {
   template <typename T>
   __attribute__((always_inline)) inline uint8_t operator|=(T value) const {
     const auto bits = static_cast<uint8_t>(value);
-    if (__builtin_constant_p(address_) && __builtin_constant_p(bits) && is_set_by_ones(address_) &&
-        (bits & (bits - 1)) == 0 && bits != 0)
-      return store(bits);
+    if (__builtin_constant_p(address_) && __builtin_constant_p(bits) && changes_bit(bits)) return store(bits);
     return store(static_cast<uint8_t>(load() | bits));
   }
   template <typename T>
-  uint8_t operator&=(T value) const {
-    return store(static_cast<uint8_t>(load() & static_cast<uint8_t>(value)));
+  __attribute__((always_inline)) inline uint8_t operator&=(T value) const {
+    const auto bits = static_cast<uint8_t>(value), cleared = static_cast<uint8_t>(~bits);
+    if (__builtin_constant_p(address_) && __builtin_constant_p(cleared) && changes_bit(cleared))
+      return store(0);
+    return store(static_cast<uint8_t>(load() & bits));
   }
   template <typename T>
   uint8_t operator^=(T value) const {
@@ -68,12 +69,13 @@ class Register8 {
   constexpr RegisterPointer operator&() const;
 
  private:
-  /// Returns whether a register reacts only to bits written as 1: PINx, TIFRn, PCIFR, EIFR. For a constant
-  /// register and bit, avr-gcc compiles `|=` to the instruction SBI, which writes only that bit. Here,
-  /// operator|= must also write only that bit.
-  static constexpr bool is_set_by_ones(robosim_register address) {
-    return address == 0x23 || address == 0x26 || address == 0x29 || (address >= 0x35 && address <= 0x37) ||
-           address == 0x3B || address == 0x3C;
+  /// Returns whether `bits` is one bit of a register that reacts only to bits written as 1: PINx, TIFRn,
+  /// PCIFR, EIFR. For a constant register and bit, avr-gcc compiles `|=` and `&=` to the instructions SBI and
+  /// CBI, which write only that bit. Here, the operators must also write only that bit.
+  constexpr bool changes_bit(uint8_t bits) const {
+    return (address_ == 0x23 || address_ == 0x26 || address_ == 0x29 ||
+            (address_ >= 0x35 && address_ <= 0x37) || address_ == 0x3B || address_ == 0x3C) &&
+           bits != 0 && (bits & (bits - 1)) == 0;
   }
   uint8_t load() const { return robosim_read8(address_); }
   uint8_t store(uint8_t value) const {

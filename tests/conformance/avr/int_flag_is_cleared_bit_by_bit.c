@@ -1,7 +1,6 @@
 // SBI on EIFR clears only the addressed flag; CBI and writing 0 clear no flag.
 // Source: DS40002061B, 13.2.3
 // Expect: 03 03 03 02 00
-// Host: differs: CBI writes all bits
 #include "report.h"
 
 int main(void) {
