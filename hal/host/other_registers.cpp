@@ -13,6 +13,7 @@ namespace {
 
 using namespace avr::reg;
 
+constexpr uint8_t kTsm = 0x80, kPsrasy = 0x02, kPsrsync = 0x01;  // GTCCR
 constexpr Address kOsccal = 0x66, kTccr1c = 0x82, kAssr = 0xB6, kTwamr = 0xBD;
 
 uint8_t plain[256];
@@ -25,14 +26,13 @@ struct Lack {
   const char* name;
 };
 constexpr Lack kLacks[] = {
-    {kGtccr, 0x80, false, "TSM in GTCCR"},
+    {kGtccr, kTsm, false, "TSM in GTCCR"},
     {kMcucr, 0x10, false, "PUD in MCUCR"},
     {kSpmcsr, 0xFF, true, "SPMCSR"},
     {kSpL, 0xFF, true, "SP"},
     {kSpH, 0xFF, true, "SP"},
     {kClkpr, 0x0F, false, "CLKPR"},
     {kOsccal, 0xFF, true, "OSCCAL"},
-    {kTccr1c, 0xC0, false, "FOC1A, FOC1B"},
     {kAssr, 0x7F, false, "ASSR"},
     {kTwamr, 0xFE, false, "TWAMR"},
 };
@@ -94,6 +94,13 @@ void write_other(uint8_t address, uint8_t value) {
       return eeprom.set_address(static_cast<uint16_t>((eeprom.address() & 0xFF) | value << 8));
     case kChip.comparator.address:
       return comparator.set_control(value);
+    case kTccr1c:
+      return timer1.force_compare(value);
+    case kGtccr:
+      if (value & kPsrasy) timer2.reset_prescaler();
+      if (value & kPsrsync) timer0.reset_prescaler(), timer1.reset_prescaler();
+      if (!(value & kTsm)) value &= ~(kPsrasy | kPsrsync);
+      break;
   }
   const Lack* const lack = lack_at(address);
   if (lack && value & lack->bits) note_lack(lack->name);

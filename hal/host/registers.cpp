@@ -88,8 +88,9 @@ void write_timer8(uint8_t address, uint8_t value) {
     case reg::kTccr0a:
       return timer.set_control_a(value);
     case reg::kTccr0b:
-      if (value & kForce) note_lack(address < reg::kTccr2a ? "FOC0A, FOC0B" : "FOC2A, FOC2B");
-      return timer.set_control_b(value & ~kForce);
+      timer.set_control_b(value & ~kForce);
+      if (value & kForce) timer.force_compare(value);
+      return;
     case reg::kTcnt0:
       return timer.set_count(value);
     case reg::kOcr0a:
@@ -106,7 +107,16 @@ bool is_word(uint8_t address) {
          address == reg::kOcr1aL || address == reg::kOcr1bL || address == reg::kUbrrL;
 }
 
-uint16_t read_word(uint8_t address) {
+// The byte TEMP that timer 1's registers share (16.3). A write of the high byte only sets TEMP, and a write
+// of the low byte writes both. A read of the low byte of TCNT1 or ICR1 stores the high byte in TEMP.
+uint8_t temp;
+
+bool is_read_by_temp(uint8_t address) { return address == reg::kTcnt1L || address == reg::kIcr1L; }
+bool is_written_by_temp(uint8_t address) {
+  return is_read_by_temp(address) || address == reg::kOcr1aL || address == reg::kOcr1bL;
+}
+
+uint16_t word_at(uint8_t address) {
   switch (address) {
     case reg::kAdcL:
       return adc.data();
@@ -123,7 +133,18 @@ uint16_t read_word(uint8_t address) {
   }
 }
 
+uint16_t read_word(uint8_t address) {
+  const uint16_t value = word_at(address);
+  if (is_read_by_temp(address)) temp = static_cast<uint8_t>(value >> 8);
+  return value;
+}
+
+uint8_t read_high(uint8_t address) {
+  return is_read_by_temp(address) ? temp : static_cast<uint8_t>(word_at(address) >> 8);
+}
+
 void write_word(uint8_t address, uint16_t value) {
+  if (is_written_by_temp(address)) temp = static_cast<uint8_t>(value >> 8);
   switch (address) {
     case reg::kTcnt1L:
       return timer1.set_count(value);
@@ -158,7 +179,7 @@ uint8_t read(uint8_t address) {
   if (address == reg::kAdcL) adc.lock();
   if (address == reg::kAdcH) adc.unlock();
   if (is_word(address)) return static_cast<uint8_t>(read_word(address));
-  if (is_word(static_cast<uint8_t>(address - 1))) return static_cast<uint8_t>(read_word(address - 1) >> 8);
+  if (is_word(static_cast<uint8_t>(address - 1))) return read_high(address - 1);
   if (address >= reg::kTifr0 && address <= reg::kTifr2) return timer(address - reg::kTifr0).flags();
   if (address >= reg::kTimsk0 && address <= reg::kTimsk2) return timer(address - reg::kTimsk0).enabled();
   if (address >= reg::kPcmsk0 && address <= reg::kPcmsk2) return external.change_mask[address - reg::kPcmsk0];
@@ -231,10 +252,16 @@ void write(uint8_t address, uint8_t value) {
     }
   }
   if (is_timer8(address)) return write_timer8(address, value);
-  if (is_word(address))
-    return write_word(address, static_cast<uint16_t>((read_word(address) & 0xFF00) | value));
+  if (is_word(address)) {
+    const int high = is_written_by_temp(address) ? temp << 8 : word_at(address) & 0xFF00;
+    return write_word(address, static_cast<uint16_t>(high | value));
+  }
+  if (is_written_by_temp(static_cast<uint8_t>(address - 1))) {
+    temp = value;
+    return;
+  }
   if (is_word(static_cast<uint8_t>(address - 1)))
-    return write_word(address - 1, static_cast<uint16_t>((read_word(address - 1) & 0xFF) | value << 8));
+    return write_word(address - 1, static_cast<uint16_t>((word_at(address - 1) & 0xFF) | value << 8));
   if (address >= reg::kTifr0 && address <= reg::kTifr2)
     return timer(address - reg::kTifr0).clear_flags(value);
   if (address >= reg::kTimsk0 && address <= reg::kTimsk2)

@@ -208,6 +208,22 @@ void Timer::set_count(uint16_t value) {
   refresh_waves();
 }
 
+void Timer::reset_prescaler() {
+  Phase phase = leave_registers();
+  phase.tick_began = state.now;
+  take_registers(phase);
+}
+
+void Timer::force_compare(uint8_t bits) {
+  if (makes_pwm()) return;
+  const Phase phase = leave_registers();
+  for (int channel = 0; channel < 2; ++channel) {
+    const uint8_t com = connection(channel);
+    if (com && bits << channel & kForceA) toggled_[channel] = com == 1 ? !toggled_[channel] : com == 3;
+  }
+  take_registers(phase);
+}
+
 void Timer::set_enabled(uint8_t mask) {
   sync();
   sync_disabled();

@@ -56,6 +56,10 @@ class Timer {
   ROBOSIM_RARE void write_compare(int channel, uint16_t value);
   ROBOSIM_RARE void set_capture(uint16_t value);
   ROBOSIM_RARE void set_count(uint16_t value);
+  /// Sets the prescaler to 0 (PSRSYNC, PSRASY).
+  ROBOSIM_RARE void reset_prescaler();
+  /// Changes the pins as matches do, except in PWM modes. `bits` are FOCnA and FOCnB.
+  ROBOSIM_RARE void force_compare(uint8_t bits);
   ROBOSIM_RARE void set_enabled(uint8_t mask);
   void clear_flags(uint8_t mask);
 
@@ -196,6 +200,7 @@ class Timer {
   static constexpr uint8_t kConnections = 0xF0, kToggles = 0x50;  ///< all bits COM; COMnA0, COMnB0
   /// Bits ICNCn and ICESn in TCCRnB.
   static constexpr uint8_t kCanceler = 0x80, kRisingCapture = 0x40;
+  static constexpr uint8_t kForceA = 0x80;  ///< bit FOCnA, followed by FOCnB
 
   uint8_t number_;
   uint16_t max_;

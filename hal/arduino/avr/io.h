@@ -258,6 +258,10 @@ class Register16 {
 #include <avr/portpins.h>
 
 #if defined(__cplusplus) && !defined(ROBOSIM_REGISTER_MEMORY)
+#undef TCNT1L
+#define TCNT1L (robosim_hal::ReadRegister8(0x84))
+#undef ICR1L
+#define ICR1L (robosim_hal::ReadRegister8(0x86))
 #undef UDR0
 #define UDR0 (robosim_hal::ReadRegister8(0xC6))
 #undef SPSR

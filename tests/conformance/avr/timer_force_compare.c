@@ -1,7 +1,6 @@
 // FOC0A changes the pin as a match would, without setting a flag, and reads 0.
 // Source: DS40002061B, 15.6.1, 15.9.2
 // Expect: 40 00 40 00 00 00
-// Host: not simulated: FOC0A
 #include "cycles.h"
 
 static inline uint8_t forced(uint8_t com) {

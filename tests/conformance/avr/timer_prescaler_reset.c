@@ -2,7 +2,6 @@
 // Source: DS40002061B, 17.4.1, 18.11.9
 // Expect: 00 01 00 01
 // Chips: atmega328p atmega2560
-// Host: not simulated: PSRSYNC
 #include "cycles.h"
 
 int main(void) {

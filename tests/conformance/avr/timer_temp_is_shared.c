@@ -3,7 +3,6 @@
 // Source: DS40002061B, 16.3
 // Expect: 12 34 ff 01 02
 // Chips: atmega328p atmega2560 atmega32u4
-// Host: not simulated: TEMP
 #include "cycles.h"
 
 int main(void) {
