@@ -14,6 +14,7 @@ namespace {
 using namespace avr::reg;
 
 constexpr uint8_t kTsm = 0x80, kPsrasy = 0x02, kPsrsync = 0x01;  // GTCCR
+constexpr uint8_t kPud = 0x10;                                   // MCUCR
 constexpr Address kOsccal = 0x66, kTccr1c = 0x82, kAssr = 0xB6, kTwamr = 0xBD;
 
 uint8_t plain[256];
@@ -27,7 +28,6 @@ struct Lack {
 };
 constexpr Lack kLacks[] = {
     {kGtccr, kTsm, false, "TSM in GTCCR"},
-    {kMcucr, 0x10, false, "PUD in MCUCR"},
     {kSpmcsr, 0xFF, true, "SPMCSR"},
     {kSpL, 0xFF, true, "SP"},
     {kSpH, 0xFF, true, "SP"},
@@ -94,6 +94,9 @@ void write_other(uint8_t address, uint8_t value) {
       return eeprom.set_address(static_cast<uint16_t>((eeprom.address() & 0xFF) | value << 8));
     case kChip.comparator.address:
       return comparator.set_control(value);
+    case kMcucr:
+      set_pull_ups_off(value & kPud);
+      break;
     case kTccr1c:
       return timer1.force_compare(value);
     case kGtccr:

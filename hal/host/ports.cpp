@@ -16,6 +16,8 @@ uint16_t inputs_off;
 
 namespace {
 
+bool pull_ups_off;
+
 ROBOSIM_SETTINGS uint32_t tone_hz[kPins];
 ROBOSIM_SETTINGS uint8_t pwm_values[kPins];  // PWM values of pins without a timer
 
@@ -73,7 +75,7 @@ PinDrive drive_of(Pin pin) {
   const uint8_t mask = mask_of(pin);
   PinDrive drive;
   if (!(port.direction & mask)) {
-    drive.mode = port.output & mask ? PinMode::input_pullup : PinMode::input;
+    drive.mode = port.output & mask && !pull_ups_off ? PinMode::input_pullup : PinMode::input;
     return drive;
   }
   const TimerPin by = timer_of(pin);
@@ -170,6 +172,12 @@ void set_direction(Port port, uint8_t value) {
   const uint8_t changed = ports[port].direction ^ value;
   ports[port].direction = value;
   refresh_port(port, changed);
+}
+
+void set_pull_ups_off(bool off) {
+  if (off == pull_ups_off) return;
+  pull_ups_off = off;
+  for (Port port = 0; port < kPorts; ++port) refresh_port(port, 0xFF);
 }
 
 void set_output(Port port, uint8_t value) {

@@ -67,6 +67,8 @@ void set_output(Port port, uint8_t value);
 /// The digital inputs that are switched off and read low: DIDR0 in the low byte, DIDR1 in the high byte.
 extern uint16_t inputs_off;
 inline bool is_input_off(Pin pin) { return inputs_off && inputs_off & places[pin].off_bits; }
+/// Switches all pull-ups off (PUD), or on where PORTx enables them.
+ROBOSIM_RARE void set_pull_ups_off(bool off);
 /// Return the level that firmware reads on a pin, and the value that firmware reads from PINx.
 bool read_pin(Pin pin);
 uint8_t read_port(Port port);

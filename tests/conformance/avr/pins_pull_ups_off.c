@@ -2,7 +2,6 @@
 // Source: DS40002061B, 14.2.1, 14.4.1
 // Expect: 06 02 06
 // Chips: atmega328p atmega2560 atmega32u4 attiny85
-// Host: not simulated: PUD
 #include "report.h"
 
 // PB1 is an output. PB2 is an input that is connected only to its pull-up.
