@@ -36,11 +36,11 @@ uint8_t Adc::control() const {
   return static_cast<uint8_t>((control_ & ~kStart) | (converting_ ? kStart : 0));
 }
 
-void Adc::start() {
+void Adc::start(SimTime at) {
   converting_ = true;
   const bool first = take_first(false);
-  result_ = sample(next_start() + avr::adc_half_clocks_to_sample(first) * clock() / 2 - state.now);
-  ready_ = next_start() + avr::adc_clocks(first) * clock();
+  result_ = sample(at + avr::adc_half_clocks_to_sample(first) * clock() / 2 - state.now);
+  ready_ = at + avr::adc_clocks(first) * clock();
 }
 
 void Adc::set_control_b(uint8_t value) {
@@ -64,17 +64,21 @@ void Adc::set_control(uint8_t value) {
   if (!(value & kEnable)) {
     converting_ = false;
   } else if (value & kStart && !converting_) {
-    start();
+    start(next_start());
   }
 }
 
 void Adc::sync_conversion() {
-  if (state.now < ready_) return;
-  converting_ = false;
-  charges_since_ = ready_;
-  if (!locked_) code_ = result_;
-  control_ |= kFlag;
-  if (control_ & kAuto && (control_b_ & 7) == 0) start();
+  while (converting_ && state.now >= ready_) {
+    converting_ = false;
+    charges_since_ = ready_;
+    if (!locked_) code_ = result_;
+    control_ |= kFlag;
+    if (!(control_ & kAuto) || control_b_ & 7) return;
+    // Free running: skips all conversions except the last one that has ended, and the present one.
+    const SimTime takes = avr::adc_clocks(false) * clock(), ended = (state.now - ready_) / takes;
+    start(ready_ + (ended > 1 ? ended - 1 : 0) * takes);
+  }
 }
 
 }  // namespace host

@@ -70,7 +70,7 @@ class Adc {
   void acknowledge() { control_ &= ~0x10; }
 
  private:
-  void start();
+  void start(SimTime at);
   ROBOSIM_RARE void sync_conversion();
   void look_for_trigger() const;
 
