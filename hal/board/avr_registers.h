@@ -1,6 +1,8 @@
-// Addresses of registers in data memory (data sheet DS40002061B, chapter 36), for the target host and the
-// emulated chip. These registers have the same address in every ATmega that Robosim supports. A ChipSpec
-// (chip_spec.h) stores the addresses that differ between chips.
+// Registers of an AVR (data sheet DS40002061B, chapter 36), for the target host and the emulated chip.
+//
+//   reg    addresses in data memory that are the same in every ATmega that Robosim supports; a ChipSpec
+//          (chip_spec.h) stores the addresses that differ between chips
+//   bits   masks of bits, by avr-libc's names without the number of the module: kTxc is _BV(TXC0)
 #pragma once
 
 #include <stdint.h>
@@ -24,5 +26,12 @@ constexpr Address kAdcL = 0x78, kAdcH = 0x79, kAdcsra = 0x7A, kAdcsrb = 0x7B, kA
 constexpr Address kFirstIo = 0x20;  ///< lower addresses are the 32 registers of the processor
 
 }  // namespace reg
+
+inline namespace bits {
+
+constexpr uint8_t kWdrf = 0x08, kBorf = 0x04, kExtrf = 0x02, kPorf = 0x01;                           // MCUSR
+constexpr uint8_t kWdif = 0x80, kWdie = 0x40, kWdp3 = 0x20, kWdce = 0x10, kWde = 0x08, kWdp = 0x27;  // WDTCSR
+
+}  // namespace bits
 }  // namespace avr
 }  // namespace robosim

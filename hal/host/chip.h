@@ -9,6 +9,7 @@
 
 #include "hal/board/atmega168.h"
 #include "hal/board/atmega328p.h"
+#include "hal/board/avr_registers.h"
 #include "hal/board/board.h"
 
 /// Marks a namespace as private to the image, so gcc accesses its variables without the global offset table.
@@ -17,6 +18,8 @@
 
 namespace robosim {
 namespace host {
+
+using namespace avr::bits;
 
 #if defined(__AVR_ATmega168__)
 static constexpr const ChipSpec& kChip = kAtmega168;

@@ -2,27 +2,25 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
+
+#include "hal/board/avr_watchdog.h"
 
 namespace robosim::detect::avr {
 namespace {
 
-constexpr std::uint8_t kWdie = 0x40, kWdp3 = 0x20, kWde = 0x08, kWdrf = 0x08;
+using robosim::avr::kWde, robosim::avr::kWdie, robosim::avr::kWdrf, robosim::avr::watchdog_power;
+
 constexpr std::uint16_t kRjmpToItself = 0xCFFF;
 constexpr double kShare = 0.8;
 constexpr double kShortest_s = 2048 / 128e3;
 constexpr const char* kNames[] = {"WDTO_15MS",  "WDTO_30MS", "WDTO_60MS", "WDTO_120MS", "WDTO_250MS",
                                   "WDTO_500MS", "WDTO_1S",   "WDTO_2S",   "WDTO_4S",    "WDTO_8S"};
-constexpr std::uint32_t kLongestPower = std::size(kNames) - 1;
+constexpr int kLongestPower = std::size(kNames) - 1;
 
-double seconds_of(std::uint32_t power) { return kShortest_s * static_cast<double>(1u << power); }
+double seconds_of(int power) { return kShortest_s * static_cast<double>(1 << power); }
 
-std::uint32_t power_of(std::uint8_t control) {
-  return std::min<std::uint32_t>((control & kWdp3 ? 8 : 0) | (control & 7), kLongestPower);
-}
-
-std::string mended(std::uint32_t power) {
+std::string mended(int power) {
   return power < kLongestPower
              ? fmt::format(
                    "Use the next longer timeout, wdt_enable({}), or call wdt_reset() within "
@@ -60,7 +58,7 @@ bool WatchdogMargin::waits() const {
 void WatchdogMargin::watchdog_resets(std::uint8_t flags) {
   if (flags & kWdrf && !waits()) {
     if (bite_.empty()) {
-      const std::uint32_t power = power_of(cpu_.data[cpu_.chip().at.watchdog]);
+      const int power = watchdog_power(cpu_.data[cpu_.chip().at.watchdog]);
       Detected& seen = bite_.emplace_back();
       seen.detector = result::detector("watchdog_bite");
       seen.what = fmt::format(
@@ -83,7 +81,7 @@ void WatchdogMargin::fed() {
   last_ = now;
   watchdog_();
   if (!(control & kWde) || control & kWdie) return;
-  const std::uint32_t power = power_of(control);
+  const int power = watchdog_power(control);
   const double passed_s = static_cast<double>(passed) / machine_.chip().clock_hz();
   if (passed_s < kShare * seconds_of(power) || passed_s > seconds_of(power) || passed <= longest_) return;
   longest_ = passed;

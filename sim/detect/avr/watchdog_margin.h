@@ -47,7 +47,7 @@ class WatchdogMargin final : public ChipDetector {
   void (*const reset_)(void* self, std::uint8_t flags);
   void* const reset_self_;
   Cycle last_ = 0, longest_ = 0;
-  std::uint32_t longest_power_ = 0;  ///< n for a period of 16 ms * 2^n, at the time of longest_
+  int longest_power_ = 0;  ///< n for a period of 16 ms * 2^n, at the time of longest_
   Detected seen_;
   std::vector<Detected> bite_;  ///< empty, or the first reset by the watchdog
 };
