@@ -31,6 +31,7 @@ inline namespace bits {
 
 constexpr uint8_t kWdrf = 0x08, kBorf = 0x04, kExtrf = 0x02, kPorf = 0x01;                           // MCUSR
 constexpr uint8_t kWdif = 0x80, kWdie = 0x40, kWdp3 = 0x20, kWdce = 0x10, kWde = 0x08, kWdp = 0x27;  // WDTCSR
+constexpr uint8_t kEepm = 0x30, kEerie = 0x08, kEempe = 0x04, kEepe = 0x02, kEere = 0x01;            // EECR
 
 }  // namespace bits
 }  // namespace avr

@@ -12,9 +12,6 @@ Eeprom eeprom;
 
 namespace {
 
-constexpr uint8_t kEepm = 0x30, kEempe = 0x04, kEepe = 0x02, kEere = 0x01;
-constexpr uint8_t kEraseAndWrite = 0x00, kEraseOnly = 0x10, kWriteOnly = 0x20;
-constexpr SimTime kEraseOrWrite = 1800 * kMicrosecond;
 constexpr int kWindowCycles = 64;
 
 uint16_t place_of(uint16_t address) { return address % board->spec().eeprom_bytes; }
@@ -25,30 +22,20 @@ uint8_t Eeprom::read(uint16_t address) const { return board->eeprom()[place_of(a
 
 void Eeprom::write(uint16_t address, uint8_t value, SimTime takes) {
   board->write_eeprom(place_of(address), value, state.now);
-  ready_ = state.now + takes;
-}
-
-uint8_t Eeprom::control() const {
-  return static_cast<uint8_t>(control_ | (state.now <= unlocked_until_ ? kEempe : 0) |
-                              (state.now < ready_ ? kEepe : 0));
+  eeprom_.ready = state.now + takes;
 }
 
 void Eeprom::set_address(uint16_t value) {
-  if (state.now >= ready_) address_ = place_of(value);
+  if (!eeprom_.is_writing(state.now)) address_ = place_of(value);
 }
 
 void Eeprom::set_control(uint8_t value) {
-  const bool unlocked = state.now <= unlocked_until_, writing = state.now < ready_;
-  const uint8_t mode = (writing ? control_ : value) & kEepm;
-  control_ = static_cast<uint8_t>((value & kEerie) | mode);
   if (value & kEerie) rare_used = true;
-  unlocked_until_ = value & kEempe ? state.now + cycles(kWindowCycles) : -1;
-  if (writing) return;
-  if (value & kEere) data_ = read(address_);
-  if (!(value & kEepe) || !unlocked) return;
-  if (mode == kEraseAndWrite) write(address_, data_, kEepromWriteTime);
-  if (mode == kEraseOnly) write(address_, 0xFF, kEraseOrWrite);
-  if (mode == kWriteOnly) write(address_, read(address_) & data_, kEraseOrWrite);
+  const int starts = eeprom_.write(control_, value, 0xFF, state.now, cycles(kWindowCycles));
+  if (starts & kEere) data_ = read(address_);
+  if (!(starts & kEepe)) return;
+  const avr::EepromWrite begun = avr::eeprom_write(control_, read(address_), data_);
+  if (begun.takes) write(address_, begun.value, begun.takes);
 }
 
 }  // namespace host

@@ -1,20 +1,11 @@
-// Models the EEPROM (data sheet DS40002061B, 8.4 and 8.6).
-//
-//   read    set EERE: EEDR contains the byte at once; the processor halts for 4 cycles
-//   write   set EEMPE, then EEPE within 4 cycles: the processor halts for 2 cycles; EEPE reads 1 until the
-//           end of the write
-//
-//   EEPM   0 erase and write, 3.4 ms      new value: EEDR
-//          1 erase only, 1.8 ms           new value: 0xFF
-//          2 write only, 1.8 ms           new value: old value AND EEDR
-//
-// During a write, EEAR and EEPM cannot change, and the EEPROM cannot be read. While EERIE is set and no write
-// is in progress, the EEPROM requests the interrupt EE_READY. A write continues through sleep and resets. The
-// duration of a write does not depend on CLKPR.
+// Models the EEPROM (data sheet DS40002061B, 8.4 and 8.6). hal/board/avr_eeprom.h describes its control
+// register. The window of EEMPE has 4 cycles. A read halts the processor for 4 cycles, a write for 2. A write
+// continues through sleep and resets. The duration of a write does not depend on CLKPR.
 #pragma once
 
 #include <cstdint>
 
+#include "hal/board/avr_eeprom.h"
 #include "sim/mcu/avr/core.h"
 
 namespace robosim::avr {
@@ -28,10 +19,8 @@ class Eeprom final : public Peripheral {
 
  private:
   struct State {
-    Cycle unlocked_until = 0;  ///< EEMPE reads 1 up to this cycle
-    Cycle done_at = kNoCycle;
+    EepromControl<Cycle> control;
     std::uint8_t mode = 0;  ///< EEPM of the write in progress
-    bool writing = false;
   };
 
   std::uint8_t read_control(Address address);
@@ -45,6 +34,7 @@ class Eeprom final : public Peripheral {
   void clock_changed(std::int64_t hz_before);
   void request();
   std::uint16_t address() const;
+  bool is_writing() const { return state_.control.is_writing(core_.now()); }
   Address data_register() const { return static_cast<Address>(control_ + 1); }
   Address address_register() const { return static_cast<Address>(control_ + 2); }
 
