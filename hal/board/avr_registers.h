@@ -33,6 +33,11 @@ constexpr uint8_t kWdrf = 0x08, kBorf = 0x04, kExtrf = 0x02, kPorf = 0x01;      
 constexpr uint8_t kWdif = 0x80, kWdie = 0x40, kWdp3 = 0x20, kWdce = 0x10, kWde = 0x08, kWdp = 0x27;  // WDTCSR
 constexpr uint8_t kEepm = 0x30, kEerie = 0x08, kEempe = 0x04, kEepe = 0x02, kEere = 0x01;            // EECR
 
+constexpr uint8_t kRxc = 0x80, kTxc = 0x40, kUdre = 0x20, kDor = 0x08, kU2x = 0x02, kMpcm = 0x01;  // UCSRnA
+constexpr uint8_t kRxcie = 0x80, kTxcie = 0x40, kUdrie = 0x20, kRxen = 0x10, kTxen = 0x08, kUcsz2 = 0x04,
+                  kRxb8 = 0x02, kTxb8 = 0x01;                                               // UCSRnB
+constexpr uint8_t kUmsel = 0xC0, kUmsel0 = 0x40, kUpm1 = 0x20, kUsbs = 0x08, kUcsz = 0x06;  // UCSRnC
+
 }  // namespace bits
 }  // namespace avr
 }  // namespace robosim

@@ -8,23 +8,15 @@ namespace host {
 
 Uart uart;
 
-namespace {
-constexpr int kRoom = 3;
-}  // namespace
-
 void Uart::refresh() {
-  const int data_bits = 5 + (format_ >> 1 & 3);
-  const int parity_bits = format_ & 0x20 ? 1 : 0;
-  const int stop_bits = format_ & 0x08 ? 2 : 1;
-  const int bits = 1 + data_bits + parity_bits + stop_bits;
-  byte_time_ = cycles(static_cast<int64_t>(bits) * (double_speed_ ? 8 : 16) * (divider_ + 1));
+  byte_time_ = cycles(avr::usart_frame(speed_, control_, format_, divider_));
   executor->listen(control_ & kRxen ? byte_time_ : 0, state.now);
 }
 
 uint8_t Uart::status() const {
-  uint8_t value = double_speed_ ? kU2x : 0;
-  if (waiting_ > 0) value |= kRxc;
-  if (overrun_) value |= kDor;
+  uint8_t value = speed_;
+  if (has_byte()) value |= kRxc;
+  if (receiver_.overrun) value |= kDor;
   if (sending() <= 1) value |= kUdre;
   if (!sent_seen_ && sending() == 0) value |= kTxc;
   return value;
@@ -32,15 +24,14 @@ uint8_t Uart::status() const {
 
 void Uart::set_status(uint8_t value) {
   if (value & kTxc && sending() == 0) sent_seen_ = true;
-  const bool double_speed = value & kU2x;
-  if (double_speed == double_speed_) return;
-  double_speed_ = double_speed;
+  if ((value & kU2x) == speed_) return;
+  speed_ = value & kU2x;
   refresh();
 }
 
 void Uart::set_control(uint8_t value) {
   control_ = value;
-  if (!(value & kRxen)) waiting_ = 0;
+  if (!(value & kRxen)) receiver_.clear();
   refresh();
 }
 
@@ -67,21 +58,7 @@ void Uart::send(uint8_t byte) {
 
 void Uart::receive(uint8_t byte) {
   if (!(control_ & kRxen)) return;
-  if (waiting_ == kRoom) {
-    overrun_ = true;
-    received_[kRoom - 1] = byte;
-  } else {
-    received_[waiting_++] = byte;
-  }
-}
-
-uint8_t Uart::take() {
-  if (waiting_ == 0) return taken_;
-  taken_ = received_[0];
-  for (int i = 1; i < kRoom; ++i) received_[i - 1] = received_[i];
-  --waiting_;
-  overrun_ = false;
-  return taken_;
+  receiver_.add(byte);
 }
 
 uint32_t Uart::pending_to_send() const {

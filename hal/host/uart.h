@@ -1,19 +1,15 @@
-// Models the UART on the host (data sheet DS40002061B, chapter 20). The transmitter has a data register and a
-// shift register. The receiver buffers two bytes. A third byte waits in the shift register, where a fourth
-// byte replaces the third.
+// Models the UART on the host (hal/board/avr_usart.h). The transmitter has a data register and a shift
+// register.
 #pragma once
 
 #include <stdint.h>
 
+#include "hal/board/avr_usart.h"
 #include "hal/board/sim_time.h"
 #include "hal/host/interrupts.h"
 
 namespace robosim {
 namespace host ROBOSIM_WITHIN {
-
-/// Bits of UCSR0A and UCSR0B.
-enum : uint8_t { kRxc = 0x80, kTxc = 0x40, kUdre = 0x20, kDor = 0x08, kU2x = 0x02 };
-enum : uint8_t { kRxcie = 0x80, kTxcie = 0x40, kUdrie = 0x20, kRxen = 0x10, kTxen = 0x08 };
 
 class Uart {
  public:
@@ -40,13 +36,13 @@ class Uart {
   void receive(uint8_t byte);
   /// Removes and returns the receiver's oldest byte (UDR0). Without a new byte, returns the previous byte
   /// again.
-  uint8_t take();
-  bool has_byte() const { return waiting_ > 0; }
+  uint8_t take() { return static_cast<uint8_t>(receiver_.take()); }
+  bool has_byte() const { return receiver_.count > 0; }
 
   /// Returns the vectors 18..20 that are raised and enabled, one bit each.
   uint32_t pending() const {
     if (control_ & (kTxcie | kUdrie)) return pending_to_send();
-    return static_cast<uint32_t>(waiting_ > 0 && control_ & kRxcie) << kUartReceived;
+    return static_cast<uint32_t>(has_byte() && control_ & kRxcie) << kUartReceived;
   }
   bool sends_by_interrupt() const { return control_ & (kTxcie | kUdrie); }
   SimTime next() const { return control_ & (kTxcie | kUdrie) ? next_to_send() : kNever; }
@@ -59,15 +55,13 @@ class Uart {
   uint32_t pending_to_send() const;
   SimTime next_to_send() const;
 
-  uint8_t control_ = 0, format_ = 0x06;
-  bool double_speed_ = false, overrun_ = false;
+  uint8_t control_ = 0, format_ = avr::kUcsrcAtReset;
+  uint8_t speed_ = 0;      ///< the bit U2X
   bool sent_seen_ = true;  ///< TXC was cleared after the last byte was sent
   uint16_t divider_ = 0;
   SimTime byte_time_ = 0;
   SimTime sent_ = 0;  ///< when the last byte ends
-  uint8_t received_[3] = {0, 0, 0};
-  uint8_t taken_ = 0;
-  int waiting_ = 0;
+  avr::UsartReceiver receiver_;
 };
 
 extern Uart uart;

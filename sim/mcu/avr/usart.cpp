@@ -1,19 +1,9 @@
 #include "sim/mcu/avr/usart.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace robosim::avr {
 namespace {
-
-// Bits of UCSRnA.
-constexpr std::uint8_t kRxc = 0x80, kTxc = 0x40, kUdre = 0x20, kDor = 0x08, kU2x = 0x02, kMpcm = 0x01;
-// Bits of UCSRnB.
-constexpr std::uint8_t kRxcie = 0x80, kTxcie = 0x40, kUdrie = 0x20;
-constexpr std::uint8_t kRxen = 0x10, kTxen = 0x08, kUcsz2 = 0x04, kRxb8 = 0x02, kTxb8 = 0x01;
-// Bits of UCSRnC.
-constexpr std::uint8_t kUmselMask = 0xC0, kUmselSynchronous = 0x40, kUpm1 = 0x20, kUsbs = 0x08;
-constexpr std::uint8_t kUcsrcAtReset = 0x06;
 
 constexpr std::uint8_t kUbrrHighBits = 0x0F;
 constexpr std::uint16_t kNinthBit = 0x100;
@@ -50,17 +40,13 @@ void Usart::reset(Cycle at) {
   if (told) core_.environment.listens(number_, 0, at);
 }
 
-int Usart::data_bits() const {
-  const int size = (data(format_) >> 1 & 3) | (data(control_) & kUcsz2);
-  return size == 7 ? 9 : 5 + (size & 3);
+std::uint16_t Usart::data_mask() const {
+  return static_cast<std::uint16_t>((1u << usart_data_bits(data(control_), data(format_))) - 1);
 }
 
 Cycle Usart::frame() const {
-  const std::uint8_t format = data(format_);
-  const int bits = 1 + data_bits() + (format & kUpm1 ? 1 : 0) + (format & kUsbs ? 2 : 1);
-  int clocks = data(status_) & kU2x ? 8 : 16;
-  if ((format & kUmselMask) == kUmselSynchronous) clocks = 2;
-  return static_cast<Cycle>(bits * clocks * (core_.cpu.pair(divider_) + 1));
+  return static_cast<Cycle>(
+      usart_frame(data(status_), data(control_), data(format_), core_.cpu.pair(divider_)));
 }
 
 void Usart::tell() {
@@ -79,7 +65,7 @@ std::uint64_t Usart::may_interrupt() const {
 
 void Usart::request() {
   const std::uint8_t control = data(control_);
-  core_.request(spec_.vector, state_.received_count > 0 && control & kRxcie);
+  core_.request(spec_.vector, state_.receiver.count > 0 && control & kRxcie);
   core_.request(spec_.vector + 1, !state_.waiting && control & kUdrie);
   core_.request(spec_.vector + 2, data(status_) & kTxc && control & kTxcie);
 }
@@ -94,25 +80,19 @@ std::uint8_t Usart::read(Address address) {
   if (address == data_) return read_data();
   std::uint8_t value = data(address);
   if (address == status_) {
-    if (state_.received_count > 0) value |= kRxc;
+    if (state_.receiver.count > 0) value |= kRxc;
     if (!state_.waiting) value |= kUdre;
-    if (state_.overrun) value |= kDor;
+    if (state_.receiver.overrun) value |= kDor;
   } else if (address == control_) {
-    const std::uint16_t next = state_.received_count > 0 ? state_.received[0] : state_.last_read;
-    if (next & kNinthBit) value |= kRxb8;
+    if (state_.receiver.next() & kNinthBit) value |= kRxb8;
   }
   return value;
 }
 
 std::uint8_t Usart::read_data() {
-  if (state_.received_count > 0) {
-    state_.last_read = state_.received[0];
-    std::copy(state_.received.begin() + 1, state_.received.end(), state_.received.begin());
-    --state_.received_count;
-  }
-  state_.overrun = false;
+  const auto read = static_cast<std::uint8_t>(state_.receiver.take());
   request();
-  return static_cast<std::uint8_t>(state_.last_read);
+  return read;
 }
 
 void Usart::write(Address address, std::uint8_t value) {
@@ -133,10 +113,7 @@ void Usart::write(Address address, std::uint8_t value) {
 
 void Usart::write_control(std::uint8_t value) {
   core_.at(control_) = value & static_cast<std::uint8_t>(~kRxb8);
-  if (!(value & kRxen)) {
-    state_.received_count = 0;
-    state_.overrun = false;
-  }
+  if (!(value & kRxen)) state_.receiver.clear();
   if (value & kTxen && std::exchange(state_.early, false) && !state_.shifting)
     begin(state_.waiting_data, core_.now());
   take_pins();
@@ -180,8 +157,7 @@ void Usart::write_data(std::uint8_t value) {
 
 void Usart::begin(std::uint16_t frame_data, Cycle at) {
   state_.shifting = true;
-  const auto mask = static_cast<std::uint16_t>((1u << data_bits()) - 1);
-  core_.environment.sent(number_, frame_data & mask, at);
+  core_.environment.sent(number_, frame_data & data_mask(), at);
   core_.schedule(shifted_, at + frame());
 }
 
@@ -199,13 +175,8 @@ void Usart::shifted(Cycle at) {
 
 void Usart::receive(std::uint16_t frame_data, Cycle) {
   if (!state_.runs || !(data(control_) & kRxen)) return;
-  if (state_.received_count == state_.received.size()) {
-    state_.overrun = true;
-    --state_.received_count;
-    if (data(control_) & kRxcie) core_.lose(spec_.vector);
-  }
-  const auto mask = static_cast<std::uint16_t>((1u << data_bits()) - 1);
-  state_.received[state_.received_count++] = frame_data & mask;
+  const bool fits = state_.receiver.add(frame_data & data_mask());
+  if (!fits && data(control_) & kRxcie) core_.lose(spec_.vector);
   request();
 }
 

@@ -1,23 +1,19 @@
 // Models a USART in UART mode (data sheet DS40002061B, chapter 20).
 //
-//   frame     (start + 5..9 data + parity + 1..2 stop) bits of (U2X ? 8 : 16) (UBRR + 1) cycles (table 20-1)
-//             synchronous (UMSEL 1): bits of 2 (UBRR + 1) cycles
 //   send      UDR ─► buffer ─► shift register ─► TxD      UDRE: the buffer is empty
 //                                                         TXC: both are empty, after a frame has left
-//   receive   RxD ─► shift register ─► buffer of two ─► UDR    RXC: the buffer contains a frame
 //
-// A third received frame waits in the shift register. A fourth frame replaces the third, and sets DOR until
-// UDR is read. RXC and UDRE request interrupts as long as they are set. Writing 1 to TXC, or entering its
-// vector, clears TXC. RXEN = 0 empties the receive buffer. TXEN = 0 takes effect after the last frame; the
-// port then drives TxD again. Frames start without delay.
+// hal/board/avr_usart.h describes frames and the receive buffer. RXC and UDRE request interrupts as long as
+// they are set. Writing 1 to TXC, or entering its vector, clears TXC. RXEN = 0 empties the receive buffer.
+// TXEN = 0 takes effect after the last frame; the port then drives TxD again. Frames start without delay.
 //
 // Not modelled: frames with errors (FE and UPE are 0), the multi-processor mode (MPCM), the clock pin and the
 // USART as SPI (UMSEL 3).
 #pragma once
 
-#include <array>
 #include <cstdint>
 
+#include "hal/board/avr_usart.h"
 #include "sim/mcu/avr/pins.h"
 
 namespace robosim::avr {
@@ -35,14 +31,11 @@ class Usart final : public Peripheral {
 
  private:
   struct State {
-    std::array<std::uint16_t, 3> received{};  ///< a third frame is still in the shift register
-    std::uint8_t received_count = 0;
-    std::uint16_t last_read = 0;
+    UsartReceiver receiver;
     std::uint16_t waiting_data = 0;
     bool waiting = false;  ///< a frame waits for the shift register
     bool early = false;    ///< a frame was written before TXEN was set
     bool shifting = false;
-    bool overrun = false;
     bool drives = false;   ///< the USART drives TxD
     bool listens = false;  ///< RxD is an input, regardless of the port
     bool runs = true;
@@ -61,7 +54,7 @@ class Usart final : public Peripheral {
   void request();
   void tell();
   void take_pins();
-  int data_bits() const;
+  std::uint16_t data_mask() const;
   Cycle frame() const;
 
   std::uint8_t data(Address address) const { return core_.cpu.data[address]; }

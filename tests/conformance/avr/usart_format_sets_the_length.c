@@ -3,7 +3,6 @@
 // Source: DS40002061B, 20.3.1, 20.4, 20.6.2
 // Expect: 00 40 00 40 00 40
 // Chips: atmega328p atmega2560
-// Host: not simulated: UCSZ02
 #include "report.h"
 
 #define STATUS_AFTER(cycles)                  \
