@@ -38,6 +38,9 @@ constexpr uint8_t kRxcie = 0x80, kTxcie = 0x40, kUdrie = 0x20, kRxen = 0x10, kTx
                   kRxb8 = 0x02, kTxb8 = 0x01;                                               // UCSRnB
 constexpr uint8_t kUmsel = 0xC0, kUmsel0 = 0x40, kUpm1 = 0x20, kUsbs = 0x08, kUcsz = 0x06;  // UCSRnC
 
+constexpr uint8_t kSpie = 0x80, kSpe = 0x40, kMstr = 0x10, kCpol = 0x08, kSpr = 0x03;  // SPCR
+constexpr uint8_t kSpif = 0x80, kWcol = 0x40, kSpi2x = 0x01;                           // SPSR
+
 }  // namespace bits
 }  // namespace avr
 }  // namespace robosim

@@ -1,12 +1,11 @@
-// Models the serial peripheral interface as master on the host (data sheet, chapter 19). A byte takes 8 bits
-// of 4, 16, 64 or 128 cycles each. SPI2X halves these durations. Single bits are not simulated. The received
-// byte is 0xFF if MISO is high at the end, else 0. Unlike on the chip, the port's registers still drive MOSI
-// and SCK. SS is read only when SPCR or SPDR is written.
+// Models the serial peripheral interface as master on the host (hal/board/avr_spi.h). Unlike on the chip, the
+// port's registers still drive MOSI and SCK. SS is read only when SPCR or SPDR is written.
 #pragma once
 
 #include <stdint.h>
 
-#include "hal/board/sim_time.h"
+#include "hal/board/avr_spi.h"
+#include "hal/host/clock.h"
 
 namespace robosim {
 namespace host {
@@ -16,24 +15,22 @@ class Spi {
   uint8_t control() const { return control_; }
   void set_control(uint8_t value);
   /// Reads SPSR. The next access to the data register clears the flags that this read returned.
-  uint8_t status();
-  void set_status(uint8_t value) { status_ = static_cast<uint8_t>((status_ & ~1) | (value & 1)); }
+  uint8_t status() { return master_.read_status(status_); }
+  void set_status(uint8_t value) { master_.write_status(status_, value); }
   uint8_t take();
   void send(uint8_t value);
 
   void sync();
-  bool pending() const;
-  bool may_interrupt() const;
-  SimTime next() const;
-  void acknowledge();
+  bool pending() const { return control_ & kSpie && status_ & kSpif; }
+  bool may_interrupt() const { return control_ & kSpie && (master_.shifting || status_ & kSpif); }
+  SimTime next() const { return master_.shifting && control_ & kSpie ? due_ : kNever; }
+  void acknowledge() { status_ &= static_cast<uint8_t>(~kSpif); }
 
  private:
-  void touch();
-  bool is_master() const;
   void look_at_select();
 
-  uint8_t control_ = 0, status_ = 0, seen_ = 0, received_ = 0;
-  bool shifts_ = false;
+  uint8_t control_ = 0, status_ = 0;
+  avr::SpiMaster master_;
   SimTime due_ = 0;
 };
 

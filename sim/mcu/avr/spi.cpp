@@ -1,13 +1,6 @@
 #include "sim/mcu/avr/spi.h"
 
 namespace robosim::avr {
-namespace {
-
-// Bits of SPCR, then of SPSR.
-constexpr std::uint8_t kSpie = 0x80, kSpe = 0x40, kMstr = 0x10, kCpol = 0x08, kSprMask = 0x03;
-constexpr std::uint8_t kSpif = 0x80, kWcol = 0x40, kSpi2x = 0x01;
-
-}  // namespace
 
 Spi::Spi(Core& core, Pins& pins)
     : core_(core),
@@ -31,16 +24,8 @@ Spi::Spi(Core& core, Pins& pins)
 
 void Spi::reset(Cycle) { state_ = {}; }
 
-bool Spi::is_master() const { return (core_.cpu.data[control_] & (kSpe | kMstr)) == (kSpe | kMstr); }
-
-Cycle Spi::transfer() const {
-  constexpr Cycle kDivisors[4] = {4, 16, 64, 128};
-  const Cycle divisor = kDivisors[core_.cpu.data[control_] & kSprMask];
-  return 8 * (core_.cpu.data[status_] & kSpi2x ? divisor / 2 : divisor);
-}
-
 std::uint64_t Spi::may_interrupt() const {
-  return Interrupts::bit(core_.chip.spi.vector, state_.shifting && core_.cpu.data[control_] & kSpie);
+  return Interrupts::bit(core_.chip.spi.vector, state_.master.shifting && core_.cpu.data[control_] & kSpie);
 }
 
 void Spi::request() {
@@ -55,37 +40,28 @@ void Spi::entered(int) {
 std::uint8_t Spi::read(Address address) {
   if (!state_.runs) return 0;
   if (address == data_) {
-    touch_data();
-    return state_.received;
+    state_.master.touch_data(core_.at(status_));
+    request();
+    return state_.master.received;
   }
-  if (address == status_) state_.seen = core_.at(status_) & (kSpif | kWcol);
-  return core_.at(address);
+  return address == status_ ? state_.master.read_status(core_.at(status_)) : core_.at(address);
 }
 
 // Returns no forecast for SPSR while a flag is set, or was set at the last read of SPSR. A read then has a
 // side effect: the next access to SPDR clears the flags.
 ReadForecast Spi::forecast(Address address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
-  if (address == status_ && ((core_.at(status_) | state_.seen) & (kSpif | kWcol))) return {};
+  if (address == status_ && ((core_.at(status_) | state_.master.seen) & (kSpif | kWcol))) return {};
   return {kNoCycle, core_.at(address)};
-}
-
-void Spi::touch_data() {
-  core_.at(status_) &= static_cast<std::uint8_t>(~state_.seen);
-  state_.seen = 0;
-  request();
 }
 
 void Spi::write(Address address, std::uint8_t value) {
   if (!state_.runs) return;
   if (address == data_) return send(value);
-  if (address == status_) {
-    core_.at(status_) = static_cast<std::uint8_t>((core_.at(status_) & (kSpif | kWcol)) | (value & kSpi2x));
-    return;
-  }
+  if (address == status_) return state_.master.write_status(core_.at(status_), value);
   core_.at(control_) = value;
   if (!(value & kSpe)) {
-    state_.shifting = false;
+    state_.master.shifting = false;
     core_.events.cancel(shifted_);
   }
   look_at_select();
@@ -94,21 +70,18 @@ void Spi::write(Address address, std::uint8_t value) {
 }
 
 void Spi::send(std::uint8_t value) {
-  touch_data();
+  std::uint8_t& status = core_.at(status_);
+  state_.master.touch_data(status);
+  request();
   look_at_select();
-  if (state_.shifting) {
-    core_.at(status_) |= kWcol;
-  } else if (is_master()) {
-    state_.shifting = true;
-    state_.sending = value;
-    core_.schedule(shifted_, core_.now() + transfer());
-  }
+  const std::uint8_t control = core_.at(control_);
+  if (!state_.master.begin(control, status)) return;
+  state_.sending = value;
+  core_.schedule(shifted_, core_.now() + static_cast<Cycle>(SpiMaster::takes(control, status)));
 }
 
 void Spi::shifted(Cycle) {
-  state_.shifting = false;
-  state_.received = pins_.level(in_) ? 0xFF : 0x00;
-  core_.at(status_) |= kSpif;
+  state_.master.end(core_.at(status_), pins_.level(in_));
   drive();
   request();
 }
@@ -118,10 +91,8 @@ void Spi::look_at_select() {
   const ChipPin& place = core_.chip.pins[select_];
   const bool is_output =
       core_.at(static_cast<Address>(core_.chip.ports[place.port].address + 1)) >> place.bit & 1;
-  if (!is_master() || is_output || pins_.level(select_)) return;
-  core_.at(control_) &= static_cast<std::uint8_t>(~kMstr);
-  core_.at(status_) |= kSpif;
-  state_.shifting = false;
+  if (!SpiMaster::is_on(core_.at(control_)) || is_output || pins_.level(select_)) return;
+  state_.master.lose_bus(core_.at(control_), core_.at(status_));
   core_.events.cancel(shifted_);
   drive();
   request();
@@ -130,7 +101,7 @@ void Spi::look_at_select() {
 // Takes the pins of a master (table 19-1): MISO is an input; the other pins are outputs if DDRx makes them
 // outputs.
 void Spi::drive() {
-  const bool master = is_master();
+  const bool master = SpiMaster::is_on(core_.at(control_));
   if (master) {
     const auto level = [this](int pin, bool high) {
       PinDrive drive;

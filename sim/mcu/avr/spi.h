@@ -1,16 +1,11 @@
-// Models the serial peripheral interface as master (data sheet DS40002061B, chapter 19).
-//
-//   transfer   starts when SPDR is written; takes 8 bits of D cycles, and then sets SPIF
-//   D          4, 16, 64 or 128, selected by SPR; SPI2X halves D (table 19-5)
-//
-// Writing SPDR during a transfer only sets WCOL. Reading SPSR while flags are set, and then accessing SPDR,
-// clears these flags. Entering the vector also clears SPIF. Single bits are not simulated: each received bit
-// is the level of MISO at the end of the transfer. If SS is an input at low level, master mode ends: MSTR is
-// cleared, and SPIF is set. In slave mode, nothing happens, because no other master provides a clock.
+// Models the serial peripheral interface as master (data sheet DS40002061B, chapter 19): interrupt and pins.
+// hal/board/avr_spi.h models its registers. In slave mode, nothing happens, because no other master provides
+// a clock.
 #pragma once
 
 #include <cstdint>
 
+#include "hal/board/avr_spi.h"
 #include "sim/mcu/avr/pins.h"
 
 namespace robosim::avr {
@@ -25,9 +20,8 @@ class Spi final : public Peripheral {
 
  private:
   struct State {
-    std::uint8_t sending = 0, received = 0;
-    std::uint8_t seen = 0;  ///< flags at the last read of SPSR
-    bool shifting = false;
+    SpiMaster master;
+    std::uint8_t sending = 0;
     bool takes_pins = false;
     bool runs = true;
     Core::Held held;
@@ -36,15 +30,12 @@ class Spi final : public Peripheral {
   std::uint8_t read(Address address);
   ReadForecast forecast(Address address, std::uint8_t bits);
   void write(Address address, std::uint8_t value);
-  void touch_data();
   void send(std::uint8_t value);
   void shifted(Cycle at);
   void entered(int vector);
   void look_at_select();
   void drive();
   void request();
-  bool is_master() const;
-  Cycle transfer() const;
 
   Core& core_;
   Pins& pins_;
