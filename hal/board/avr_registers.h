@@ -41,6 +41,10 @@ constexpr uint8_t kUmsel = 0xC0, kUmsel0 = 0x40, kUpm1 = 0x20, kUsbs = 0x08, kUc
 constexpr uint8_t kSpie = 0x80, kSpe = 0x40, kMstr = 0x10, kCpol = 0x08, kSpr = 0x03;  // SPCR
 constexpr uint8_t kSpif = 0x80, kWcol = 0x40, kSpi2x = 0x01;                           // SPSR
 
+constexpr uint8_t kTwint = 0x80, kTwea = 0x40, kTwsta = 0x20, kTwsto = 0x10, kTwwc = 0x08, kTwen = 0x04,
+                  kTwie = 0x01;  // TWCR
+constexpr uint8_t kTwps = 0x03;  // TWSR
+
 }  // namespace bits
 }  // namespace avr
 }  // namespace robosim

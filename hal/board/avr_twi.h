@@ -10,54 +10,49 @@
 //   STOP     T       TWINT stays 0; TWSTO reads 0 again
 //
 // T = 16 + 2 TWBR 4^TWPS cycles, the duration of one bit (21.5.2). Writing 1 to TWINT clears TWINT and starts
-// a step. During the step, TWSR reads 0xF8. At its end, TWINT is set, except after STOP.
+// a step. During the step, TWSR reads 0xF8. At its end, TWINT is set, except after STOP. While TWINT is not
+// set, writes to TWDR are ignored (TWWC). TWINT requests the interrupt as long as it is set.
 //
 // Not modelled: other masters, and devices that hold the clock low.
 #pragma once
 
-#include <stdint.h>
+#include "hal/board/avr_registers.h"
 
 namespace robosim {
 namespace avr {
 
-/// Bits of TWCR.
-enum : uint8_t {
-  kTwint = 0x80,
-  kTwea = 0x40,
-  kTwsta = 0x20,
-  kTwsto = 0x10,
-  kTwwc = 0x08,
-  kTwen = 0x04,
-  kTwie = 0x01
-};
-constexpr uint8_t kTwpsMask = 0x03;  ///< the bits TWPS of TWSR; the other bits are the status
 constexpr uint8_t kNoTwiStatus = 0xF8;
 constexpr uint8_t kTwdrAtReset = 0xFF, kTwarAtReset = 0xFE;
 
 /// Returns the duration of a bit, in processor cycles, for the registers TWBR and TWSR.
 constexpr int64_t twi_bit(uint8_t rate, uint8_t status) {
-  return 16 + 2 * (static_cast<int64_t>(rate) << 2 * (status & kTwpsMask));
+  return 16 + 2 * (static_cast<int64_t>(rate) << 2 * (status & kTwps));
 }
 
+/// The caller stores TWCR and TWDR as `control` and `data`.
 class TwiMaster {
  public:
-  enum class Step : uint8_t { none, start, byte, stop, stop_and_start };
-
   uint8_t status() const { return status_; }
-  Step step() const { return step_; }
-
-  /// Begins the step that TWCR (`control`) selects, and returns the step. Call it when TWINT is cleared.
-  Step begin(uint8_t control) {
-    before_ = status_;
-    status_ = kNoTwiStatus;
-    if (control & kTwsto) return step_ = control & kTwsta ? Step::stop_and_start : Step::stop;
-    if (control & kTwsta) return step_ = Step::start;
-    return step_ = transfers() ? Step::byte : Step::none;
-  }
+  /// Returns whether a step is in progress.
+  bool runs() const { return step_ != Step::none; }
   /// Returns the duration of the present step, in bits.
   int bits() const { return step_ == Step::byte ? 9 : 1; }
-  /// Completes the step, and returns whether TWINT is then set. `bus` has the functions two_wire_address(),
-  /// two_wire_write(), two_wire_read() and two_wire_stop() of FirmwarePort.
+
+  static void write_data(uint8_t& control, uint8_t& data, uint8_t value) {
+    if (control & kTwint) data = value;
+    control = static_cast<uint8_t>(control & kTwint ? control & ~kTwwc : control | kTwwc);
+  }
+  /// Writes TWCR. Returns whether a step begins.
+  bool write_control(uint8_t& control, uint8_t value) {
+    const int kept = control & (kTwwc | (value & kTwint ? 0 : kTwint));
+    control = static_cast<uint8_t>((value & (kTwea | kTwsta | kTwsto | kTwen | kTwie)) | kept);
+    if (!(value & kTwen)) *this = TwiMaster();
+    if (!(value & kTwen) || control & kTwint || runs()) return false;
+    step_ = next(control);
+    return runs();
+  }
+  /// Completes the step, and sets TWINT. Returns whether another step begins instead. `bus` has the functions
+  /// two_wire_address(), two_wire_write(), two_wire_read() and two_wire_stop() of FirmwarePort.
   template <typename Bus, typename Time>
   bool end(Bus& bus, uint8_t& control, uint8_t& data, Time at) {
     const Step done = step_;
@@ -67,14 +62,13 @@ class TwiMaster {
       control &= static_cast<uint8_t>(~kTwsto);
       bus.two_wire_stop(at);
       if (control & kTwsta) step_ = Step::start;
-      return false;
+      return runs();
     }
+    control |= kTwint;
     if (done == Step::start) {
       status_ = owns_bus_ ? kStartedAgain : kStarted;
       owns_bus_ = true;
-      return true;
-    }
-    if (before_ == kStarted || before_ == kStartedAgain) {
+    } else if (before_ == kStarted || before_ == kStartedAgain) {
       const bool answered = bus.two_wire_address(data, at);
       status_ = data & 1 ? (answered ? kReadAck : kReadNack) : (answered ? kWriteAck : kWriteNack);
     } else if (before_ == kReadAck || before_ == kReceived) {
@@ -83,10 +77,11 @@ class TwiMaster {
     } else {
       status_ = bus.two_wire_write(data, at) ? kDataAck : kDataNack;
     }
-    return true;
+    return false;
   }
 
  private:
+  enum class Step : uint8_t { none, start, byte, stop, stop_and_start };
   // Values of TWSR.
   enum : uint8_t {
     kStarted = 0x08,
@@ -101,8 +96,14 @@ class TwiMaster {
     kReceivedLast = 0x58
   };
 
-  bool transfers() const {
-    return before_ != kNoTwiStatus && before_ != kReadNack && before_ != kReceivedLast;
+  /// Returns the step that TWCR selects.
+  Step next(uint8_t control) {
+    before_ = status_;
+    status_ = kNoTwiStatus;
+    if (control & kTwsto) return control & kTwsta ? Step::stop_and_start : Step::stop;
+    if (control & kTwsta) return Step::start;
+    const bool transfers = before_ != kNoTwiStatus && before_ != kReadNack && before_ != kReceivedLast;
+    return transfers ? Step::byte : Step::none;
   }
 
   uint8_t status_ = kNoTwiStatus, before_ = kNoTwiStatus;

@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "hal/board/avr_twi.h"
-#include "hal/board/sim_time.h"
+#include "hal/host/chip.h"
 
 namespace robosim {
 namespace host {
@@ -16,22 +16,21 @@ class TwoWire {
   void set_rate(uint8_t value) { rate_ = value; }
   /// Reads the register TWSR.
   uint8_t status() const { return static_cast<uint8_t>(master_.status() | prescaler_); }
-  void set_status(uint8_t value) { prescaler_ = value & avr::kTwpsMask; }
+  void set_status(uint8_t value) { prescaler_ = value & kTwps; }
   uint8_t address() const { return address_; }
   void set_address(uint8_t value) { address_ = value; }
   uint8_t data() const { return data_; }
-  void set_data(uint8_t value);
+  void set_data(uint8_t value) { master_.write_data(control_, data_, value); }
   uint8_t control() const { return control_; }
   void set_control(uint8_t value);
 
   /// Ends the current step if it is due.
   void sync();
-  bool pending() const { return control_ & avr::kTwint && control_ & avr::kTwie; }
-  bool may_interrupt() const { return control_ & avr::kTwie && (runs() || pending()); }
-  SimTime next() const { return runs() && control_ & avr::kTwie ? due_ : kNever; }
+  bool pending() const { return control_ & kTwint && control_ & kTwie; }
+  bool may_interrupt() const { return control_ & kTwie && (master_.runs() || pending()); }
+  SimTime next() const { return master_.runs() && control_ & kTwie ? due_ : kNever; }
 
  private:
-  bool runs() const { return master_.step() != avr::TwiMaster::Step::none; }
   void schedule(SimTime at);
 
   avr::TwiMaster master_;

@@ -1,6 +1,7 @@
 #include "sim/mcu/avr/twi.h"
 
 namespace robosim::avr {
+
 Twi::Twi(Core& core, Pins& pins)
     : core_(core),
       pins_(pins),
@@ -25,7 +26,7 @@ void Twi::reset(Cycle) {
 }
 
 std::uint64_t Twi::may_interrupt() const {
-  const bool comes = state_.master.step() != TwiMaster::Step::none && core_.cpu.data[control_] & kTwie;
+  const bool comes = state_.master.runs() && core_.cpu.data[control_] & kTwie;
   return Interrupts::bit(core_.chip.twi.vector, comes);
 }
 
@@ -43,33 +44,13 @@ std::uint8_t Twi::read(Address address) {
 void Twi::write(Address address, std::uint8_t value) {
   if (!state_.runs) return;
   if (address == control_) return write_control(value);
-  if (address == data_) return write_data(value);
-  core_.at(status_) = value & kTwpsMask;
-}
-
-void Twi::write_data(std::uint8_t value) {
-  std::uint8_t& control = core_.at(control_);
-  if (control & kTwint) {
-    core_.at(data_) = value;
-    control &= static_cast<std::uint8_t>(~kTwwc);
-  } else {
-    control |= kTwwc;
-  }
+  if (address == data_) return state_.master.write_data(core_.at(control_), core_.at(data_), value);
+  core_.at(status_) = value & kTwps;
 }
 
 void Twi::write_control(std::uint8_t value) {
-  std::uint8_t& control = core_.at(control_);
-  const auto kept = static_cast<std::uint8_t>(control & (kTwwc | (value & kTwint ? 0 : kTwint)));
-  control = static_cast<std::uint8_t>((value & (kTwea | kTwsta | kTwsto | kTwen | kTwie)) | kept);
-  if (!(value & kTwen)) {
-    const bool runs = state_.runs, takes_pins = state_.takes_pins;
-    state_ = {};
-    state_.runs = runs;
-    state_.takes_pins = takes_pins;
-    core_.events.cancel(done_);
-  } else if (!(control & kTwint) && state_.master.step() == TwiMaster::Step::none) {
-    if (state_.master.begin(control) != TwiMaster::Step::none) schedule(core_.now());
-  }
+  if (state_.master.write_control(core_.at(control_), value)) schedule(core_.now());
+  if (!state_.master.runs()) core_.events.cancel(done_);
   drive();
   request();
 }
@@ -80,13 +61,8 @@ void Twi::schedule(Cycle at) {
 }
 
 void Twi::done(Cycle at) {
-  std::uint8_t& control = core_.at(control_);
-  if (state_.master.end(core_.environment, control, core_.at(data_), at)) {
-    control |= kTwint;
-    request();
-  } else if (state_.master.step() != TwiMaster::Step::none) {
-    schedule(at);
-  }
+  if (state_.master.end(core_.environment, core_.at(control_), core_.at(data_), at)) schedule(at);
+  request();
 }
 
 void Twi::drive() {

@@ -1,7 +1,5 @@
-// Models the two-wire serial interface as master: registers, interrupt and pins. hal/board/avr_twi.h models
-// the steps on the bus and their durations. While TWINT is not set, writes to TWDR are ignored (TWWC). TWINT
-// requests the interrupt as long as it is set. While TWEN is set, SDA and SCL are inputs, with the port's
-// pull-ups.
+// Models the two-wire serial interface as master: interrupt and pins. hal/board/avr_twi.h models its
+// registers and the steps on the bus. While TWEN is set, SDA and SCL are inputs, with the port's pull-ups.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +28,6 @@ class Twi final : public Peripheral {
   std::uint8_t read(Address address);
   void write(Address address, std::uint8_t value);
   void write_control(std::uint8_t value);
-  void write_data(std::uint8_t value);
   void schedule(Cycle at);
   void done(Cycle at);
   void drive();
