@@ -29,9 +29,22 @@ constexpr Address kFirstIo = 0x20;  ///< lower addresses are the 32 registers of
 
 inline namespace bits {
 
+constexpr uint8_t kI = 0x80;                                                                         // SREG
+constexpr uint8_t kSe = 0x01, kSm = 0x0E;                                                            // SMCR
 constexpr uint8_t kWdrf = 0x08, kBorf = 0x04, kExtrf = 0x02, kPorf = 0x01;                           // MCUSR
+constexpr uint8_t kPud = 0x10;                                                                       // MCUCR
+constexpr uint8_t kClkpce = 0x80;                                                                    // CLKPR
 constexpr uint8_t kWdif = 0x80, kWdie = 0x40, kWdp3 = 0x20, kWdce = 0x10, kWde = 0x08, kWdp = 0x27;  // WDTCSR
 constexpr uint8_t kEepm = 0x30, kEerie = 0x08, kEempe = 0x04, kEepe = 0x02, kEere = 0x01;            // EECR
+
+constexpr uint8_t kComa1 = 0x80, kComa0 = 0x40, kComb1 = 0x20, kComb0 = 0x10, kWgm1 = 0x02,
+                  kWgm0 = 0x01;                                                       // TCCRnA
+constexpr uint8_t kWgm3 = 0x10, kWgm2 = 0x08, kCs2 = 0x04, kCs1 = 0x02, kCs0 = 0x01;  // TCCRnB
+constexpr uint8_t kFoca = 0x80, kFocb = 0x40;              // TCCRnB, or TCCRnC of a 16-bit timer
+constexpr uint8_t kIcnc = 0x80, kIces = 0x40, kCs = 0x07;  // TCCRnB
+constexpr uint8_t kTov = 0x01, kOcfa = 0x02, kOcfb = 0x04, kOcfc = 0x08,
+                  kIcf = 0x20;                                   // TIFRn; as enable bits TIMSKn
+constexpr uint8_t kTsm = 0x80, kPsrasy = 0x02, kPsrsync = 0x01;  // GTCCR
 
 constexpr uint8_t kRxc = 0x80, kTxc = 0x40, kUdre = 0x20, kDor = 0x08, kU2x = 0x02, kMpcm = 0x01;  // UCSRnA
 constexpr uint8_t kRxcie = 0x80, kTxcie = 0x40, kUdrie = 0x20, kRxen = 0x10, kTxen = 0x08, kUcsz2 = 0x04,
@@ -44,6 +57,12 @@ constexpr uint8_t kSpif = 0x80, kWcol = 0x40, kSpi2x = 0x01;                    
 constexpr uint8_t kTwint = 0x80, kTwea = 0x40, kTwsta = 0x20, kTwsto = 0x10, kTwwc = 0x08, kTwen = 0x04,
                   kTwie = 0x01;  // TWCR
 constexpr uint8_t kTwps = 0x03;  // TWSR
+
+constexpr uint8_t kAcd = 0x80, kAcbg = 0x40, kAco = 0x20, kAci = 0x10, kAcie = 0x08, kAcic = 0x04,
+                  kAcis = 0x03;                                                           // ACSR
+constexpr uint8_t kAden = 0x80, kAdsc = 0x40, kAdate = 0x20, kAdif = 0x10, kAdie = 0x08;  // ADCSRA
+constexpr uint8_t kAcme = 0x40, kAdts = 0x07;                                             // ADCSRB
+constexpr uint8_t kRefs = 0xC0, kAdlar = 0x20;                                            // ADMUX
 
 }  // namespace bits
 }  // namespace avr

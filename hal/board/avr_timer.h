@@ -40,39 +40,40 @@ struct Counting {
 };
 
 /// Returns the mode that WGM in TCCRnA and TCCRnB selects (tables 15-8, 16-4, 18-8). Reserved modes count as
-/// normal mode. An ATtiny85's timer 1 has other modes (data sheet 2586Q, 12.2 and 12.3): mode 0 is normal.
-/// Mode 2 clears on a match with OCR1C. Mode 3 is PWM up to OCR1C.
+/// normal mode. Rows have the modes' numbers in these tables. An ATtiny85's timer 1 has other modes (data
+/// sheet 2586Q, 12.2 and 12.3): mode 0 is normal. Mode 2 clears on a match with OCR1C. Mode 3 is PWM up to
+/// OCR1C.
 constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t control_b) {
   using Kind = Counting::Kind;
   using Top = Counting::Top;
-  constexpr Counting kOfByte[8] = {{Kind::normal, false, Top::fixed, 0xFF},
-                                   {Kind::pwm, true, Top::fixed, 0xFF},
-                                   {Kind::clear_on_match, false, Top::compare_a, 0xFF},
-                                   {Kind::pwm, false, Top::fixed, 0xFF},
-                                   {Kind::normal, false, Top::fixed, 0xFF},
-                                   {Kind::pwm, true, Top::compare_a, 0xFF},
-                                   {Kind::normal, false, Top::fixed, 0xFF},
-                                   {Kind::pwm, false, Top::compare_a, 0xFF}};
-  constexpr Counting kOfWord[16] = {{Kind::normal, false, Top::fixed, 0xFFFF},
-                                    {Kind::pwm, true, Top::fixed, 0xFF},
-                                    {Kind::pwm, true, Top::fixed, 0x1FF},
-                                    {Kind::pwm, true, Top::fixed, 0x3FF},
-                                    {Kind::clear_on_match, false, Top::compare_a, 0xFFFF},
-                                    {Kind::pwm, false, Top::fixed, 0xFF},
-                                    {Kind::pwm, false, Top::fixed, 0x1FF},
-                                    {Kind::pwm, false, Top::fixed, 0x3FF},
-                                    {Kind::pwm, true, Top::capture, 0xFFFF, true},
-                                    {Kind::pwm, true, Top::compare_a, 0xFFFF, true},
-                                    {Kind::pwm, true, Top::capture, 0xFFFF},
-                                    {Kind::pwm, true, Top::compare_a, 0xFFFF},
-                                    {Kind::clear_on_match, false, Top::capture, 0xFFFF},
-                                    {Kind::normal, false, Top::fixed, 0xFFFF},
-                                    {Kind::pwm, false, Top::capture, 0xFFFF},
-                                    {Kind::pwm, false, Top::compare_a, 0xFFFF}};
-  constexpr Counting kWithTop[4] = {{Kind::normal, false, Top::fixed, 0xFF},
-                                    {Kind::normal, false, Top::fixed, 0xFF},
-                                    {Kind::clear_on_match, false, Top::capture, 0xFF},
-                                    {Kind::pwm, false, Top::capture, 0xFF, false, true}};
+  constexpr Counting kOfByte[8] = {/*0*/ {Kind::normal, false, Top::fixed, 0xFF},
+                                   /*1*/ {Kind::pwm, true, Top::fixed, 0xFF},
+                                   /*2*/ {Kind::clear_on_match, false, Top::compare_a, 0xFF},
+                                   /*3*/ {Kind::pwm, false, Top::fixed, 0xFF},
+                                   /*4*/ {Kind::normal, false, Top::fixed, 0xFF},
+                                   /*5*/ {Kind::pwm, true, Top::compare_a, 0xFF},
+                                   /*6*/ {Kind::normal, false, Top::fixed, 0xFF},
+                                   /*7*/ {Kind::pwm, false, Top::compare_a, 0xFF}};
+  constexpr Counting kOfWord[16] = {/*0*/ {Kind::normal, false, Top::fixed, 0xFFFF},
+                                    /*1*/ {Kind::pwm, true, Top::fixed, 0xFF},
+                                    /*2*/ {Kind::pwm, true, Top::fixed, 0x1FF},
+                                    /*3*/ {Kind::pwm, true, Top::fixed, 0x3FF},
+                                    /*4*/ {Kind::clear_on_match, false, Top::compare_a, 0xFFFF},
+                                    /*5*/ {Kind::pwm, false, Top::fixed, 0xFF},
+                                    /*6*/ {Kind::pwm, false, Top::fixed, 0x1FF},
+                                    /*7*/ {Kind::pwm, false, Top::fixed, 0x3FF},
+                                    /*8*/ {Kind::pwm, true, Top::capture, 0xFFFF, true},
+                                    /*9*/ {Kind::pwm, true, Top::compare_a, 0xFFFF, true},
+                                    /*10*/ {Kind::pwm, true, Top::capture, 0xFFFF},
+                                    /*11*/ {Kind::pwm, true, Top::compare_a, 0xFFFF},
+                                    /*12*/ {Kind::clear_on_match, false, Top::capture, 0xFFFF},
+                                    /*13*/ {Kind::normal, false, Top::fixed, 0xFFFF},
+                                    /*14*/ {Kind::pwm, false, Top::capture, 0xFFFF},
+                                    /*15*/ {Kind::pwm, false, Top::compare_a, 0xFFFF}};
+  constexpr Counting kWithTop[4] = {/*0*/ {Kind::normal, false, Top::fixed, 0xFF},
+                                    /*1*/ {Kind::normal, false, Top::fixed, 0xFF},
+                                    /*2*/ {Kind::clear_on_match, false, Top::capture, 0xFF},
+                                    /*3*/ {Kind::pwm, false, Top::capture, 0xFF, false, true}};
   if (timer.top) return kWithTop[control_a & 3];
   return timer.bits == 16 ? kOfWord[(control_a & 3) | (control_b >> 1 & 0xC)]
                           : kOfByte[(control_a & 3) | (control_b >> 1 & 4)];

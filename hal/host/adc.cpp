@@ -9,10 +9,6 @@ namespace host {
 
 Adc adc;
 
-namespace {
-constexpr uint8_t kEnable = 0x80, kStart = 0x40, kAuto = 0x20, kFlag = 0x10;
-}  // namespace
-
 uint16_t Adc::data() const { return avr::adc_data(multiplexer_, code_); }
 
 void Adc::set_multiplexer(uint8_t value) {
@@ -32,9 +28,7 @@ uint16_t Adc::code_of(double volts) const {
   return avr::adc_code(by_supply ? volts : volts * board->supply_share(), reference);
 }
 
-uint8_t Adc::control() const {
-  return static_cast<uint8_t>((control_ & ~kStart) | (converting_ ? kStart : 0));
-}
+uint8_t Adc::control() const { return static_cast<uint8_t>((control_ & ~kAdsc) | (converting_ ? kAdsc : 0)); }
 
 void Adc::start(SimTime at) {
   converting_ = true;
@@ -49,21 +43,21 @@ void Adc::set_control_b(uint8_t value) {
 }
 
 void Adc::look_for_trigger() const {
-  if (control_ & kAuto && control_b_ & 7) note_lack("conversions started by ADTS");
+  if (control_ & kAdate && control_b_ & kAdts) note_lack("conversions started by ADTS");
 }
 
 void Adc::set_control(uint8_t value) {
   sync();
-  const uint8_t flag = value & kFlag ? 0 : control_ & kFlag;  // writing a one clears the flag
-  if (value & kEnable && !(control_ & kEnable)) {
+  const uint8_t flag = value & kAdif ? 0 : control_ & kAdif;  // writing a one clears the flag
+  if (value & kAden && !(control_ & kAden)) {
     clock_began_ = charges_since_ = state.now;
     first_ = First::by_sketch;
   }
-  control_ = static_cast<uint8_t>((value & ~(kFlag | kStart)) | flag);
+  control_ = static_cast<uint8_t>((value & ~(kAdif | kAdsc)) | flag);
   look_for_trigger();
-  if (!(value & kEnable)) {
+  if (!(value & kAden)) {
     converting_ = false;
-  } else if (value & kStart && !converting_) {
+  } else if (value & kAdsc && !converting_) {
     start(next_start());
   }
 }
@@ -73,8 +67,8 @@ void Adc::sync_conversion() {
     converting_ = false;
     charges_since_ = ready_;
     if (!locked_) code_ = result_;
-    control_ |= kFlag;
-    if (!(control_ & kAuto) || control_b_ & 7) return;
+    control_ |= kAdif;
+    if (!(control_ & kAdate) || control_b_ & kAdts) return;
     // Free running: skips all conversions except the last one that has ended, and the present one.
     const SimTime takes = avr::adc_clocks(false) * clock(), ended = (state.now - ready_) / takes;
     start(ready_ + (ended > 1 ? ended - 1 : 0) * takes);

@@ -38,7 +38,7 @@ class Adc {
     const SimTime past = state.now - clock_began_;
     return clock_began_ + (past + clock - 1) / clock * clock;
   }
-  bool on() const { return control_ & 0x80; }
+  bool on() const { return control_ & kAden; }
   /// Returns whether a conversion that starts now is the first one since ADEN was set, and records its start.
   /// The first conversion takes longer (24.4). Exception: if init() has set ADEN, the first analogRead()
   /// takes the usual time. The longer time would change the traces of all sketches.
@@ -64,10 +64,10 @@ class Adc {
     if (converting_) sync_conversion();
   }
   bool converts() const { return converting_; }
-  bool pending() const { return (control_ & 0x18) == 0x18; }
-  bool may_interrupt() const { return control_ & 0x08 && (converting_ || control_ & 0x20); }
-  SimTime next() const { return converting_ && control_ & 0x08 ? ready_ : kNever; }
-  void acknowledge() { control_ &= ~0x10; }
+  bool pending() const { return control_ & kAdif && control_ & kAdie; }
+  bool may_interrupt() const { return control_ & kAdie && (converting_ || control_ & kAdate); }
+  SimTime next() const { return converting_ && control_ & kAdie ? ready_ : kNever; }
+  void acknowledge() { control_ &= static_cast<uint8_t>(~kAdif); }
 
  private:
   void start(SimTime at);

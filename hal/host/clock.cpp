@@ -255,7 +255,7 @@ void wait_for_interrupt(bool timer0_counts) {
 }
 
 void stop_for_ever(const char* how) {
-  status_register &= 0x7F;
+  status_register &= static_cast<uint8_t>(~kI);
   while (watchdog.may_bite()) idle_until(watchdog.due());
   state.stopped_by = how;
   for (;;) yield_to_executor(kNever);

@@ -13,10 +13,7 @@ Comparator comparator;
 
 namespace {
 
-constexpr uint8_t kAcd = 0x80, kAcbg = 0x40, kAco = 0x20, kAci = 0x10, kAcie = 0x08, kAcic = 0x04,
-                  kAcis = 0x03;
 constexpr uint8_t kAnyEdge = 0, kFallingEdge = 2, kRisingEdge = 3;
-constexpr uint8_t kAcme = 0x40;
 constexpr int kLookEvery_cycles = 64;
 
 /// Returns the bandgap voltage, divided by the supply's share like the voltages of pins (FirmwarePort).

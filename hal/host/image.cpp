@@ -68,14 +68,14 @@ extern "C" {
 /// of static objects are preserved, except those of timer 1's prescaler.
 void init() {
   const auto with = [](uint8_t value, int bits) { return static_cast<uint8_t>(value | bits); };
-  host::status_register |= 0x80;
+  host::status_register |= host::kI;
   host::timer0.set_control_a(with(host::timer0.control_a(), 3));
   host::timer0.set_control_b(with(host::timer0.control_b(), 3));
   host::timer0.set_enabled(with(host::timer0.enabled(), host::Timer::overflow));
   host::timer1.set_control_b(3);
   host::timer1.set_control_a(with(host::timer1.control_a(), 1));
   host::timer1.leave_bottom();
-  host::adc.set_control(with(host::adc.control(), 0x80 | host::adc_prescaler()));
+  host::adc.set_control(with(host::adc.control(), host::kAden | host::adc_prescaler()));
   host::adc.enabled_by_init();
   host::uart.set_control(0);
   host::refresh_deadline();

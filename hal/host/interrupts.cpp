@@ -278,7 +278,7 @@ bool serve_interrupt() {
     __builtin_unreachable();
   }
   acknowledge(vector);
-  status_register &= 0x7F;
+  status_register &= static_cast<uint8_t>(~kI);
   ++handler_depth;
   ++handlers_run;
   if (vector != kTimer0Overflow) leave_round();
@@ -289,7 +289,7 @@ bool serve_interrupt() {
   state.place = place;
   settle_registers();
   --handler_depth;
-  status_register |= 0x80;
+  status_register |= kI;
   return true;
 }
 

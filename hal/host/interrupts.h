@@ -34,7 +34,7 @@ static_assert(kVectors <= 32, "pending_interrupts() has a bit for each");
 
 extern uint8_t status_register;  ///< SREG; bit 7 is I
 
-inline bool interrupts_enabled() { return status_register & 0x80; }
+inline bool interrupts_enabled() { return status_register & kI; }
 /// The number of handlers that are running. It is greater than 1 if handlers are nested.
 extern int handler_depth;
 inline bool in_handler() { return handler_depth > 0; }

@@ -13,8 +13,6 @@ namespace {
 
 using namespace avr::reg;
 
-constexpr uint8_t kTsm = 0x80, kPsrasy = 0x02, kPsrsync = 0x01;  // GTCCR
-constexpr uint8_t kPud = 0x10;                                   // MCUCR
 constexpr Address kOsccal = 0x66, kTccr1c = 0x82, kAssr = 0xB6, kTwamr = 0xBD;
 
 uint8_t plain[256];
@@ -94,11 +92,11 @@ void write_other(uint8_t address, uint8_t value) {
       return eeprom.set_address(static_cast<uint16_t>((eeprom.address() & 0xFF) | value << 8));
     case kChip.comparator.address:
       return comparator.set_control(value);
+    case kTccr1c:
+      return timer1.force_compare(value);
     case kMcucr:
       set_pull_ups_off(value & kPud);
       break;
-    case kTccr1c:
-      return timer1.force_compare(value);
     case kGtccr:
       if (value & kPsrasy) timer2.reset_prescaler();
       if (value & kPsrsync) timer0.reset_prescaler(), timer1.reset_prescaler();

@@ -80,16 +80,14 @@ uint8_t read_timer8(uint8_t address) {
   }
 }
 
-constexpr uint8_t kForce = 0xC0;  // bits FOCnA, FOCnB
-
 void write_timer8(uint8_t address, uint8_t value) {
   Timer& timer = address < reg::kTccr2a ? timer0 : timer2;
   switch (address < reg::kTccr2a ? address : address - reg::kTccr2a + reg::kTccr0a) {
     case reg::kTccr0a:
       return timer.set_control_a(value);
     case reg::kTccr0b:
-      timer.set_control_b(value & ~kForce);
-      if (value & kForce) timer.force_compare(value);
+      timer.set_control_b(value & ~(kFoca | kFocb));
+      if (value & (kFoca | kFocb)) timer.force_compare(value);
       return;
     case reg::kTcnt0:
       return timer.set_count(value);
@@ -237,8 +235,6 @@ uint8_t read(uint8_t address) {
   }
 }
 
-constexpr uint8_t kNotAsynchronous = 0xC0;  // bits UMSEL0
-
 void write(uint8_t address, uint8_t value) {
   if (address >= reg::kPinB && address <= reg::kLastPort) {
     const auto port = static_cast<Port>((address - reg::kPinB) / 3);
@@ -305,7 +301,7 @@ void write(uint8_t address, uint8_t value) {
     case reg::kUcsrb:
       return uart.set_control(value);
     case reg::kUcsrc:
-      if (value & kNotAsynchronous) note_lack("UMSEL0 in UCSR0C");
+      if (value & kUmsel) note_lack("UMSEL0 in UCSR0C");
       return uart.set_format(value);
     case reg::kUdr:  // 20.6.1: a write is ignored if UDRE is clear
       return uart.sending() <= 1 ? uart.send(value) : void();
@@ -395,7 +391,7 @@ void robosim_write16(robosim_register address, uint16_t value) {
 
 void robosim_enable_interrupts() {
   host::settle_registers();
-  host::status_register |= 0x80;
+  host::status_register |= host::kI;
   host::state.now += host::cycles(1);
   host::refresh_deadline();  // pending interrupts are served after the next block;
                              // on the chip, after the next instruction
@@ -403,19 +399,18 @@ void robosim_enable_interrupts() {
 
 void robosim_disable_interrupts() {
   host::settle_registers();
-  host::status_register &= 0x7F;
+  host::status_register &= static_cast<uint8_t>(~host::kI);
   host::spend(1);
   host::refresh_deadline();
 }
 
 void robosim_sleep() {
-  constexpr uint8_t kSleepEnable = 1;
   host::settle_registers();
   const uint8_t control = host::sleep_control();
-  if (!(control & kSleepEnable)) return;
+  if (!(control & host::kSe)) return;
   host::note_call("sleep_cpu", robosim::kNoPin, 0);
   if (!host::interrupts_enabled()) host::stop_for_ever("sleep with interrupts off");
-  const bool idle = (control & 0xE) == 0;
+  const bool idle = (control & host::kSm) == 0;
   if (!idle) host::note_lack("sleep modes other than idle");
   host::wait_for_interrupt(idle);
 }

@@ -44,7 +44,7 @@ void Timer::begin_canceler() {
 }
 
 void Timer::capture_edge(bool level, SimTime at) {
-  const bool rising = control_b_ & kRisingCapture, cancels = control_b_ & kCanceler;
+  const bool rising = control_b_ & kIces, cancels = control_b_ & kIcnc;
   if (cancels) {
     if (at - changed_at_ >= cycles(kCancelerCycles)) passed_ = level_;
     level_ = level;

@@ -83,9 +83,9 @@ void Timer::set_control_b(uint8_t value) {
   control_b_ = value;
   take_registers(phase);
   tell_of_mode(made_pwm, control_a_);
-  if (value & (kCanceler | kRisingCapture)) listen_to_captures();
+  if (value & (kIcnc | kIces)) listen_to_captures();
   if (counted != counts_edges() || captured != captures_edges()) refresh_external();
-  if (value & ~before & kCanceler) begin_canceler();
+  if (value & ~before & kIcnc) begin_canceler();
 }
 
 void Timer::set_connection(int channel, uint8_t bits) {
@@ -219,7 +219,7 @@ void Timer::force_compare(uint8_t bits) {
   const Phase phase = leave_registers();
   for (int channel = 0; channel < 2; ++channel) {
     const uint8_t com = connection(channel);
-    if (com && bits << channel & kForceA) toggled_[channel] = com == 1 ? !toggled_[channel] : com == 3;
+    if (com && bits << channel & kFoca) toggled_[channel] = com == 1 ? !toggled_[channel] : com == 3;
   }
   take_registers(phase);
 }

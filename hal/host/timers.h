@@ -22,10 +22,10 @@ namespace host ROBOSIM_WITHIN {
 class Timer {
  public:
   enum Flag : uint8_t {
-    overflow = 1,
-    compare_a = 2,
-    compare_b = 4,
-    captured = 0x20
+    overflow = kTov,
+    compare_a = kOcfa,
+    compare_b = kOcfb,
+    captured = kIcf
   };  ///< bits of TIFRn and TIMSKn
 
   constexpr explicit Timer(uint8_t number)
@@ -198,9 +198,6 @@ class Timer {
   bool captures() const { return counting_.top != avr::Counting::Top::capture; }
   bool has_capture() const { return flag_count_ > 3; }
   static constexpr uint8_t kConnections = 0xF0, kToggles = 0x50;  ///< all bits COM; COMnA0, COMnB0
-  /// Bits ICNCn and ICESn in TCCRnB.
-  static constexpr uint8_t kCanceler = 0x80, kRisingCapture = 0x40;
-  static constexpr uint8_t kForceA = 0x80;  ///< bit FOCnA, followed by FOCnB
 
   uint8_t number_;
   uint16_t max_;

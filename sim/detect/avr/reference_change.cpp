@@ -8,7 +8,6 @@
 namespace robosim::detect::avr {
 namespace {
 
-constexpr std::uint8_t kReference = 0xC0;  // bits REFS1 and REFS0
 constexpr int kManyChanges = 4, kManyUsed = 3;
 constexpr SimTime kAgain = 50 * kMillisecond;  // a second reading within this time replaces the first
 
@@ -23,7 +22,7 @@ void ReferenceChange::visited(std::uint32_t, Cycle) {
   const robosim::avr::Cpu& cpu = machine_.chip().chip().cpu();
   const Read now{cpu.data[exec::avr::kArgument[0]], machine_.now(), call_site(cpu), std::nullopt};
   if (has_read_) {
-    last_.reference = cpu.data[cpu.chip().at.adc_multiplexer] & kReference;
+    last_.reference = cpu.data[cpu.chip().at.adc_multiplexer] & robosim::avr::kRefs;
     if (before_.reference && before_.reference != last_.reference) {
       ++changes_;
       const bool again = now.pin == last_.pin && now.at - last_.at <= kAgain;

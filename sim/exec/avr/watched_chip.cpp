@@ -17,7 +17,6 @@ using robosim::avr::Op;
 constexpr std::size_t kLargestFlash = 0x10000;
 constexpr std::uint8_t kErased = 0xFF;
 constexpr std::uint16_t kErasedWord = 0xFFFF;
-constexpr std::uint8_t kWatchdogUnlocked = 0x18;  // bits WDCE and WDE
 // Largest distance, in cycles, between the writes of the stack pointer's two halves. Unoptimised code
 // computes the second half after the write of the first half.
 constexpr Cycle kHalvesApart = 32;
@@ -165,7 +164,7 @@ void WatchedChip::was_reset() {
   const std::uint32_t bitten_at = 2 * cpu().last_pc();
   if (has_boot_loader_) {
     chip_.core().at(reg::kMcusr) = 0;
-    chip_.cpu().store(chip_.core().chip.at.watchdog, kWatchdogUnlocked);
+    chip_.cpu().store(chip_.core().chip.at.watchdog, robosim::avr::kWdce | robosim::avr::kWde);
     chip_.cpu().store(chip_.core().chip.at.watchdog, 0);
   }
   state_.own_stack = false;
@@ -181,8 +180,7 @@ std::vector<std::uint8_t> WatchedChip::ram() const {
 }
 
 void WatchedChip::was_browned_out(const std::vector<std::uint8_t>& ram) {
-  constexpr std::uint8_t kBorf = 0x04;
-  chip_.core().at(reg::kMcusr) = kBorf;
+  chip_.core().at(reg::kMcusr) = robosim::avr::kBorf;
   std::copy(ram.begin(), ram.end(), chip_.cpu().data.begin() + spec().ram_address);
 }
 

@@ -5,8 +5,6 @@
 namespace robosim::avr {
 namespace {
 
-constexpr std::uint8_t kAden = 0x80, kAdsc = 0x40, kAdate = 0x20, kAdif = 0x10, kAdie = 0x08;
-constexpr std::uint8_t kAdtsMask = 0x07, kReferenceAndAdjust = 0xE0;
 constexpr Cycle kAutoTriggerCycles = 3;
 
 }  // namespace
@@ -46,7 +44,7 @@ Cycle Adc::edge_after(Cycle cycle) const {
 int Adc::trigger() const {
   const std::uint8_t control = core_.cpu.data[at_.adc_control];
   if (!(control & kAden) || !(control & kAdate)) return AdcTriggers::kNone;
-  return core_.chip.adc.triggers[core_.cpu.data[at_.adc_control_b] & kAdtsMask];
+  return core_.chip.adc.triggers[core_.cpu.data[at_.adc_control_b] & kAdts];
 }
 
 std::uint64_t Adc::may_interrupt() const {
@@ -124,7 +122,7 @@ void Adc::write_multiplexer(Address address, std::uint8_t value) {
   if (!state_.runs) return;
   selects_another(value, core_.at(at_.adc_control_b));
   core_.at(address) =
-      value & (kReferenceAndAdjust | core_.chip.adc.reference_bit | core_.chip.adc.multiplexer_bits);
+      value & (kRefs | kAdlar | core_.chip.adc.reference_bit | core_.chip.adc.multiplexer_bits);
   if (state_.converting && core_.now() < state_.start) select();
 }
 

@@ -20,11 +20,7 @@
 #include "sim/mcu/avr/watchdog.h"
 
 namespace robosim::avr {
-namespace {
-
-constexpr std::uint8_t kPowerOnReset = 0x01;
-
-}  // namespace
+namespace {}  // namespace
 
 Chip::Chip(const ChipSpec& spec, std::span<const std::uint8_t> flash, Address last_ram,
            ChipEnvironment& around, std::int64_t oscillator_hz)
@@ -106,7 +102,7 @@ void Chip::power_on() {
   power_.reset(0);
   pins_.reset(0);
   for (const auto& peripheral : peripherals_) peripheral->reset(0);
-  core_.at(reg::kMcusr) = kPowerOnReset;
+  core_.at(reg::kMcusr) = kPorf;
 }
 
 void Chip::reset(std::uint8_t flags) {

@@ -6,10 +6,8 @@
 namespace robosim::avr {
 namespace {
 
-constexpr std::uint8_t kAcd = 0x80, kAcbg = 0x40, kAco = 0x20, kAci = 0x10, kAcie = 0x08, kAcic = 0x04,
-                       kAcisMask = 0x03;
 constexpr std::uint8_t kAcisAny = 0, kAcisFalling = 2, kAcisRising = 3;
-constexpr std::uint8_t kAcme = 0x40, kAdcEnabled = 0x80, kMuxMask = 0x07, kHighChannels = 8;
+constexpr std::uint8_t kMuxMask = 0x07, kHighChannels = 8;
 constexpr Cycle kLookEvery = 64;
 
 }  // namespace
@@ -38,7 +36,7 @@ bool Comparator::is_on() const { return !(core_.cpu.data[control_] & kAcd) && st
 
 double Comparator::negative_volts(Cycle at) {
   const std::uint8_t control_b = core_.at(core_.chip.at.adc_control_b);
-  if (!(control_b & kAcme) || core_.at(core_.chip.at.adc_control) & kAdcEnabled)
+  if (!(control_b & kAcme) || core_.at(core_.chip.at.adc_control) & kAden)
     return negative_ >= 0 ? pins_.volts(negative_, at) : bandgap();
   const int chosen = (core_.at(core_.chip.at.adc_multiplexer) & kMuxMask) +
                      (control_b & core_.chip.adc.high_channels ? kHighChannels : 0);
@@ -53,7 +51,7 @@ void Comparator::look(Cycle at) {
   if (output == state_.output) return;
   state_.output = output;
   if (captures_) captures_->comparator_changed(output, at);
-  const int sense = control & kAcisMask;
+  const int sense = control & kAcis;
   if (sense != kAcisAny && sense != (output ? kAcisRising : kAcisFalling)) return;
   const bool rises = !(control & kAci);
   control |= kAci;

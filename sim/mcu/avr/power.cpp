@@ -8,8 +8,7 @@ namespace robosim::avr {
 namespace {
 
 constexpr int kIdle = 0, kNoiseReduction = 1, kStandby = 6, kExtendedStandby = 7;  // values of SM
-constexpr std::uint8_t kClockChangeEnable = 0x80, kDivisorMask = 0x0F, kLargestDivisor = 8;
-constexpr std::uint8_t kResetFlags = 0x0F;
+constexpr std::uint8_t kDivisorMask = 0x0F, kLargestDivisor = 8;
 constexpr Cycle kDivisorWindow = 4;
 constexpr Cycle kWakeCycles = 4, kStandbyStartUp = 6;
 
@@ -56,7 +55,7 @@ void Power::write_reduction(Address address, std::uint8_t value) {
 
 std::uint8_t Power::read_divisor(Address address) {
   const bool unlocked = core_.now() <= state_.divisor_unlocked_until;
-  return static_cast<std::uint8_t>(core_.at(address) | (unlocked ? kClockChangeEnable : 0));
+  return static_cast<std::uint8_t>(core_.at(address) | (unlocked ? kClkpce : 0));
 }
 
 // Changes the divisor (9.12.2). Firmware first writes CLKPCE alone, then the divisor within four cycles.
@@ -64,8 +63,8 @@ std::uint8_t Power::read_divisor(Address address) {
 void Power::write_divisor(Address address, std::uint8_t value) {
   const Cycle now = core_.now();
   const bool unlocked = now <= state_.divisor_unlocked_until;
-  if (value == kClockChangeEnable && !unlocked) state_.divisor_unlocked_until = now + kDivisorWindow;
-  if (value & kClockChangeEnable || !unlocked) return;
+  if (value == kClkpce && !unlocked) state_.divisor_unlocked_until = now + kDivisorWindow;
+  if (value & kClkpce || !unlocked) return;
   state_.divisor_unlocked_until = 0;
   const auto divisor = static_cast<std::uint8_t>(value & kDivisorMask);
   if (divisor > kLargestDivisor) return;
@@ -81,7 +80,7 @@ void Power::divide_clock(int divisor, Cycle at) {
 
 // Clears each flag to which 0 is written (11.9.1).
 void Power::write_reset_flags(Address address, std::uint8_t value) {
-  core_.at(address) &= value & kResetFlags;
+  core_.at(address) &= value & (kWdrf | kBorf | kExtrf | kPorf);
 }
 
 void Power::update(Cycle at) {

@@ -64,8 +64,6 @@ class Timer final : public Peripheral {
   ReadForecast forecast_of_flags(Address address, std::uint8_t bits);
 
  private:
-  // Bits of TCCRnB in 16-bit timers, and bits of TIFRn and TIMSKn.
-  static constexpr std::uint8_t kCanceler = 0x80, kRisingEdge = 0x40;
   static constexpr std::uint8_t kConnections = 0xFC;  ///< COM of all channels in TCCRnA
   static constexpr std::uint8_t kCaptured = Counter::kTop;
   static constexpr std::uint8_t kCounted =

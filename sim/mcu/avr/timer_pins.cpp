@@ -7,8 +7,7 @@ namespace robosim::avr {
 namespace {
 
 constexpr std::int64_t kLowestTone_hz = 20;
-constexpr std::uint8_t kForceA = 0x80;  // FOCnA; the next lower bit is FOCnB
-constexpr std::uint8_t kClockSelect = 7, kRisingClock = 7;
+constexpr std::uint8_t kRisingClock = 7;
 
 }  // namespace
 
@@ -29,7 +28,7 @@ void Timer::match(std::size_t channel) {
 void Timer::force(std::uint8_t control) {
   if (state_.counter.how().kind == Counting::Kind::pwm) return;
   for (std::size_t channel = 0; channel < channels_; ++channel)
-    if (control & kForceA >> channel) match(channel);
+    if (control & kFoca >> channel) match(channel);
 }
 
 // Returns whether the level of a pin is reported at each match.
@@ -139,7 +138,7 @@ void Timer::want_captures() {
 }
 
 void Timer::pulsed(int, bool level, Cycle at) {
-  if (!state_.runs || level != ((control_b() & kClockSelect) == kRisingClock)) return;
+  if (!state_.runs || level != ((control_b() & kCs) == kRisingClock)) return;
   state_.pulses.add(std::max(at + kEdgeCycles, state_.at + 1));
   schedule();
 }
@@ -166,7 +165,7 @@ void Timer::captured(int, bool level, Cycle at) { capture_edge(level, at); }
 
 void Timer::capture_edge(bool level, Cycle at) {
   if (!state_.runs) return;
-  const bool rising = control_b() & kRisingEdge, cancels = control_b() & kCanceler;
+  const bool rising = control_b() & kIces, cancels = control_b() & kIcnc;
   if (cancels && state_.canceler.change(level, at) == NoiseCanceler::Verdict::takes_back) {
     if (level != rising && state_.captures.any()) state_.captures.take_last();
   } else if (level == rising) {

@@ -22,7 +22,6 @@ namespace {
 constexpr std::uint8_t kCtc = 0x80, kPwm = 0x40, kConnection = 0x30, kClock = 0x0F;
 constexpr std::uint8_t kForce1A = 0x04, kForce1B = 0x08;
 constexpr std::uint8_t kPllEnable = 0x02, kPllLocked = 0x01, kPllClock = 0x04;
-constexpr std::uint8_t kForceOfA = 0x80, kForceOfB = 0x40;
 constexpr std::int64_t kLockTime_ns = 100'000, kPll_hz = 64'000'000;
 
 }  // namespace
@@ -63,7 +62,7 @@ void Timer::write_pll_general(Address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs) return;
   take_pll_control();
-  force(static_cast<std::uint8_t>((value & kForce1A ? kForceOfA : 0) | (value & kForce1B ? kForceOfB : 0)));
+  force(static_cast<std::uint8_t>((value & kForce1A ? kFoca : 0) | (value & kForce1B ? kFocb : 0)));
   settle();
 }
 

@@ -5,8 +5,7 @@
 namespace robosim::avr {
 namespace {
 
-constexpr std::uint8_t kHold = 0x80;                        // TSM
-constexpr std::array<std::uint8_t, 2> kToZero{0x01, 0x02};  // PSRSYNC, PSRASY
+constexpr std::array<std::uint8_t, 2> kToZero{kPsrsync, kPsrasy};
 
 }  // namespace
 
@@ -31,7 +30,7 @@ void Prescalers::clock_runs(bool runs, Cycle at) {
 void Prescalers::write(Address address, std::uint8_t value) {
   const Cycle now = core_.now();
   for (Timer* const timer : timers_) timer->count_to(now);
-  const bool holds = value & kHold;
+  const bool holds = value & kTsm;
   for (std::size_t i = 0; i < kToZero.size(); ++i) {
     const bool to_zero = value & kToZero[i];
     if (to_zero || state_.held[i]) state_.began[i] = now;
@@ -39,7 +38,7 @@ void Prescalers::write(Address address, std::uint8_t value) {
   }
   const std::uint8_t kept = core_.chip.at.timers_kept;
   core_.at(address) =
-      static_cast<std::uint8_t>((holds ? value & (kHold | kToZero[0] | kToZero[1]) : 0) | (value & kept));
+      static_cast<std::uint8_t>((holds ? value & (kTsm | kToZero[0] | kToZero[1]) : 0) | (value & kept));
   for (Timer* const timer : timers_) timer->settle();
 }
 

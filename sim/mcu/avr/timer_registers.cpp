@@ -4,8 +4,6 @@
 namespace robosim::avr {
 namespace {
 
-constexpr std::uint8_t kForceBits = 0xC0;  // FOCnA, FOCnB
-
 constexpr Address high(std::uint16_t address) { return static_cast<Address>(address + 1); }
 
 }  // namespace
@@ -64,10 +62,11 @@ void Timer::write_control_b(Address address, std::uint8_t value) {
   count_to(core_.now());
   if (!state_.runs) return;
   const std::uint8_t before = core_.at(address);
-  core_.at(address) = state_.control_b = is_wide() ? value : static_cast<std::uint8_t>(value & ~kForceBits);
+  core_.at(address) = state_.control_b =
+      is_wide() ? value : static_cast<std::uint8_t>(value & ~(kFoca | kFocb));
   if (spec_.capture) {
-    if (value & ~before & kCanceler) state_.canceler.begin(capture_level());
-    if (value & (kCanceler | kRisingEdge)) want_captures();
+    if (value & ~before & kIcnc) state_.canceler.begin(capture_level());
+    if (value & (kIcnc | kIces)) want_captures();
   }
   set_mode();
   if (!is_wide()) force(value);

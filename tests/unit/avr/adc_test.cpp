@@ -10,7 +10,7 @@ namespace adc_test {
 using testing::ElementsAre;
 using testing::Pair;
 
-constexpr std::uint8_t kEnable = 0x80, kStart = 0x40, kAuto = 0x20, kFlag = 0x10, kBy128 = 7;
+constexpr std::uint8_t kBy128 = 7;
 constexpr std::uint8_t kSupply = 0x40;
 
 class AdcTest : public testing::Test, protected IdleChip {
@@ -23,13 +23,13 @@ class AdcTest : public testing::Test, protected IdleChip {
 
 TEST_F(AdcTest, TheFirstConversionSamplesAfter13AndAHalfClocks) {
   write(reg::kAdmux, kSupply | 3);
-  write(reg::kAdcsra, kEnable | kStart | kBy128);
+  write(reg::kAdcsra, kAden | kAdsc | kBy128);
   run(4000);
   EXPECT_THAT(bench.samples, ElementsAre(Pair(64 + 27 * 64, 3)));
 }
 
 TEST_F(AdcTest, FurtherConversionsSampleAfterOneAndAHalf) {
-  write(reg::kAdcsra, kEnable | kStart | kAuto | kBy128);
+  write(reg::kAdcsra, kAden | kAdsc | kAdate | kBy128);
   run(6000);
   constexpr int kEnd = 64 + 25 * 128;
   EXPECT_THAT(bench.samples,
@@ -39,13 +39,13 @@ TEST_F(AdcTest, FurtherConversionsSampleAfterOneAndAHalf) {
 TEST_F(AdcTest, AVoltageBecomesItsCode) {
   bench.voltages[5] = 1.25;
   write(reg::kAdmux, kSupply | 5);
-  write(reg::kAdcsra, kEnable | kStart | kBy128);
+  write(reg::kAdcsra, kAden | kAdsc | kBy128);
   run(4000);
   EXPECT_EQ(code(), 256);
 }
 
 TEST_F(AdcTest, AStoppedClockHoldsTheConversion) {
-  write(reg::kAdcsra, kEnable | kStart | kBy128);
+  write(reg::kAdcsra, kAden | kAdsc | kBy128);
   run(1000);
   const Cycle stopped = now();
   write(reg::kPrr, 1);
@@ -54,7 +54,7 @@ TEST_F(AdcTest, AStoppedClockHoldsTheConversion) {
   const Cycle stood = now() - stopped;
   run(4000);
   EXPECT_THAT(bench.samples, ElementsAre(Pair(64 + 27 * 64 + stood, 0)));
-  EXPECT_EQ(read(reg::kAdcsra), kEnable | kFlag | kBy128);
+  EXPECT_EQ(read(reg::kAdcsra), kAden | kAdif | kBy128);
 }
 
 TEST_F(AdcTest, AChosenTriggerThatIsSetAlreadyIsAnEdge) {
@@ -63,15 +63,15 @@ TEST_F(AdcTest, AChosenTriggerThatIsSetAlreadyIsAnEdge) {
   write(0x2B, 0x04);  // PORTD: INT0
   run(10);
   ASSERT_EQ(read(reg::kEifr), 1);
-  write(reg::kAdcsra, kEnable | kAuto);
+  write(reg::kAdcsra, kAden | kAdate);
   write(reg::kAdcsrb, 1);
-  EXPECT_EQ(read(reg::kAdcsra), kEnable | kAuto);
+  EXPECT_EQ(read(reg::kAdcsra), kAden | kAdate);
   write(reg::kAdcsrb, 2);
-  EXPECT_EQ(read(reg::kAdcsra), kEnable | kAuto | kStart);
+  EXPECT_EQ(read(reg::kAdcsra), kAden | kAdate | kAdsc);
 }
 
 TEST_F(AdcTest, NothingIsLeftOfAConversionBehindAReset) {
-  write(reg::kAdcsra, kEnable | kStart | kBy128);
+  write(reg::kAdcsra, kAden | kAdsc | kBy128);
   run(1000);
   bench.chip.reset(0x02);
   run(4000);

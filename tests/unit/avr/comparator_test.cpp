@@ -10,9 +10,7 @@ namespace robosim::avr {
 namespace comparator_test {
 
 constexpr Address kTifr1 = 0x36, kAcsr = 0x50, kTccr1b = 0x81, kIcr1l = 0x86, kIcr1h = 0x87;
-constexpr std::uint8_t kBandgap = 0x40, kOutput = 0x20, kFlag = 0x10, kInterrupts = 0x08, kCaptured = 0x04;
-constexpr std::uint8_t kMultiplexed = 0x40;
-constexpr std::uint8_t kCanceler = 0x80, kRising = 0x40, kByOne = 1, kIcf1 = 0x20;
+constexpr std::uint8_t kByOne = 1;
 constexpr int kVector = 23;
 
 class ComparatorTest : public testing::Test, protected IdleChip {
@@ -44,30 +42,30 @@ class ComparatorTest : public testing::Test, protected IdleChip {
 TEST_F(ComparatorTest, ComparesTheVoltagesOfItsPins) {
   EXPECT_EQ(read(kAcsr), 0);
   positive(2.1);
-  EXPECT_EQ(read(kAcsr), kOutput | kFlag);
+  EXPECT_EQ(read(kAcsr), kAco | kAci);
   negative(2.2);
-  EXPECT_EQ(read(kAcsr), kFlag);
+  EXPECT_EQ(read(kAcsr), kAci);
 }
 
 TEST_F(ComparatorTest, ComparesWithTheBandgapOf1100mV) {
-  write(kAcsr, kBandgap);
+  write(kAcsr, kAcbg);
   negative(1.05);
-  EXPECT_TRUE(read(kAcsr) & kOutput);
+  EXPECT_TRUE(read(kAcsr) & kAco);
   negative(1.15);
-  EXPECT_FALSE(read(kAcsr) & kOutput);
+  EXPECT_FALSE(read(kAcsr) & kAco);
 }
 
 TEST_F(ComparatorTest, ComparesWithAnAnalogInputWhileTheConverterIsOff) {
   bench.voltages[3] = 0.5;
-  write(reg::kAdcsrb, kMultiplexed);
+  write(reg::kAdcsrb, kAcme);
   write(reg::kAdmux, 0xC3);
-  EXPECT_TRUE(read(kAcsr) & kOutput);
+  EXPECT_TRUE(read(kAcsr) & kAco);
   write(reg::kAdcsra, 0x80);
-  EXPECT_FALSE(read(kAcsr) & kOutput) << "compares with AIN1 again";
+  EXPECT_FALSE(read(kAcsr) & kAco) << "compares with AIN1 again";
 }
 
 TEST_F(ComparatorTest, LooksByItselfWhileItMayInterrupt) {
-  write(kAcsr, kInterrupts);
+  write(kAcsr, kAcie);
   let_interrupts();
   run(100);
   EXPECT_EQ(vector(), 0);
@@ -81,42 +79,42 @@ TEST_F(ComparatorTest, SeesAPulseOfAPinThatNobodyAwaits) {
   write(kAcsr, 0);
   bench.set_level(pin('D', 6), true);
   bench.set_level(pin('D', 6), false);
-  EXPECT_EQ(read(kAcsr), kFlag);
+  EXPECT_EQ(read(kAcsr), kAci);
 }
 
 TEST_F(ComparatorTest, HearsNoPinWhileItIsOff) {
   write(kAcsr, 0);
   EXPECT_TRUE(bench.listens_to[pin('D', 6)]);
-  write(kAcsr, 0x80);
+  write(kAcsr, kAcd);
   EXPECT_FALSE(bench.listens_to[pin('D', 6)]);
   EXPECT_FALSE(bench.listens_to[pin('D', 7)]);
 }
 
 TEST_F(ComparatorTest, IsCapturedByTimer1) {
-  write(kTccr1b, kRising | kByOne);
-  write(kAcsr, kCaptured);
+  write(kTccr1b, kIces | kByOne);
+  write(kAcsr, kAcic);
   run(1000);
-  EXPECT_EQ(read(kTifr1) & kIcf1, 0);
+  EXPECT_EQ(read(kTifr1) & kIcf, 0);
   positive(3.0);
   const auto since = static_cast<int>(now());
   run(200);
-  EXPECT_EQ(read(kTifr1) & kIcf1, kIcf1);
+  EXPECT_EQ(read(kTifr1) & kIcf, kIcf);
   EXPECT_GT(captured(), since);
   EXPECT_LE(captured(), since + 64 + 3);
 }
 
 TEST_F(ComparatorTest, IsCapturedThroughTheNoiseCanceler) {
   take_levels();
-  write(kTccr1b, kCanceler | kRising | kByOne);
-  write(kAcsr, kCaptured);
+  write(kTccr1b, kIcnc | kIces | kByOne);
+  write(kAcsr, kAcic);
   run(100);
   bench.set_level(pin('D', 6), true);
   run(2);
   bench.set_level(pin('D', 6), false);
   run(100);
-  EXPECT_EQ(read(kTifr1) & kIcf1, 0) << "a pulse of less than 4 cycles";
+  EXPECT_EQ(read(kTifr1) & kIcf, 0) << "a pulse of less than 4 cycles";
   const int delayed = delay_of_rise();
-  write(kTccr1b, kRising | kByOne);
+  write(kTccr1b, kIces | kByOne);
   bench.set_level(pin('D', 6), false);
   run(100);
   EXPECT_EQ(delayed, delay_of_rise() + 4);
@@ -124,15 +122,15 @@ TEST_F(ComparatorTest, IsCapturedThroughTheNoiseCanceler) {
 
 TEST_F(ComparatorTest, AChangeOfWhatIsCapturedIsAnEdgeIfTheyDiffer) {
   bench.levels[pin('B', 0)] = false;
-  write(kTccr1b, kRising | kByOne);
+  write(kTccr1b, kIces | kByOne);
   positive(3.0);
-  write(kAcsr, kCaptured);
+  write(kAcsr, kAcic);
   run(10);
-  EXPECT_EQ(read(kTifr1) & kIcf1, kIcf1);
-  write(kTifr1, kIcf1);
+  EXPECT_EQ(read(kTifr1) & kIcf, kIcf);
+  write(kTifr1, kIcf);
   write(kAcsr, 0);
   run(10);
-  EXPECT_EQ(read(kTifr1) & kIcf1, 0) << "a falling edge";
+  EXPECT_EQ(read(kTifr1) & kIcf, 0) << "a falling edge";
 }
 
 /// A chip of another type. Its processor also waits in an endless loop.
@@ -140,7 +138,7 @@ class OtherChip {
  public:
   explicit OtherChip(const ChipSpec& spec) : bench(spec, kLoop) {}
   void write(Address address, std::uint8_t value) { bench.chip.cpu().store(address, value); }
-  bool output(Address acsr) { return bench.chip.cpu().load(acsr) & kOutput; }
+  bool output(Address acsr) { return bench.chip.cpu().load(acsr) & kAco; }
 
  private:
   static constexpr std::uint8_t kLoop[] = {0xFF, 0xCF};
@@ -154,9 +152,9 @@ TEST(ComparatorOfOthers, ComparesWith16InputsOfAnAtmega2560) {
   chip.bench.pin_voltages[chip.bench.chip.pins().named("PE2")] = 1.0;
   chip.bench.voltages[10] = 3.0;
   chip.write(reg::kAdmux, 2);
-  chip.write(reg::kAdcsrb, kMultiplexed);
+  chip.write(reg::kAdcsrb, kAcme);
   EXPECT_TRUE(chip.output(kAcsr));
-  chip.write(reg::kAdcsrb, kMultiplexed | 8);
+  chip.write(reg::kAdcsrb, kAcme | 8);
   EXPECT_FALSE(chip.output(kAcsr));
 }
 
@@ -173,7 +171,7 @@ TEST(ComparatorOfOthers, LooksAtTwoBitsOfAnAttiny85sMultiplexer) {
   OtherChip chip(kAttiny85);
   chip.bench.pin_voltages[chip.bench.chip.pins().named("PB0")] = 1.0;
   chip.bench.voltages[1] = 3.0;
-  chip.write(kAttiny85.at.adc_control_b, kMultiplexed);
+  chip.write(kAttiny85.at.adc_control_b, kAcme);
   chip.write(kAttiny85.at.adc_multiplexer, 0x0C);
   EXPECT_TRUE(chip.output(kAttiny85.comparator.address));
   chip.write(kAttiny85.at.adc_multiplexer, 0x0D);

@@ -7,7 +7,7 @@ namespace robosim::avr {
 namespace external_interrupts_test {
 
 constexpr std::uint8_t kLowLevel = 0, kFalling = 2, kRising = 3;
-constexpr std::uint8_t kSleepEnable = 1, kPowerDown = 4;
+constexpr std::uint8_t kPowerDown = 4;
 constexpr int kInt0Vector = 1, kPinChange2Vector = 5;
 constexpr Cycle kStartUp = 16384;
 
@@ -80,7 +80,7 @@ TEST_F(ExternalInterruptsTest, APinChangeWakesFromPowerDown) {
   write(reg::kPcicr, 0x04);
   let_interrupts();
   run(100);
-  write(reg::kSmcr, kSleepEnable | kPowerDown);
+  write(reg::kSmcr, kSe | kPowerDown);
   fall_asleep();
   run(1000);
   ASSERT_TRUE(bench.chip.is_asleep());
@@ -97,7 +97,7 @@ TEST_F(ExternalInterruptsTest, AnEdgeOfIntWakesFromPowerDownToo) {
   write(reg::kEimsk, 1);
   let_interrupts();
   run(100);
-  write(reg::kSmcr, kSleepEnable | kPowerDown);
+  write(reg::kSmcr, kSe | kPowerDown);
   fall_asleep();
   bench.set_level(int0, false);
   run(20000);
@@ -110,7 +110,7 @@ TEST_F(ExternalInterruptsTest, ALowLevelWakesFromPowerDown) {
   write(reg::kEimsk, 1);
   let_interrupts();
   run(100);
-  write(reg::kSmcr, kSleepEnable | kPowerDown);
+  write(reg::kSmcr, kSe | kPowerDown);
   fall_asleep();
   run(100);
   bench.set_level(int0, false);

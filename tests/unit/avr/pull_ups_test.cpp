@@ -7,7 +7,6 @@ namespace robosim::avr {
 namespace pull_ups_test {
 
 constexpr Address kDdrd = 0x2A, kPortd = 0x2B;
-constexpr std::uint8_t kPud = 0x10;
 
 TEST(PullUps, AreSwitchedOffAllAtOnce) {
   IdleChip chip;

@@ -32,7 +32,7 @@ class TimerTest : public testing::Test, protected IdleChip {
 TEST_F(TimerTest, TellsADutyThatChangesWithTheBufferedRegister) {
   write(kDdrd, kPd6);
   write(kTccr0b, 3);
-  write(kTccr0a, 0x83);
+  write(kTccr0a, kComa1 | kWgm1 | kWgm0);
   EXPECT_TRUE(drive('D', 6).pwm);
   EXPECT_EQ(drive('D', 6).duty, 1.0 / 256);
   run(64 * 100);
@@ -45,9 +45,9 @@ TEST_F(TimerTest, TellsADutyThatChangesWithTheBufferedRegister) {
 TEST_F(TimerTest, GivesThePinBackToThePort) {
   write(kDdrd, kPd6);
   write(kTccr0b, 3);
-  write(kTccr0a, 0x83);
+  write(kTccr0a, kComa1 | kWgm1 | kWgm0);
   write(kPortd, kPd6);
-  write(kTccr0a, 0x03);
+  write(kTccr0a, kWgm1 | kWgm0);
   EXPECT_FALSE(drive('D', 6).pwm);
   EXPECT_TRUE(drive('D', 6).level);
   EXPECT_EQ(drive('D', 6).duty, 1.0);
@@ -56,7 +56,7 @@ TEST_F(TimerTest, GivesThePinBackToThePort) {
 TEST_F(TimerTest, HoldsThePinsLevelWhenItsClockStops) {
   write(kDdrd, kPd6);
   write(kOcr0a, 100);
-  write(kTccr0a, 0x83);
+  write(kTccr0a, kComa1 | kWgm1 | kWgm0);
   for (const int count : {50, 150}) {
     write(kTccr0b, 1);
     write(kTcnt0, static_cast<std::uint8_t>(count));
@@ -69,7 +69,7 @@ TEST_F(TimerTest, HoldsThePinsLevelWhenItsClockStops) {
 TEST_F(TimerTest, TellsATogglingPinAsATone) {
   write(kDdrb, kPb3);
   write(kOcr2a, 141);
-  write(kTccr2a, 0x42);
+  write(kTccr2a, kComa0 | kWgm1);
   write(kTccr2b, 4);
   EXPECT_EQ(drive('B', 3).tone_hz, 16'000'000u / (2 * 64 * 142));
   EXPECT_EQ(drive('B', 3).duty, 0.5);
@@ -82,8 +82,8 @@ TEST_F(TimerTest, TellsTheLevelsOfAPinThatIsToggledTooSlowlyForATone) {
   write(kDdrb, 0x02);  // PB1, OC1A
   write(0x89, 15624 >> 8);
   write(0x88, 15624 & 0xFF);
-  write(kTccr1a, 0x40);
-  write(kTccr1b, 0x0D);  // clear on match each second, prescaler 1024
+  write(kTccr1a, kComa0);
+  write(kTccr1b, kWgm2 | kCs2 | kCs0);  // clear on match each second, prescaler 1024
   run(100);
   for (const bool level : {false, true, false, true}) {
     EXPECT_FALSE(drive('B', 1).pwm);
@@ -102,8 +102,8 @@ TEST_F(TimerTest, TogglesAboveTop) {
   write(kIcr1l, 100);
   write(kTcnt1l + 1, 500 >> 8);
   write(kTcnt1l, 500 & 0xFF);
-  write(kTccr1a, 0x40);
-  write(kTccr1b, 0x19);
+  write(kTccr1a, kComa0);
+  write(kTccr1b, kWgm3 | kWgm2 | kCs0);
   run(490);
   EXPECT_FALSE(drive('B', 1).level);
   run(20);
@@ -163,10 +163,10 @@ TEST_F(TimerTest, WantsEdgesOfItsPinsOnlyWhileItCountsOrCapturesThem) {
   EXPECT_FALSE(bench.listens_to[capture]);
   write(kTccr1b, 7);
   EXPECT_TRUE(bench.listens_to[clock]);
-  write(kTccr1b, 0x41);
+  write(kTccr1b, kIces | kCs0);
   EXPECT_FALSE(bench.listens_to[clock]);
   EXPECT_TRUE(bench.listens_to[capture]);
-  write(kTccr1b, 0x59);
+  write(kTccr1b, kIces | kWgm3 | kWgm2 | kCs0);
   EXPECT_FALSE(bench.listens_to[capture]) << "ICR1 holds TOP, so it captures nothing";
 }
 
@@ -174,8 +174,8 @@ TEST_F(TimerTest, CountsAndCapturesEdgesFromOutside) {
   bench.set_level(pin('D', 5), false);
   bench.set_level(pin('B', 0), false);
   run(10);
-  write(kTccr1b, 0x47);
-  write(kTimsk1, 0x20);
+  write(kTccr1b, kIces | kCs);
+  write(kTimsk1, kIcf);
   for (int i = 0; i < 5; ++i) {
     bench.set_level(pin('D', 5), true);
     run(10);
