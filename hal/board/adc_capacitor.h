@@ -10,6 +10,8 @@
 // resistance is not stated counts as 0 Ohm.
 #pragma once
 
+#include "hal/board/board.h"
+
 namespace robosim {
 
 constexpr double kAdcFarads = 14e-12, kAdcOhms = 10e3;
@@ -24,11 +26,31 @@ constexpr double adc_decay(double x) {
   return adc_square(adc_square(adc_square(adc_square(adc_decay_16(x / 16.0)))));
 }
 
-/// Returns the capacitor's voltage after a source of `volts` has charged the capacitor for `seconds`,
-/// starting at the voltage `before`.
-constexpr double adc_charged(double before, double volts, double source_ohms, double seconds) {
-  return volts + (before - volts) *
-                     adc_decay((seconds > 0.0 ? seconds : 0.0) / (kAdcFarads * (kAdcOhms + source_ohms)));
-}
+/// The capacitor at the last sample of a pin.
+struct AdcCapacitor {
+  double volts = 0.0;
+  double error = 0.0;  ///< `volts` minus the source's voltage
+  bool slow = false;   ///< the source had a resistance
+
+  /// Lets `source` charge the capacitor for `seconds()`, which is called only if it matters.
+  template <typename Seconds>
+  void charge(Source source, Seconds seconds) {
+    slow = source.ohms > 0.0;
+    if (__builtin_expect(slow, 0)) {
+      charge_slowly(source, seconds());
+    } else {
+      volts = source.volts;
+      error = 0.0;
+    }
+  }
+
+ private:
+  // Not inlined, because few robots have slow sources.
+  __attribute__((noinline, cold)) void charge_slowly(Source source, double seconds) {
+    error = (volts - source.volts) *
+            adc_decay((seconds > 0.0 ? seconds : 0.0) / (kAdcFarads * (kAdcOhms + source.ohms)));
+    volts = source.volts + error;
+  }
+};
 
 }  // namespace robosim

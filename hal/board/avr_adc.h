@@ -1,5 +1,5 @@
 // Decodes the registers of an AVR's analog-to-digital converter (ATmega328P, data sheet DS40002061B, chapter
-// 24), for the target host and for the emulated chip. avr_adc_sample.h samples a board's pins.
+// 24), for the target host and for the emulated chip.
 //
 // A conversion takes 13 ADC clocks, and samples its input after 1.5 clocks. The first conversion after the
 // ADC is enabled takes 25 clocks, and samples after 13.5 clocks (table 24-1). A reference is either the
@@ -9,6 +9,7 @@
 
 #include <stdint.h>
 
+#include "hal/board/adc_capacitor.h"
 #include "hal/board/chip_spec.h"
 
 namespace robosim {
@@ -61,26 +62,23 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
   return multiplexer & 0x20 ? static_cast<uint16_t>(code << 6) : code;
 }
 
-/// Returns the conversion result for the input that ADMUX and ADCSRB select. `pin_volts(channel)` returns the
-/// voltage of an analog input, scaled as if the supply were nominal. With the supply as reference, a drop of
-/// the supply therefore cancels. With a constant reference, the voltage is multiplied by `supply_share()`,
-/// the supply's share of its nominal value. `held` receives the voltage on the converter's capacitor, scaled
-/// like the result of `pin_volts`.
-template <typename SupplyShare, typename PinVolts>
-uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer, uint8_t control_b, double supply_volts,
-                    SupplyShare supply_share, PinVolts pin_volts, double& held) {
-  const bool by_supply = adc.references[adc_reference(adc, multiplexer)] == 0.0;
+/// Samples the input that ADMUX and ADCSRB select, and returns the conversion result. `source(channel)`
+/// returns the source at an analog input, which has charged `capacitor` for `seconds()`. Calls
+/// `report(channel)` if this source or the previous one is slow.
+template <typename Seconds, typename SourceAt, typename Report>
+__attribute__((always_inline)) inline uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer,
+                                                          uint8_t control_b, double supply_volts,
+                                                          Seconds seconds, AdcCapacitor& capacitor,
+                                                          SourceAt source, Report report) {
   const int selection = adc_selection(adc, multiplexer, control_b), channel = adc_channel(adc, selection);
-  double volts = 0.0;
-  held = channel >= 0                       ? pin_volts(channel)
-         : selection == adc.bandgap_channel ? adc.bandgap_volts / supply_share()
-                                            : 0.0;
   if (channel >= 0) {
-    volts = by_supply ? held : held * supply_share();
-  } else if (selection == adc.bandgap_channel) {
-    volts = by_supply ? held : adc.bandgap_volts;
+    const bool was_slow = capacitor.slow;
+    capacitor.charge(source(channel), seconds);
+    if (__builtin_expect(was_slow || capacitor.slow, 0)) report(channel);
+  } else {
+    capacitor.volts = selection == adc.bandgap_channel ? adc.bandgap_volts : 0.0;
   }
-  return adc_code(volts, adc_reference_volts(adc, multiplexer, supply_volts));
+  return adc_code(capacitor.volts, adc_reference_volts(adc, multiplexer, supply_volts));
 }
 
 }  // namespace avr

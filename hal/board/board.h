@@ -50,6 +50,15 @@ inline bool operator!=(const PinDrive& a, const PinDrive& b) { return !(a == b);
 /// The time to erase and write a byte of EEPROM (datasheet, table 8-1).
 constexpr SimTime kEepromWriteTime = 3400 * kMicrosecond;
 
+/// Describes what is connected to an analog input: a voltage, and the resistance in series with it
+/// (Thévenin's equivalent). With 0 Ohm, the source charges the capacitor of an ADC at once.
+struct Source {
+  constexpr Source(double v = 0.0, double r = 0.0) : volts(v), ohms(r) {}
+
+  double volts;  ///< against ground
+  double ohms;
+};
+
 struct BoardSpec;
 
 }  // namespace robosim

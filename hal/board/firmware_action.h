@@ -17,7 +17,10 @@ struct FirmwareAction {
     timer_mode,
     /// A duty cycle was written while the timer was not in a PWM mode. Arguments: TimerSpec::number, the
     /// output.
-    compare_write
+    compare_write,
+    /// An AVR's ADC has sampled a pin whose source has a resistance, or the next pin after such a pin.
+    /// Arguments: the pin; the capacitor's voltage minus the source's voltage, in nV.
+    conversion
   };
   Kind kind;
   int64_t argument[3];

@@ -17,17 +17,13 @@ class FirmwarePort {
   /// Returns the level of `pin`, for a read of the complete port. The firmware may or may not use this pin's
   /// level.
   virtual bool read_along(Pin pin, SimTime t) = 0;
-  /// Returns the voltage on `pin` at the moment when the ADC samples the pin. A pin without a source is at
-  /// the supply voltage if read_level() returns true, else at 0 V.
-  virtual double read_volts(Pin pin, SimTime t) = 0;
-  /// Returns the voltage on the capacitor of an AVR's ADC (adc_capacitor.h). The capacitor had `before` volts
-  /// at the time `from`; the pin has charged it since then.
-  virtual double convert(Pin pin, double /*before*/, SimTime /*from*/, SimTime t) {
-    return read_volts(pin, t);
-  }
-  /// Returns the board's supply voltage as a share of spec().supply_volts. read_volts() and convert() return
-  /// voltages divided by this share. Callers can therefore use the nominal supply voltage as reference.
-  virtual double supply_share() { return 1.0; }
+  /// Returns the source on `pin` at the moment when the ADC or the comparator samples the pin. A pin without
+  /// a source is at the supply voltage if read_level() returns true, else at 0 V.
+  virtual Source read_source(Pin pin, SimTime t) = 0;
+  double read_volts(Pin pin, SimTime t) { return read_source(pin, t).volts; }
+  /// Returns the present supply voltage, which drops with a weak battery. The reference is valid as long as
+  /// the board, and follows all changes.
+  virtual const double& supply_volts() const = 0;
   virtual void send_byte(uint8_t byte, SimTime t) = 0;
   /// Sends a START and an address byte on the two-wire bus (I2C). The byte ends at `t`. Its upper seven bits
   /// are the address. Its lowest bit is 1 if the device shall send. Returns whether a device answers.

@@ -9,15 +9,14 @@ namespace robosim {
 /// current tick. The source extrapolates from the world's state at the tick's start.
 class PinSource {
  public:
-  /// Returns the voltage against ground, in volts. The call may consume a sample of noise.
-  virtual double volts(SimTime t) = 0;
   /// Returns the logic level. The call may consume a sample of noise.
   virtual bool level(SimTime t) = 0;
+  /// Returns the signal as an ADC samples it, while the board's supply is at `supply` volts. The call may
+  /// consume a sample of noise. The default is for sources with two levels.
+  virtual Source output(SimTime t, double supply) { return level(t) ? supply : 0.0; }
   /// Returns the time before which level() returns the same value as at `t`, for any number of reads. The
   /// guarantee holds while the pin's drive and the world do not change. `t` = no guarantee.
   virtual SimTime same_until(SimTime t) { return t; }
-  /// Returns the constant resistance through which the source charges an ADC's capacitor; 0 = negligible.
-  virtual double source_ohms() const { return 0.0; }
 
  protected:
   ~PinSource() = default;
@@ -49,17 +48,6 @@ class EepromWatcher {
 
  protected:
   ~EepromWatcher() = default;
-};
-
-/// Receives every conversion of a pin by an AVR's ADC.
-class AdcWatcher {
- public:
-  /// Receives a conversion. `volts` is the voltage of the capacitor minus the voltage of the pin. It is 0 if
-  /// the capacitor was charged completely.
-  virtual void converted(Pin pin, double volts, SimTime t) = 0;
-
- protected:
-  ~AdcWatcher() = default;
 };
 
 /// Receives every input of the microcontroller: values that firmware reads from a pin, edges that reach an
@@ -99,18 +87,16 @@ class RobotPort {
   virtual void connect(Pin pin, PinSource& source) = 0;
   /// Connects a device to the two-wire bus. If several devices have the same address, the first one answers.
   virtual void connect(TwoWireDevice& device) = 0;
-  /// Connects the board's supply: `share` is always the present share of the nominal supply voltage. The
-  /// variable must exist as long as the board.
-  virtual void feed(const double& /*share*/) {}
+  /// Connects the board's supply: `volts` is always the present supply voltage. Without a call, the supply is
+  /// spec().supply_volts. Must be called before the firmware starts. The variable must exist as long as the
+  /// board.
+  virtual void feed(const double& volts) = 0;
   /// Adds a watcher of a pin's drive. Several watchers of a pin are called in the order in which they were
   /// added.
   virtual void watch(Pin pin, PinWatcher& watcher) = 0;
   virtual void watch_serial(SerialWatcher& watcher) = 0;
   /// Adds a watcher of the EEPROM. Several watchers are called in the order in which they were added.
   virtual void watch_eeprom(EepromWatcher& watcher) = 0;
-  /// Sets the only watcher of the ADC. Boards whose ADC is modelled without a capacitor never call the
-  /// watcher.
-  virtual void watch_adc(AdcWatcher& /*watcher*/) {}
   /// Sets the only watcher of inputs. The watcher must not influence the run.
   virtual void watch_inputs(InputWatcher& watcher) = 0;
   /// Schedules an edge within the next tick: `pin` has `level` from the time `at` on. The executor receives

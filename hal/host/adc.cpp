@@ -1,6 +1,6 @@
 #include "hal/host/adc.h"
 
-#include "hal/board/avr_adc_sample.h"
+#include "hal/board/board_spec.h"
 #include "hal/host/other_registers.h"
 #include "hal/host/ports.h"
 
@@ -18,14 +18,22 @@ void Adc::set_multiplexer(uint8_t value) {
 }
 
 uint16_t Adc::sample(SimTime late) {
-  return avr::adc_sample(*board, *board_spec, kChip.adc, multiplexer_, held_, charges_since_, state.now, late,
-                         [](Pin pin) { return places[pin].wired; });
+  const auto wired = [](int channel) { return places[board_spec->analog_pin_0 + channel].wired; };
+  const auto source = [&](int channel) {
+    return channel < board_spec->pin_count - board_spec->analog_pin_0
+               ? board->read_source(wired(channel), state.now)
+               : Source();
+  };
+  const auto report = [&](int channel) {
+    executor->acted({FirmwareAction::Kind::conversion,
+                     {wired(channel), static_cast<int64_t>(1e9 * capacitor_.error), 0}});
+  };
+  const auto seconds = [&] { return 1e-9 * static_cast<double>(state.now + late - charges_since_); };
+  return avr::adc_sample(kChip.adc, multiplexer_, 0, *supply_volts, seconds, capacitor_, source, report);
 }
 
 uint16_t Adc::code_of(double volts) const {
-  const double reference = avr::adc_reference_volts(kChip.adc, multiplexer_, board_spec->supply_volts);
-  const bool by_supply = kChip.adc.references[avr::adc_reference(kChip.adc, multiplexer_)] == 0.0;
-  return avr::adc_code(by_supply ? volts : volts * board->supply_share(), reference);
+  return avr::adc_code(volts, avr::adc_reference_volts(kChip.adc, multiplexer_, *supply_volts));
 }
 
 uint8_t Adc::control() const { return static_cast<uint8_t>((control_ & ~kAdsc) | (converting_ ? kAdsc : 0)); }

@@ -79,7 +79,7 @@ class Adc {
   enum class First : uint8_t { over, by_init, by_sketch } first_ = First::over;  ///< over, or what set ADEN
   uint16_t code_ = 0, result_ = 0;
   SimTime ready_ = 0;
-  double held_ = 0.0;          ///< voltage of the converter's capacitor, V
+  AdcCapacitor capacitor_;
   SimTime charges_since_ = 0;  ///< when the capacitor was connected to the selected source
   SimTime clock_began_ = 0;    ///< when the ADC, and with it the ADC clock, was enabled
 };

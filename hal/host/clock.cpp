@@ -15,6 +15,7 @@ namespace host {
 ROBOSIM_CLOCKWORK FirmwareState state;
 FirmwarePort* board;
 const BoardSpec* board_spec;
+const double* supply_volts;
 Host* executor;
 ROBOSIM_CLOCKWORK SimTime deadline, watched_deadline;
 SimTime sooner;

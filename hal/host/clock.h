@@ -22,6 +22,8 @@ extern FirmwareState state;
 extern FirmwarePort* board;
 /// The board's specification.
 extern const BoardSpec* board_spec;
+/// The board's present supply voltage.
+extern const double* supply_volts;
 extern Host* executor;
 /// The time at which the firmware must stop to serve an interrupt or another event. At most state.limit.
 extern SimTime deadline;

@@ -16,9 +16,6 @@ namespace {
 constexpr uint8_t kAnyEdge = 0, kFallingEdge = 2, kRisingEdge = 3;
 constexpr int kLookEvery_cycles = 64;
 
-/// Returns the bandgap voltage, divided by the supply's share like the voltages of pins (FirmwarePort).
-double bandgap() { return kChip.adc.bandgap_volts / board->supply_share(); }
-
 }  // namespace
 
 double Comparator::negative_volts() const {
@@ -30,7 +27,8 @@ double Comparator::negative_volts() const {
 
 void Comparator::look() {
   if (control_ & kAcd) return;
-  const double positive = control_ & kAcbg ? bandgap() : board->read_volts(pin_of_comparator(0), state.now);
+  const double positive =
+      control_ & kAcbg ? kChip.adc.bandgap_volts : board->read_volts(pin_of_comparator(0), state.now);
   const bool output = positive > negative_volts();
   if (output == output_) return;
   output_ = output;

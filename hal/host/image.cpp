@@ -46,6 +46,7 @@ constexpr int adc_prescaler() {
 void run(FirmwarePort& its_board, Host& its_executor, SimTime now) {
   board = &its_board;
   board_spec = &its_board.spec();
+  supply_volts = &its_board.supply_volts();
   executor = &its_executor;
   state.now = now;
   place_pins();

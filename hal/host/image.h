@@ -23,7 +23,7 @@ namespace host {
 
 /// The version of these declarations. Increment the version with every change. An image of another version is
 /// rejected.
-constexpr uint32_t kImageVersion = 18;
+constexpr uint32_t kImageVersion = 19;
 
 /// An input that reaches the chip from outside without a read by firmware.
 struct Input {

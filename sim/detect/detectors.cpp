@@ -9,7 +9,6 @@
 #include "sim/detect/overwritten_record.h"
 #include "sim/detect/slow_control.h"
 #include "sim/detect/slow_serial.h"
-#include "sim/detect/slow_source.h"
 #include "sim/detect/torn_record.h"
 
 namespace robosim::detect {
@@ -35,7 +34,6 @@ Detectors::Detectors(const robot::Robot& robot, exec::Executor& executor, double
   add<ForgottenOutput>(robot.wiring());
   add<DrivenInput>(robot.wiring());
   add<DoubtfulActionsOnHost>();
-  add<SlowSource>();
   add<EepromWear>();
   add<TornRecord>();
   add<OverwrittenRecord>();

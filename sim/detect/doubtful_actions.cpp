@@ -79,6 +79,8 @@ void DoubtfulActions::acted(const FirmwareAction& action, SimTime t, const Where
       for (TakenTimer& taken : timers_)
         if (taken.timer == first && !taken.wrote) taken.wrote = {t, where()};
       return;
+    case FirmwareAction::Kind::conversion:
+      return slow_source_.converted(static_cast<Pin>(first), 1e-9 * static_cast<double>(second), t, where);
   }
 }
 
@@ -185,6 +187,7 @@ std::vector<exec::Detected> DoubtfulActions::found(SimTime now) const {
                                     [&](const Key& key) { return key.argument == key_of(taken.timer); });
     if (const auto seen = told(taken, now); seen && !is_old) all.push_back(*seen);
   }
+  for (exec::Detected& one : slow_source_.found()) all.push_back(std::move(one));
   return all;
 }
 

@@ -25,6 +25,8 @@
 // modes for at least 10 ms. Shorter times occur while a sketch sets up a timer. Duty cycles that are written
 // while the timer is stopped are not reported.
 //
+// slow_source: see slow_source.h.
+//
 // On the host, the firmware itself reports these actions. On an AVR, FirmwareActions finds them
 // (avr/firmware_actions.h).
 #pragma once
@@ -36,13 +38,14 @@
 #include "hal/board/board_spec.h"
 #include "hal/board/firmware_action.h"
 #include "sim/detect/firmware_detector.h"
+#include "sim/detect/slow_source.h"
 
 namespace robosim::detect {
 
 /// Collects the findings, one for each action and pin.
 class DoubtfulActions {
  public:
-  explicit DoubtfulActions(const BoardSpec& board) : board_(&board) {}
+  explicit DoubtfulActions(const BoardSpec& board) : board_(&board), slow_source_(board) {}
 
   using Where = std::function<exec::SourceLine()>;
 
@@ -85,6 +88,7 @@ class DoubtfulActions {
   std::vector<Key> keys_;              ///< keys of found_
   std::vector<exec::Detected> found_;  ///< sorted by time
   std::vector<TakenTimer> timers_;
+  SlowSource slow_source_;
 };
 
 class DoubtfulActionsOnHost final : public FirmwareDetector, public exec::ActionWatcher {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/board/board_spec.h"
+#include "sim/result/detector_names.h"
 
 namespace robosim::detect {
 namespace {
@@ -15,36 +15,30 @@ constexpr std::int64_t kManyTimes = 3;
 
 }  // namespace
 
-SlowSource::SlowSource(exec::Executor& executor, SnapshotRegistry& snapshots) : executor_(executor) {
-  executor.board().watch_adc(*this);
-  snapshots.add(state_);
-}
-
-SlowSource::Found& SlowSource::of(const Reading& reading) {
-  const auto known = std::find_if(state_.found.begin(), state_.found.end(),
+SlowSource::Found& SlowSource::of(const Reading& reading, const Where& where) {
+  const auto known = std::find_if(found_.begin(), found_.end(),
                                   [&](const Found& other) { return other.worst.pin == reading.pin; });
-  if (known != state_.found.end()) return *known;
-  return state_.found.emplace_back(Found{reading, reading.at, 0, executor_.sketch_source()});
+  if (known != found_.end()) return *known;
+  return found_.emplace_back(Found{reading, reading.at, 0, where()});
 }
 
-void SlowSource::converted(Pin pin, double volts, SimTime t) {
-  Reading& last = state_.last;
-  if (last.pin != kNoPin && last.pin != pin) {
-    Found& here = of(last);
-    if (here.times++ == 0) here.first = last.at;
-    if (std::abs(last.volts) > std::abs(here.worst.volts)) here.worst = last;
+void SlowSource::converted(Pin pin, double volts, SimTime t, const Where& where) {
+  if (last_.pin != kNoPin && last_.pin != pin) {
+    Found& here = of(last_, where);
+    if (here.times++ == 0) here.first = last_.at;
+    if (std::abs(last_.volts) > std::abs(here.worst.volts)) here.worst = last_;
   }
-  last = {std::abs(volts) >= kNoticed * executor_.board().spec().supply_volts ? pin : kNoPin, volts, t};
-  if (last.pin != kNoPin) of(last);  // stores the source line of the reading
+  last_ = {std::abs(volts) >= kNoticed * board_->supply_volts ? pin : kNoPin, volts, t};
+  if (last_.pin != kNoPin) of(last_, where);  // stores the source line of the reading
 }
 
-std::vector<exec::Detected> SlowSource::found(SimTime) const {
-  std::vector<exec::Detected> all;
-  for (const Found& here : state_.found) {
+std::vector<result::Detected> SlowSource::found() const {
+  std::vector<result::Detected> all;
+  for (const Found& here : found_) {
     if (here.times < kManyTimes) continue;
-    exec::Detected told;
+    result::Detected told;
     told.detector = result::detector("slow_source");
-    const int number = here.worst.pin - executor_.board().spec().analog_pin_0;
+    const int number = here.worst.pin - board_->analog_pin_0;
     told.what = fmt::format(
         "A{} was read up to {:.2f} V too {}: the source wired to it does not charge the converter's "
         "capacitor in time; the capacitor still has the voltage of the previously read pin",

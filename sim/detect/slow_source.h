@@ -11,22 +11,28 @@
 //   - are each followed by a reading of another pin. Therefore sketches that average readings, or that read
 //     twice and drop the first reading, are not reported.
 //
-// Only sources with `source_ohms` in the robot file are examined. To fix a finding, read the pin twice, add
-// 100 nF to ground, or use a source of lower resistance.
+// Only sources with `source_ohms` in the robot file are examined. The ADC reports its readings
+// (FirmwareAction::Kind::conversion). To fix a finding, read the pin twice, add 100 nF to ground, or use a
+// source of lower resistance.
 #pragma once
 
+#include <functional>
 #include <vector>
 
-#include "sim/detect/firmware_detector.h"
+#include "hal/board/board_spec.h"
+#include "sim/result/run_result.h"
 
 namespace robosim::detect {
 
-class SlowSource final : public FirmwareDetector, public AdcWatcher {
+class SlowSource {
  public:
-  SlowSource(exec::Executor& executor, SnapshotRegistry& snapshots);
+  explicit SlowSource(const BoardSpec& board) : board_(&board) {}
 
-  void converted(Pin pin, double volts, SimTime t) override;
-  std::vector<exec::Detected> found(SimTime) const override;
+  using Where = std::function<result::SourceLine()>;
+
+  /// Examines a reading of `pin` at `t`, which was wrong by `volts`.
+  void converted(Pin pin, double volts, SimTime t, const Where& where);
+  std::vector<result::Detected> found() const;
 
  private:
   struct Reading {
@@ -38,16 +44,13 @@ class SlowSource final : public FirmwareDetector, public AdcWatcher {
     Reading worst;
     SimTime first = 0;
     std::int64_t times = 0;
-    exec::SourceLine where;
+    result::SourceLine where;
   };
-  struct State {
-    Reading last;              ///< the last reading; `last.pin` is kNoPin if the reading was correct
-    std::vector<Found> found;  ///< one element for each pin with a wrong reading
-  };
-  Found& of(const Reading& reading);
+  Found& of(const Reading& reading, const Where& where);
 
-  exec::Executor& executor_;
-  State state_;
+  const BoardSpec* board_;
+  Reading last_;              ///< the last reading; `last_.pin` is kNoPin if the reading was correct
+  std::vector<Found> found_;  ///< one element for each pin with a wrong reading
 };
 
 }  // namespace robosim::detect

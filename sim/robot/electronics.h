@@ -12,9 +12,8 @@
 // The brightness of emitters drops with the current through their resistor:
 //   (supply - 1.2 V) / (nominal - 1.2 V)    1.2 V: forward voltage of infra-red LEDs, by their data sheets
 //
-// Other references of the ADC (INTERNAL) and the bandgap do not drop. The emulated AVR applies these
-// references itself. For this purpose, the AVR receives the ratio of supply to nominal voltage
-// (RobotPort::feed). Not modelled: a reset of the chip by low supply; an STM32's VREFINT.
+// Other references of the ADC (INTERNAL), the bandgap and an STM32's VREFINT do not drop. Not modelled: a
+// reset of the chip by low supply.
 #pragma once
 
 #include <memory>
@@ -38,34 +37,26 @@ Electronics read_electronics(const ConfigValue& table);
 
 /// The current state of a board's supply.
 struct Supply {
-  double share = 1.0;  ///< supply voltage, relative to the nominal voltage
-  double led = 1.0;    ///< brightness of an infra-red LED with a resistor; 1 at nominal voltage
+  double volts = 0.0;
+  double led = 1.0;  ///< brightness of an infra-red LED with a resistor; 1 at nominal voltage
 };
 Supply supply_at(double battery_volts, const BoardSpec& board);
 
-/// The quantity to which a sensor's output voltage is proportional.
-enum class Scale {
-  volts,            ///< none: the voltage does not depend on the supply
-  share_of_supply,  ///< the board's supply
-};
-
-/// The ADC's inputs of a robot with [electronics].
+/// The ADC's inputs of a robot whose ADC is noisy.
 class AnalogInputs {
  public:
-  /// `noise_volts` is the standard deviation of a conversion. `supply` and `snapshots` must outlive this
+  /// `noise_volts` is the standard deviation of a conversion at nominal supply. `snapshots` must outlive this
   /// object.
-  AnalogInputs(RobotPort& board, const Supply& supply, double noise_volts, const NoiseStream& noise,
-               SnapshotRegistry& snapshots);
+  AnalogInputs(RobotPort& board, double noise_volts, const NoiseStream& noise, SnapshotRegistry& snapshots);
   ~AnalogInputs();
 
   /// Connects a source to a pin, like RobotPort::connect().
-  void connect(Pin pin, PinSource& source, Scale scale);
+  void connect(Pin pin, PinSource& source);
 
  private:
   class Input;
 
   RobotPort& board_;
-  const Supply& supply_;
   const double noise_volts_;
   const NoiseStream noise_;
   SnapshotRegistry& snapshots_;

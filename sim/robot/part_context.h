@@ -73,9 +73,9 @@ class PartContext {
         analog_(analog) {}
 
   /// Connects a source that an ADC converts, like RobotPort::connect().
-  void connect_analog(Pin pin, PinSource& source, Scale scale) {
+  void connect_analog(Pin pin, PinSource& source) {
     if (analog_)
-      analog_->connect(pin, source, scale);
+      analog_->connect(pin, source);
     else
       board.connect(pin, source);
   }

@@ -44,12 +44,13 @@ struct Robot::Impl {
       : description(d),
         body(world.body(body_number)),
         sampler(seed, profile, number),
-        view{&world.floor(), &body, 0, 1.0, {}, &world, body_number, &world.radio()},
+        view{&world.floor(), &body, 0, 1.0, {d.board->supply_volts}, &world, body_number, &world.radio()},
         netlist(board, d.registers.size(), snapshots),
         analog(analog_inputs(board)),
         context(d, board, netlist, view, sampler, snapshots, analog.get()) {
     begin_battery();
     find_supply();
+    if (d.electronics.fed_by_battery) board.feed(view.supply.volts);
     snapshots.add(view);
     snapshots.add(state);
   }
@@ -58,10 +59,8 @@ struct Robot::Impl {
   std::unique_ptr<AnalogInputs> analog_inputs(RobotPort& board) {
     const double steps =
         sampler.ideal() ? 0.0 : sampler.draw(description.electronics.adc_noise, "electronics", "adc_noise");
-    if (steps == 0.0 && !description.electronics.fed_by_battery) return nullptr;
-    board.feed(view.supply.share);
-    return std::make_unique<AnalogInputs>(board, view.supply,
-                                          steps * board.spec().supply_volts / board.spec().adc_steps,
+    if (steps <= 0.0) return nullptr;
+    return std::make_unique<AnalogInputs>(board, steps * board.spec().supply_volts / board.spec().adc_steps,
                                           sampler.noise("electronics", "adc"), snapshots);
   }
   void begin_battery() {

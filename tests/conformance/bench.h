@@ -62,11 +62,11 @@ class Bench final : public avr::ChipEnvironment {
   }
   bool level_along(int pin, bool pull_up, avr::Cycle at) override { return level(pin, pull_up, at); }
   avr::Cycle level_until(int, avr::Cycle) override { return avr::kNoCycle; }
-  double volts(int pin, bool high, avr::Cycle at) override {
+  Source source(int pin, bool high, avr::Cycle at) override {
     const int channel = chip.core().chip.pins[pin].analog_channel;
     if (channel < 0) {
       const auto found = pin_voltages.find(pin);
-      return found == pin_voltages.end() ? chip.core().supply_volts * level(pin, high, at) : found->second;
+      return found == pin_voltages.end() ? supply_volts() * level(pin, high, at) : found->second;
     }
     samples.emplace_back(at, channel);
     const auto found = voltages.find(channel);

@@ -22,6 +22,18 @@ FirmwareActions::FirmwareActions(const RunningProgram& program)
     : program_(program), cpu_(program.machine.chip().chip().cpu()), actions_(program.board) {
   find_functions();
   find_stores();
+  robosim::avr::Core& core = program.machine.chip().chip().core();
+  core.on_conversion_self = this;
+  core.on_conversion = [](void* self, int pin, double error) {
+    static_cast<FirmwareActions*>(self)->converted(pin, error);
+  };
+}
+
+FirmwareActions::~FirmwareActions() { program_.machine.chip().chip().core().on_conversion = nullptr; }
+
+void FirmwareActions::converted(int pin, double error) {
+  tell(Kind::conversion, program_.machine.adapter().board_pin(pin), static_cast<int64_t>(1e9 * error), 0,
+       [&] { return program_.diagnosis().sketch_line(); });
 }
 
 void FirmwareActions::find_functions() {

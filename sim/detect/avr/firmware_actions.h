@@ -7,6 +7,8 @@
 //
 // Timers: the detector examines every instruction that stores to TCCRnA, TCCRnB or OCRnx at a constant
 // address.
+//
+// Conversions: the ADC reports them (robosim::avr::Core::on_conversion).
 #pragma once
 
 #include <cstdint>
@@ -21,6 +23,7 @@ namespace robosim::detect::avr {
 class FirmwareActions final : public ChipDetector {
  public:
   explicit FirmwareActions(const RunningProgram& program);
+  ~FirmwareActions() override;
 
   void visited(std::uint32_t pc, Cycle at) override;
   std::vector<Detected> found(SimTime now) const override { return actions_.found(now); }
@@ -41,6 +44,7 @@ class FirmwareActions final : public ChipDetector {
 
   void find_functions();
   void find_stores();
+  void converted(int pin, double error);
   void called(const Function& function);
   void stored(const Store& store, std::uint8_t value);
   void tell(FirmwareAction::Kind kind, int64_t first, int64_t second, int64_t third,

@@ -69,16 +69,10 @@ Cycle BoardAdapter::level_until(int pin, Cycle at) {
   return cycle > at + kClockRounding ? cycle - kClockRounding : at;
 }
 
-double BoardAdapter::volts(int pin, bool high, Cycle at) {
+Source BoardAdapter::source(int pin, bool high, Cycle at) {
   const Pin number = pins_[static_cast<std::size_t>(pin)];
-  if (number == kNoPin) return high ? board_.spec().supply_volts : 0.0;
-  return board_.read_volts(number, state_.clock_map.time_of(at));
-}
-
-double BoardAdapter::convert(int pin, bool high, double before, Cycle from, Cycle at) {
-  const Pin number = pins_[static_cast<std::size_t>(pin)];
-  if (number == kNoPin) return volts(pin, high, at);
-  return board_.convert(number, before, state_.clock_map.time_of(from), state_.clock_map.time_of(at));
+  if (number == kNoPin) return high ? supply_volts() : 0.0;
+  return board_.read_source(number, state_.clock_map.time_of(at));
 }
 
 void BoardAdapter::driven(int pin, const PinDrive& drive, Cycle at) {

@@ -51,9 +51,8 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   bool level(int pin, bool pull_up, Cycle at) override;
   bool level_along(int pin, bool pull_up, Cycle at) override;
   Cycle level_until(int pin, Cycle at) override;
-  double volts(int pin, bool high, Cycle at) override;
-  double convert(int pin, bool high, double before, Cycle from, Cycle at) override;
-  double supply_share() override { return board_.supply_share(); }
+  Source source(int pin, bool high, Cycle at) override;
+  double supply_volts() const override { return board_.supply_volts(); }
   void driven(int pin, const PinDrive& drive, Cycle at) override;
   bool wants_edges(int pin, bool wanted, Cycle at) override;
   void sent(int line, std::uint16_t data, Cycle at) override;

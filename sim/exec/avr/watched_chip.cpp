@@ -80,7 +80,6 @@ WatchedChip::WatchedChip(const Firmware& firmware, const BoardSpec& board,
       chip_(spec_, flash_of(firmware), firmware.last_ram, outside, board.clock_hz) {
   using robosim::avr::Cpu;
   state_.lowest_sp = firmware.last_ram;
-  chip_.core().supply_volts = board.supply_volts;
   chip_.core().visitor = this;
   chip_.cpu().on_sp_low = Cpu::call<&WatchedChip::stack_is_low>(this);
   chip_.cpu().on_sp_written = Cpu::call<&WatchedChip::stack_pointer_written>(this);

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include "hal/board/adc_capacitor.h"
-
 namespace robosim::exec {
 
-BoardState::BoardState(const BoardSpec& spec) : spec_(spec), wires_(spec.pin_count) {
+BoardState::BoardState(const BoardSpec& spec)
+    : spec_(spec), wires_(spec.pin_count + 1u), supply_volts_(&spec.supply_volts) {
   state_.pins.resize(spec.pin_count + 1u);
   state_.eeprom.assign(spec.eeprom_bytes, 0xFF);
 }
@@ -57,29 +56,26 @@ SimTime BoardState::same_until(Pin pin, SimTime t) const {
   return source ? source->same_until(t) : kNever;
 }
 
-double BoardState::read_volts(Pin pin, SimTime t) {
-  if (pin >= spec_.pin_count) return 0.0;
-  PinState& state = state_.pins[pin];
-  PinSource* const source = state.drive.mode == PinMode::output ? nullptr : wires_[pin].source;
-  const double volts = source ? source->volts(t) : level_on(pin, t) ? spec_.supply_volts : 0.0;
+Source BoardState::read_source(Pin pin, SimTime t) {
+  const Pin place = std::min(pin, spec_.pin_count);
+  PinState& state = state_.pins[place];
+  PinSource* const source = state.drive.mode == PinMode::output ? nullptr : wires_[place].source;
+  double volts = 0.0, ohms = 0.0;
+  if (source) {
+    const Source seen = source->output(t, *supply_volts_);
+    volts = seen.volts;
+    ohms = seen.ohms;
+  } else if (level_on(place, t)) {
+    volts = *supply_volts_;
+  }
   PinUse& use = state.use;
   use.lowest_volts = use.measured ? std::min(use.lowest_volts, volts) : volts;
   use.highest_volts = use.measured ? std::max(use.highest_volts, volts) : volts;
   use.measured = true;
   use.last_seen = t;
-  if (input_watcher_) input_watcher_->volts_seen(pin, volts, t);
-  return volts;
-}
-
-double BoardState::convert(Pin pin, double before, SimTime from, SimTime t) {
-  const double volts = read_volts(pin, t);
-  if (pin >= spec_.pin_count) return volts;
-  const double ohms = wires_[pin].ohms;
-  const bool charges = ohms > 0.0 && drive(pin).mode != PinMode::output;
-  const double held =
-      charges ? adc_charged(before, volts, ohms, 1e-9 * static_cast<double>(t - from)) : volts;
-  if (adc_watcher_) adc_watcher_->converted(pin, held - volts, t);
-  return held;
+  if (input_watcher_) [[unlikely]]
+    if (pin < spec_.pin_count) input_watcher_->volts_seen(pin, volts, t);
+  return {volts, ohms};
 }
 
 void BoardState::send_byte(std::uint8_t byte, SimTime t) {
@@ -118,10 +114,7 @@ void BoardState::write_eeprom(std::uint16_t address, std::uint8_t value, SimTime
 }
 
 void BoardState::connect(Pin pin, PinSource& source) {
-  if (pin >= spec_.pin_count) return;
-  wires_[pin].source = &source;
-  wires_[pin].ohms = source.source_ohms();
-  converts_slowly_ |= wires_[pin].ohms > 0.0;
+  if (pin < spec_.pin_count) wires_[pin].source = &source;
 }
 
 void BoardState::watch(Pin pin, PinWatcher& watcher) {

@@ -33,9 +33,8 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   void set_drive(Pin pin, const PinDrive& drive, SimTime t) override;
   bool read_level(Pin pin, SimTime t) override;
   bool read_along(Pin pin, SimTime t) override;
-  double read_volts(Pin pin, SimTime t) override;
-  double convert(Pin pin, double before, SimTime from, SimTime t) override;
-  double supply_share() override { return supply_share_ ? *supply_share_ : 1.0; }
+  Source read_source(Pin pin, SimTime t) override;
+  const double& supply_volts() const override { return *supply_volts_; }
   void send_byte(std::uint8_t byte, SimTime t) override;
   bool two_wire_address(std::uint8_t address, SimTime t) override;
   bool two_wire_write(std::uint8_t byte, SimTime t) override;
@@ -48,7 +47,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   const PinDrive& drive(Pin pin) const override { return state_of(pin).drive; }
   void connect(Pin pin, PinSource& source) override;
   void connect(TwoWireDevice& device) override { two_wire_.push_back(&device); }
-  void feed(const double& share) override { supply_share_ = &share; }
+  void feed(const double& volts) override { supply_volts_ = &volts; }
   void watch(Pin pin, PinWatcher& watcher) override;
   void watch_serial(SerialWatcher& watcher) override { serial_watchers_.push_back(&watcher); }
   void watch_eeprom(EepromWatcher& watcher) override { eeprom_watchers_.push_back(&watcher); }
@@ -56,10 +55,6 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   bool wants_edges(Pin pin) const override { return state_of(pin).wants_edges; }
   bool wants_any_edges() const override { return state_.wanted_pins > 0; }
   void receive_byte(std::uint8_t byte, SimTime at) override;
-  void watch_adc(AdcWatcher& watcher) override {
-    adc_watcher_ = &watcher;
-    converts_slowly_ = true;
-  }
   void watch_inputs(InputWatcher& watcher) override { input_watcher_ = &watcher; }
 
   // --- BoardProbe
@@ -86,9 +81,6 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// Returns the time before which all reads of `pin` return the same level as at `t`, and have no effect.
   /// Returns `t` if that time is unknown.
   SimTime same_until(Pin pin, SimTime t) const;
-  /// Returns whether convert() must be called instead of read_volts(). A source that charges the ADC's
-  /// capacitor slowly requires this call, and so does a watcher of the ADC.
-  bool converts_slowly() const { return converts_slowly_; }
   /// Moves the next input to `input` if that input arrives at or before `until`; otherwise returns false.
   bool take_input(SimTime until, BoardInput& input);
   /// Drops edges before `t` on pins whose edges are not requested.
@@ -128,7 +120,6 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// The parts that are connected to a pin.
   struct Wire {
     PinSource* source = nullptr;
-    double ohms = 0.0;  ///< output resistance of the source
     std::vector<PinWatcher*> watchers;
   };
 
@@ -145,13 +136,11 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
 
   const BoardSpec& spec_;
   InputWatcher* input_watcher_ = nullptr;
-  AdcWatcher* adc_watcher_ = nullptr;
   std::vector<EepromWatcher*> eeprom_watchers_;
-  std::vector<Wire> wires_;  ///< indexed by pin
+  std::vector<Wire> wires_;  ///< indexed by pin, as State::pins
   std::vector<TwoWireDevice*> two_wire_;
   std::vector<SerialWatcher*> serial_watchers_;
-  const double* supply_share_ = nullptr;  ///< null = full supply (1)
-  bool converts_slowly_ = false;
+  const double* supply_volts_;
   State state_;
 };
 

@@ -56,13 +56,8 @@ class ClockedBoard final : public FirmwarePort {
   void set_drive(Pin pin, const PinDrive& drive, SimTime t) override { board_.set_drive(pin, drive, at(t)); }
   bool read_level(Pin pin, SimTime t) override { return board_.read_level(pin, at(t)); }
   bool read_along(Pin pin, SimTime t) override { return board_.read_along(pin, at(t)); }
-  double read_volts(Pin pin, SimTime t) override { return board_.read_volts(pin, at(t)); }
-  double convert(Pin pin, double before, SimTime from, SimTime t) override {
-    if (board_.converts_slowly()) [[unlikely]]
-      return convert_slowly(pin, before, from, t);
-    return board_.read_volts(pin, at(t));
-  }
-  double supply_share() override { return board_.supply_share(); }
+  Source read_source(Pin pin, SimTime t) override { return board_.read_source(pin, at(t)); }
+  const double& supply_volts() const override { return board_.supply_volts(); }
   void send_byte(std::uint8_t byte, SimTime t) override { board_.send_byte(byte, at(t)); }
   bool two_wire_address(std::uint8_t address, SimTime t) override {
     return board_.two_wire_address(address, at(t));
@@ -77,10 +72,6 @@ class ClockedBoard final : public FirmwarePort {
 
  private:
   SimTime at(SimTime t) const { return std::min(state_.clock.to_world(t), state_.limit); }
-
-  [[gnu::noinline]] double convert_slowly(Pin pin, double before, SimTime from, SimTime t) {
-    return board_.convert(pin, before, at(from), at(t));
-  }
 
   BoardState& board_;
   State state_;

@@ -106,7 +106,7 @@ void Adc::update() {
   while (link_.clock.now >= next_event()) {
     if (state_.sample_at != kNoCycle) {
       state_.sample_at = kNoCycle;
-      const double code = volts(channel()) / link_.board.spec().supply_volts * 4096.0;
+      const double code = volts(channel()) / link_.board.supply_volts() * 4096.0;
       state_.sampled = code <= 0.0 ? 0 : code >= 4095.0 ? 4095 : static_cast<std::uint32_t>(code);
     } else {
       finish();

@@ -154,13 +154,17 @@ void Adc::start(Cycle edge) {
 }
 
 void Adc::sample(Cycle at) {
+  const auto seconds = [&] {
+    const auto cycles = static_cast<std::int64_t>(at - state_.charges_since);
+    return static_cast<double>(cycles) / static_cast<double>(core_.clock_hz);
+  };
   state_.sampled = adc_sample(
-      core_.chip.adc, state_.multiplexer, state_.control_b, core_.supply_volts,
-      [&] { return core_.environment.supply_share(); },
+      core_.chip.adc, state_.multiplexer, state_.control_b, core_.environment.supply_volts(), seconds,
+      state_.capacitor, [&](int channel) { return pins_.source(pins_.analog(channel), at); },
       [&](int channel) {
-        return pins_.convert(pins_.analog(channel), state_.held, state_.charges_since, at);
-      },
-      state_.held);
+        if (core_.on_conversion)
+          core_.on_conversion(core_.on_conversion_self, pins_.analog(channel), state_.capacitor.error);
+      });
 }
 
 void Adc::end(Cycle at) {

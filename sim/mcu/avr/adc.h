@@ -17,6 +17,7 @@
 
 #include <cstdint>
 
+#include "hal/board/adc_capacitor.h"
 #include "sim/mcu/avr/core.h"
 #include "sim/mcu/avr/pins.h"
 
@@ -38,7 +39,7 @@ class Adc final : public Peripheral {
     Core::Held held_sample, held_end;
     std::uint16_t sampled = 0, result = 0;
     std::uint8_t multiplexer = 0, control_b = 0;  ///< ADMUX and ADCSRB, latched by the conversion
-    double held = 0.0;                            ///< volts on the sampling capacitor after the last sample
+    AdcCapacitor capacitor;
     Cycle charges_since = 0;  ///< cycle from which the selected input charges the capacitor
     bool runs = true;
     bool first = false;  ///< no conversion has begun since ADEN was set

@@ -22,16 +22,11 @@ class ChipEnvironment {
   /// Returns the first cycle after `at` at which the result of level() may change. Before that cycle, the
   /// caller need not call level() again. Returns `at` if that cycle is unknown.
   virtual Cycle level_until(int pin, Cycle at) = 0;
-  /// Returns the volts at a pin, for a sample of the ADC or comparator. `high` is set if the chip's output or
-  /// pull-up drives the pin high.
-  virtual double volts(int pin, bool high, Cycle at) = 0;
-  /// Returns the volts on the ADC's sampling capacitor (FirmwarePort::convert()). The capacitor held `before`
-  /// volts, and the pin has charged the capacitor since cycle `from`.
-  virtual double convert(int pin, bool high, double /*before*/, Cycle /*from*/, Cycle at) {
-    return volts(pin, high, at);
-  }
-  /// Returns the supply as a share of its nominal voltage (FirmwarePort::supply_share()).
-  virtual double supply_share() { return 1.0; }
+  /// Returns the source at a pin, for a sample of the ADC or comparator. `high` is set if the chip's output
+  /// or pull-up drives the pin high.
+  virtual Source source(int pin, bool high, Cycle at) = 0;
+  /// Returns the present voltage of VCC and AVCC.
+  virtual double supply_volts() const { return 5.0; }
   /// Reports that the chip has changed how it drives a pin.
   virtual void driven(int pin, const PinDrive& drive, Cycle at) = 0;
   /// Starts or stops the reports of a pin's level changes through Chip::edge(). Returns the pin's level at

@@ -37,16 +37,16 @@ bool Comparator::is_on() const { return !(core_.cpu.data[control_] & kAcd) && st
 double Comparator::negative_volts(Cycle at) {
   const std::uint8_t control_b = core_.at(core_.chip.at.adc_control_b);
   if (!(control_b & kAcme) || core_.at(core_.chip.at.adc_control) & kAden)
-    return negative_ >= 0 ? pins_.volts(negative_, at) : bandgap();
+    return negative_ >= 0 ? pins_.source(negative_, at).volts : core_.chip.adc.bandgap_volts;
   const int chosen = (core_.at(core_.chip.at.adc_multiplexer) & kMuxMask) +
                      (control_b & core_.chip.adc.high_channels ? kHighChannels : 0);
-  return pins_.volts(pins_.analog(chosen & (core_.chip.comparator.channels - 1)), at);
+  return pins_.source(pins_.analog(chosen & (core_.chip.comparator.channels - 1)), at).volts;
 }
 
 void Comparator::look(Cycle at) {
   if (!is_on()) return;
   std::uint8_t& control = core_.at(control_);
-  const double positive = control & kAcbg ? bandgap() : pins_.volts(positive_, at);
+  const double positive = control & kAcbg ? core_.chip.adc.bandgap_volts : pins_.source(positive_, at).volts;
   const bool output = positive > negative_volts(at);
   if (output == state_.output) return;
   state_.output = output;

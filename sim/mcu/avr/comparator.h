@@ -53,8 +53,6 @@ class Comparator final : public Peripheral {
   void request();
   bool is_on() const;
   double negative_volts(Cycle at);
-  /// Returns the bandgap voltage, scaled like the pins' volts (ChipEnvironment::supply_share()).
-  double bandgap() const { return core_.chip.adc.bandgap_volts / core_.environment.supply_share(); }
 
   Core& core_;
   Pins& pins_;

@@ -144,8 +144,7 @@ struct Core {
   AdcTriggers triggers;
   ChipEnvironment& environment;
   const std::int64_t oscillator_hz;
-  std::int64_t clock_hz;      ///< processor clock: the oscillator's frequency over CLKPR's divisor
-  double supply_volts = 5.0;  ///< VCC and AVCC; the chip's owner may change the value
+  std::int64_t clock_hz;  ///< processor clock: the oscillator's frequency over CLKPR's divisor
   SnapshotRegistry snapshots;
   MarkVisitor* visitor = nullptr;  ///< called at marks (mark_visitor.h); null = marks stop the chip
   /// Set while the watchdog can reset the chip even with interrupts off.
@@ -153,6 +152,10 @@ struct Core {
   /// Resets the chip after the current instruction, and adds `flags` to MCUSR. The chip sets this callback.
   void (*reset)(void* self, std::uint8_t flags) = nullptr;
   void* reset_self = nullptr;
+  /// Called when the ADC has sampled a pin whose source has a resistance, or the next pin after such a pin;
+  /// may be null. `error` is the capacitor's voltage minus the source's voltage.
+  void (*on_conversion)(void* self, int pin, double error) = nullptr;
+  void* on_conversion_self = nullptr;
   /// Called when an interrupt request is lost; may be null.
   void (*on_lost)(void* self, int vector) = nullptr;
   void* on_lost_self = nullptr;

@@ -89,12 +89,8 @@ bool Pins::level(int pin) {
   return core_.environment.level_along(pin, is_pulled_up(pin), core_.now());
 }
 
-double Pins::volts(int pin, Cycle at) {
-  return pin < 0 ? 0.0 : core_.environment.volts(pin, is_high_by_itself(pin), at);
-}
-
-double Pins::convert(int pin, double before, Cycle from, Cycle at) {
-  return pin < 0 ? 0.0 : core_.environment.convert(pin, is_high_by_itself(pin), before, from, at);
+Source Pins::source(int pin, Cycle at) {
+  return pin < 0 ? Source() : core_.environment.source(pin, is_high_by_itself(pin), at);
 }
 
 bool Pins::is_high_by_itself(int pin) const {

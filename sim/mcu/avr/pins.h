@@ -76,10 +76,8 @@ class Pins final : public Peripheral {
 
   /// Returns the current level of a pin, whatever drives the pin.
   bool level(int pin);
-  /// Returns the volts at a pin, whatever drives the pin; 0 V for pin -1 (no pin).
-  double volts(int pin, Cycle at);
-  /// Calls ChipEnvironment::convert().
-  double convert(int pin, double before, Cycle from, Cycle at);
+  /// Returns the source at a pin, whatever drives the pin; 0 V for pin -1 (no pin).
+  Source source(int pin, Cycle at);
   /// Handles an external level change of a pin with a listener.
   void edge(int pin, bool level, Cycle at);
 

@@ -46,14 +46,14 @@ ROBOSIM_LANES_FUNCTION void find_places(const SensorPoses& pose, const SensorBlo
   }
 }
 
-// Computes the results of Sensor::blackness() and AnalogSensor::volts().
+// Computes the results of Sensor::blackness() and AnalogSensor::output().
 ROBOSIM_LANES_FUNCTION void find_volts(const SensorBlock& sensor, const Lanes& dark, const Lanes& brightness,
                                        const Lanes& gauss, Lanes& volts) {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const double white = 1.0 - dark[i];
     double blackness = 1.0 - sensor.light[i] * white * brightness[i] + sensor.shift[i];
     blackness += sensor.noise[i] * (sensor.dark_noise[i] + sensor.beside_dark_noise[i] * white) * gauss[i];
-    const double v = sensor.white[i] + sensor.span[i] * blackness;
+    const double v = (sensor.white[i] + sensor.span[i] * blackness) * sensor.share[i];
     const double least = v < 0.0 ? 0.0 : v;
     volts[i] = v > sensor.supply[i] ? sensor.supply[i] : least;
   }
@@ -120,7 +120,7 @@ void Robots::add_sensors(const robot::Description& robot, std::uint64_t seed, Pr
       sampler.ideal() ? 0.0 : sampler.draw(electronics.adc_noise, "electronics", "adc_noise");
   const double battery = sampler.draw(robot.motors.supply, "motors", "supply");
   const robot::Supply supply =
-      electronics.fed_by_battery ? robot::supply_at(battery, board) : robot::Supply{};
+      electronics.fed_by_battery ? robot::supply_at(battery, board) : robot::Supply{board.supply_volts};
   for (std::size_t i = 0; i < sensors_; ++i) {
     if (lane == 0) sensor_blocks_[i].emplace_back();
     SensorBlock& block = sensor_blocks_[i].back();
@@ -138,8 +138,9 @@ void Robots::add_sensors(const robot::Description& robot, std::uint64_t seed, Pr
     block.beside_dark_noise[lane] = 1.0 - figures.dark_noise;
     block.white[lane] = sampler.draw(element->white, element->name, "white_volts");
     block.span[lane] = sampler.draw(element->black, element->name, "black_volts") - block.white[lane];
-    block.supply[lane] = board.supply_volts;
-    block.adc_noise[lane] = steps * board.supply_volts / board.adc_steps;
+    block.supply[lane] = supply.volts;
+    block.share[lane] = supply.volts / board.supply_volts;
+    block.adc_noise[lane] = steps * board.supply_volts / board.adc_steps * block.share[lane];
     block.is_converted_noisily = block.is_converted_noisily || steps > 0.0;
     block.lag[lane] = static_cast<double>(static_cast<SimTime>(lag));
     block.stream[lane] = figures.stream;

@@ -40,6 +40,7 @@ struct SensorBlock {
   Lanes at_x, at_y, footprint;  // m
   Lanes light, shift, noise, dark_noise, beside_dark_noise;
   Lanes white, span, supply, adc_noise;  // V
+  Lanes share;                           // of the nominal supply
   Lanes lag;                             // ns
   world::NearStripe near[kLanes];        // near each robot's footprint
   NoiseStream stream[kLanes], adc[kLanes];

@@ -35,8 +35,7 @@ ButtonPart::ButtonPart(const ButtonSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
       stream_(context.sampler.noise(spec.name, "bounce")),
-      bounce_(context.sampler.ideal() ? 0.0 : context.sampler.draw(spec.bounce, spec.name, "bounce time")),
-      supply_(context.description.board->supply_volts) {
+      bounce_(context.sampler.ideal() ? 0.0 : context.sampler.draw(spec.bounce, spec.name, "bounce time")) {
   context.snapshots.add(state_);
 }
 

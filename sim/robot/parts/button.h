@@ -42,7 +42,6 @@ class ButtonPart : public Part, public PinSource, public Pressable, public Break
   void register_with(PartRegistry&) override;
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
-  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime t) override;
   SimTime same_until(SimTime t) override;
 
@@ -73,7 +72,6 @@ class ButtonPart : public Part, public PinSource, public Pressable, public Break
   PartContext& context_;
   const NoiseStream stream_;
   const double bounce_;
-  const double supply_;
   State state_;
 };
 

@@ -37,7 +37,7 @@ CurrentSensorPart::CurrentSensorPart(const CurrentSensorSpec& spec, PartContext&
 }
 
 void CurrentSensorPart::register_with(PartRegistry& registry) {
-  context_.connect_analog(spec_.pin, *this, Scale::share_of_supply);
+  context_.connect_analog(spec_.pin, *this);
   registry.ticking.push_back(this);
   registry.breakable.push_back(this);
 }
@@ -50,10 +50,11 @@ void CurrentSensorPart::begin_tick(SimTime) {
   state_.energy = energy;
 }
 
-double CurrentSensorPart::volts(SimTime) {
+Source CurrentSensorPart::output(SimTime, double supply) {
   const double noise = noise_ > 0.0 ? noise_ * stream_.gauss(state_.samples++) : 0.0;
   const double amps = state_.dead ? 0.0 : state_.amps;
-  return std::clamp(0.5 * supply_ + per_amp_ * amps + noise, 0.0, supply_);
+  const double volts = std::clamp(0.5 * supply_ + per_amp_ * amps + noise, 0.0, supply_);
+  return {volts * (supply / supply_), source_ohms_};
 }
 
 void CurrentSensorPart::read(std::vector<Reading>& readings) const {

@@ -35,8 +35,7 @@ EncoderPart::EncoderPart(const EncoderSpec& spec, PartContext& context)
       context_(context),
       a_(*this, 0),
       b_(*this, 3),
-      quarters_per_rad_((spec.reversed ? -4.0 : 4.0) * spec.periods / (2.0 * std::numbers::pi)),
-      supply_(context.description.board->supply_volts) {
+      quarters_per_rad_((spec.reversed ? -4.0 : 4.0) * spec.periods / (2.0 * std::numbers::pi)) {
   context.snapshots.add(state_);
 }
 

@@ -43,7 +43,6 @@ class EncoderPart final : public Part, public Breakable {
   class Channel final : public PinSource {
    public:
     Channel(EncoderPart& encoder, int shift) : encoder_(encoder), shift_(shift) {}
-    double volts(SimTime t) override { return level(t) ? encoder_.supply_ : 0.0; }
     bool level(SimTime t) override { return level_of(encoder_.quarter(t)); }
     bool level_of(std::int64_t quarter) const { return ((quarter + shift_) & 2) == 0; }
 
@@ -75,7 +74,6 @@ class EncoderPart final : public Part, public Breakable {
   Channel a_;
   Channel b_;
   const double quarters_per_rad_;
-  const double supply_;
   mutable State state_;
 };
 

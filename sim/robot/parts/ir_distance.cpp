@@ -71,7 +71,7 @@ IrDistancePart::IrDistancePart(const IrDistanceSpec& spec, PartContext& context)
 }
 
 void IrDistancePart::register_with(PartRegistry& registry) {
-  context_.connect_analog(spec_.pin, *this, Scale::volts);
+  context_.connect_analog(spec_.pin, *this);
   registry.ticking.push_back(this);
   registry.sightlines.push_back({&mount_, kFarthest});
   registry.breakable.push_back(this);
@@ -85,10 +85,10 @@ void IrDistancePart::begin_tick(SimTime t) {
   state_.measures_until += kMeasurement;
 }
 
-double IrDistancePart::volts(SimTime) {
-  if (state_.dead) return 0.0;
+Source IrDistancePart::output(SimTime, double supply) {
+  if (state_.dead) return {0.0, source_ohms_};
   const double noise = noise_ > 0.0 && state_.held > 0.0 ? noise_ * stream_.gauss(state_.samples++) : 0.0;
-  return std::clamp(state_.held + noise, 0.0, supply_);
+  return {std::clamp(state_.held + noise, 0.0, supply), source_ohms_};
 }
 
 void IrDistancePart::read(std::vector<Reading>& readings) const {

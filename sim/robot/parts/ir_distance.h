@@ -44,9 +44,8 @@ class IrDistancePart final : public Part, public PinSource, public Breakable {
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
 
-  double volts(SimTime) override;
-  bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
-  double source_ohms() const override { return source_ohms_; }
+  Source output(SimTime, double supply) override;
+  bool level(SimTime t) override { return output(t, supply_).volts > 0.5 * supply_; }
 
   const std::string& name() const override { return spec_.name; }
   std::span<const FaultKind> fault_kinds() const override;

@@ -41,7 +41,7 @@ std::unique_ptr<Part> IrReceiverSpec::make(PartContext& context) const {
 }
 
 IrReceiverPart::IrReceiverPart(const IrReceiverSpec& spec, PartContext& context)
-    : spec_(spec), context_(context), supply_(context.description.board->supply_volts) {
+    : spec_(spec), context_(context) {
   context.snapshots.add(state_);
 }
 

@@ -41,7 +41,6 @@ class IrReceiverPart final : public Part, public PinSource, public Receiver, pub
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
 
-  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime t) override { return state_.line.level(t); }
   SimTime same_until(SimTime t) override { return state_.line.same_until(t); }
 
@@ -57,7 +56,6 @@ class IrReceiverPart final : public Part, public PinSource, public Receiver, pub
 
   const IrReceiverSpec& spec_;
   PartContext& context_;
-  const double supply_;
   State state_;
 };
 

@@ -30,8 +30,7 @@ IrSwitchPart::IrSwitchPart(const IrSwitchSpec& spec, PartContext& context)
     : spec_(spec),
       context_(context),
       mount_(spec.mount, context.view),
-      range_(context.sampler.draw(spec.range, spec.name, "range")),
-      supply_(context.description.board->supply_volts) {
+      range_(context.sampler.draw(spec.range, spec.name, "range")) {
   context.snapshots.add(state_);
 }
 

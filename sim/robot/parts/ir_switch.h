@@ -30,7 +30,6 @@ class IrSwitchPart final : public Part, public PinSource, public Breakable {
   void begin_tick(SimTime) override;
   void read(std::vector<Reading>&) const override;
 
-  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime) override { return sees() == spec_.active_high; }
   SimTime same_until(SimTime) override { return context_.view.tick_start + kTick; }
 
@@ -51,7 +50,7 @@ class IrSwitchPart final : public Part, public PinSource, public Breakable {
   const IrSwitchSpec& spec_;
   PartContext& context_;
   Mount mount_;
-  const double range_, supply_;
+  const double range_;
   State state_;
 };
 

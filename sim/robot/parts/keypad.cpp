@@ -46,8 +46,7 @@ std::unique_ptr<Part> KeypadSpec::make(PartContext& context) const {
   return std::make_unique<KeypadPart>(*this, context);
 }
 
-KeypadPart::KeypadPart(const KeypadSpec& spec, PartContext& context)
-    : spec_(spec), context_(context), supply_(context.description.board->supply_volts) {
+KeypadPart::KeypadPart(const KeypadSpec& spec, PartContext& context) : spec_(spec), context_(context) {
   pins_ = spec.rows;
   pins_.insert(pins_.end(), spec.columns.begin(), spec.columns.end());
   for (std::size_t lead = 0; lead < pins_.size(); ++lead)

@@ -50,7 +50,6 @@ class KeypadPart final : public Part {
   class Lead final : public PinSource {
    public:
     Lead(KeypadPart& keypad, std::size_t number) : keypad_(keypad), number_(number) {}
-    double volts(SimTime t) override { return level(t) ? keypad_.supply_ : 0.0; }
     bool level(SimTime) override { return keypad_.level(number_); }
 
    private:
@@ -67,7 +66,6 @@ class KeypadPart final : public Part {
 
   const KeypadSpec& spec_;
   PartContext& context_;
-  const double supply_;
   std::vector<Pin> pins_;  ///< by lead
   std::vector<std::unique_ptr<Key>> keys_;
   std::vector<std::unique_ptr<Lead>> leads_;

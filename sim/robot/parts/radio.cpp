@@ -54,8 +54,7 @@ RadioPart::RadioPart(const RadioSpec& spec, PartContext& context)
       context_(context),
       outputs_{{*this, data}, {*this, clock}, {*this, enable}},
       stream_(context.sampler.noise(spec.name, "air")),
-      bit_(static_cast<SimTime>(context.sampler.draw(spec.bit, spec.name, "bit") * 1e9)),
-      supply_(context.description.board->supply_volts) {
+      bit_(static_cast<SimTime>(context.sampler.draw(spec.bit, spec.name, "bit") * 1e9)) {
   context.snapshots.add(state_);
 }
 

@@ -59,7 +59,6 @@ class RadioPart final : public Part, public Receiver, public Breakable {
   class Output final : public PinSource {
    public:
     Output(RadioPart& radio, Line line) : radio_(radio), line_(line) {}
-    double volts(SimTime t) override { return level(t) ? radio_.supply_ : 0.0; }
     bool level(SimTime t) override { return radio_.level(line_, t); }
 
    private:
@@ -84,7 +83,6 @@ class RadioPart final : public Part, public Receiver, public Breakable {
   Output outputs_[3];
   const NoiseStream stream_;
   const SimTime bit_;
-  const double supply_;
   State state_;
 };
 

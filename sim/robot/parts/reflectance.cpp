@@ -357,9 +357,7 @@ AnalogSensor::AnalogSensor(const ReflectanceSpec& spec, const ReflectanceSpec::E
       step_volts_(supply_ / context.description.board->adc_steps),
       source_ohms_(context.sampler.draw(spec.source_ohms, name(), "source_ohms")) {}
 
-void AnalogSensor::connect(PartContext& context, Pin pin) {
-  context.connect_analog(pin, *this, Scale::share_of_supply);
-}
+void AnalogSensor::connect(PartContext& context, Pin pin) { context.connect_analog(pin, *this); }
 
 DigitalSensor::DigitalSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& element,
                              const PartContext& context, const Emitter& emitter)
@@ -368,7 +366,6 @@ DigitalSensor::DigitalSensor(const ReflectanceSpec& spec, const ReflectanceSpec:
       hysteresis_(context.sampler.draw(spec.hysteresis, name(), "hysteresis")),
       rises_(threshold_ + 0.5 * hysteresis_),
       falls_(threshold_ - 0.5 * hysteresis_),
-      supply_(context.description.board->supply_volts),
       black_high_(spec.black_high) {
   context.snapshots.add(state_);
 }

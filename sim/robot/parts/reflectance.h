@@ -248,18 +248,19 @@ class AnalogSensor final : public Sensor, public PinSource {
  public:
   AnalogSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
   void connect(PartContext&, Pin) override;
-  double volts(SimTime t) override {
-    if (stuck()) return (stuck_at() + 0.5) * step_volts_;
-    const double v = white_ + span_ * blackness(t);
-    return v < 0.0 ? 0.0 : v > supply_ ? supply_ : v;
+  Source output(SimTime t, double supply) override {
+    if (stuck()) return {(stuck_at() + 0.5) * step_volts_ * (supply / supply_), source_ohms_};
+    const double v = (white_ + span_ * blackness(t)) * (supply / supply_);
+    return {v < 0.0 ? 0.0 : v > supply ? supply : v, source_ohms_};
   }
-  bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
-  double source_ohms() const override { return source_ohms_; }
+  bool level(SimTime t) override { return output(t, supply_).volts > 0.5 * supply_; }
 
  private:
   double stuck_blackness() const override { return ((stuck_at() + 0.5) * step_volts_ - white_) / span_; }
 
-  const double white_, span_, supply_, step_volts_, source_ohms_;
+  const double white_, span_;
+  const double supply_;  // nominal, V
+  const double step_volts_, source_ohms_;
 };
 
 /// A sensor with `read = "digital"`.
@@ -268,7 +269,6 @@ class DigitalSensor final : public Sensor, public PinSource {
   DigitalSensor(const ReflectanceSpec&, const ReflectanceSpec::Element&, const PartContext&, const Emitter&);
   void connect(PartContext&, Pin) override;
   void begin_tick(SimTime) override;
-  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime t) override {
     if (stuck()) return stuck_at() > 0.0;
     state_.dark = blackness(t) > (state_.dark ? falls_ : rises_);
@@ -282,7 +282,7 @@ class DigitalSensor final : public Sensor, public PinSource {
     bool dark = false;
   };
 
-  const double threshold_, hysteresis_, rises_, falls_, supply_;
+  const double threshold_, hysteresis_, rises_, falls_;
   const bool black_high_;
   RobotPort* board_ = nullptr;
   Pin pin_ = kNoPin;

@@ -15,8 +15,7 @@ RcSensor::RcSensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& 
                    const PartContext& context, const Emitter& emitter)
     : Sensor(spec, element, context, emitter),
       white_rate_(1.0 / context.sampler.draw(element.white, name(), "white_time")),
-      black_rate_(1.0 / context.sampler.draw(element.black, name(), "black_time")),
-      supply_(context.description.board->supply_volts) {
+      black_rate_(1.0 / context.sampler.draw(element.black, name(), "black_time")) {
   context.snapshots.add(state_);
 }
 
@@ -63,8 +62,6 @@ void RcSensor::announce(SimTime from, SimTime to) {
   state_.announced = true;
   if (board_->wants_edges(pin_)) board_->schedule_edge(pin_, false, std::max(state_.falls_at, from));
 }
-
-double RcSensor::volts(SimTime t) { return charge(t) * supply_; }
 
 double RcSensor::stuck_blackness() const {
   return (1e6 / std::max(stuck_at(), 1.0) - white_rate_) / (black_rate_ - white_rate_);

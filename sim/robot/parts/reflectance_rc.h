@@ -20,7 +20,7 @@ class RcSensor final : public Sensor, public PinSource, public PinWatcher {
   void connect(PartContext&, Pin) override;
   void begin_tick(SimTime) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  double volts(SimTime) override;
+  Source output(SimTime t, double supply) override { return charge(t) * supply; }
   bool level(SimTime t) override { return t < state_.falls_at; }
 
  private:
@@ -39,7 +39,6 @@ class RcSensor final : public Sensor, public PinSource, public PinWatcher {
   };
 
   const double white_rate_, black_rate_;  // 1/s, inverse of white_time and black_time
-  const double supply_;
   RobotPort* board_ = nullptr;
   Pin pin_ = kNoPin;
   State state_;

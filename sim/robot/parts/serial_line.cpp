@@ -35,8 +35,7 @@ SerialLine::SerialLine(const SerialWiring& wiring, PartContext& context, Heard h
       context_(context),
       heard_(std::move(heard)),
       on_uart_(is_serial(*context.description.board, wiring.txd, wiring.rxd)),
-      bit_(kSecond / wiring.baud),
-      supply_(context.description.board->supply_volts) {
+      bit_(kSecond / wiring.baud) {
   context.snapshots.add(state_);
 }
 

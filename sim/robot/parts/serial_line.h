@@ -42,7 +42,6 @@ class SerialLine final : public PinSource, public PinWatcher, public SerialWatch
 
   void pin_changed(Pin, const PinDrive&, SimTime) override;
   void byte_sent(std::uint8_t byte, SimTime t) override { heard_(byte, true, t); }
-  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime t) override { return state_.line.level(t); }
   SimTime same_until(SimTime t) override { return state_.line.same_until(t); }
 
@@ -64,7 +63,6 @@ class SerialLine final : public PinSource, public PinWatcher, public SerialWatch
   const Heard heard_;
   const bool on_uart_;
   const SimTime bit_;
-  const double supply_;
   State state_;
 };
 

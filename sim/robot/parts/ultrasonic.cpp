@@ -44,8 +44,7 @@ UltrasonicPart::UltrasonicPart(const UltrasonicSpec& spec, PartContext& context)
       stream_(context.sampler.noise(spec.name, "echo")),
       reach_(context.sampler.draw(spec.reach, spec.name, "reach")),
       noise_(context.sampler.ideal() ? 0.0 : context.sampler.draw(spec.noise, spec.name, "noise")),
-      half_beam_(direction_of(0.5 * spec.beam)),
-      supply_(context.description.board->supply_volts) {
+      half_beam_(direction_of(0.5 * spec.beam)) {
   context.snapshots.add(state_);
 }
 

@@ -48,7 +48,6 @@ class UltrasonicPart final : public Part, public PinSource, public PinWatcher, p
   /// Appends the last result in cm; 0 before the first result, or if nothing was within reach.
   void read(std::vector<Reading>&) const override;
 
-  double volts(SimTime t) override { return level(t) ? supply_ : 0.0; }
   bool level(SimTime t) override { return t >= state_.rises && t < state_.falls; }
   SimTime same_until(SimTime t) override {
     return t < state_.rises ? state_.rises : t < state_.falls ? state_.falls : kNever;
@@ -79,7 +78,6 @@ class UltrasonicPart final : public Part, public PinSource, public PinWatcher, p
   const NoiseStream stream_;
   const double reach_, noise_;
   const Vec2 half_beam_;
-  const double supply_;
   State state_;
 };
 

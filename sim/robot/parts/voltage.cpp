@@ -35,11 +35,11 @@ VoltagePart::VoltagePart(const VoltageSpec& spec, PartContext& context)
   context.snapshots.add(state_);
 }
 
-void VoltagePart::register_with(PartRegistry&) { context_.connect_analog(spec_.pin, *this, Scale::volts); }
+void VoltagePart::register_with(PartRegistry&) { context_.connect_analog(spec_.pin, *this); }
 
-double VoltagePart::volts(SimTime) {
+Source VoltagePart::output(SimTime, double supply) {
   const double noise = noise_ > 0.0 ? noise_ * stream_.gauss(state_.samples++) : 0.0;
-  return std::clamp(volts_ + battery_volts_ * context_.view.battery + noise, 0.0, supply_);
+  return {std::clamp(volts_ + battery_volts_ * context_.view.battery + noise, 0.0, supply), source_ohms_};
 }
 
 }  // namespace robosim::robot

@@ -30,9 +30,8 @@ class VoltagePart final : public Part, public PinSource {
   VoltagePart(const VoltageSpec&, PartContext&);
 
   void register_with(PartRegistry&) override;
-  double volts(SimTime) override;
-  bool level(SimTime t) override { return volts(t) > 0.5 * supply_; }
-  double source_ohms() const override { return source_ohms_; }
+  Source output(SimTime, double supply) override;
+  bool level(SimTime t) override { return output(t, supply_).volts > 0.5 * supply_; }
 
  private:
   struct State {

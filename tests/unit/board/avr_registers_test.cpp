@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hal/board/atmega328p.h"
-#include "hal/board/avr_adc_sample.h"
+#include "hal/board/avr_adc.h"
 #include "hal/board/avr_timer.h"
 
 namespace robosim::avr {
@@ -162,56 +162,58 @@ TEST(AvrAdc, ACodeIsTheShareOfTheReferenceRoundedDown) {
   EXPECT_EQ(adc_data(0x00, 0x3FF), 0x03FF);
 }
 
-/// A board whose pin N has a voltage of N * 0.1 V.
-class Volts final : public FirmwarePort {
- public:
-  const BoardSpec& spec() const override { return *find_board("uno"); }
-  void set_drive(Pin, const PinDrive&, SimTime) override {}
-  bool read_level(Pin, SimTime) override { return false; }
-  bool read_along(Pin, SimTime) override { return false; }
-  double read_volts(Pin pin, SimTime) override {
-    asked = pin;
-    return 0.1 * pin;
+/// An ADC whose channel N has a voltage of 1.4 V + N * 0.1 V.
+struct Adc {
+  uint16_t sample(uint8_t multiplexer) {
+    const auto source = [&](int channel) {
+      asked = channel;
+      return Source(1.4 + 0.1 * channel, ohms);
+    };
+    const auto report = [&](int) { errors.push_back(capacitor.error); };
+    return adc_sample(
+        kAdc, multiplexer, 0, supply, [] { return 14e-6; }, capacitor, source, report);
   }
-  void send_byte(uint8_t, SimTime) override {}
-  bool two_wire_address(uint8_t, SimTime) override { return false; }
-  bool two_wire_write(uint8_t, SimTime) override { return false; }
-  uint8_t two_wire_read(SimTime) override { return 0xFF; }
-  void two_wire_stop(SimTime) override {}
-  uint8_t* eeprom() override { return nullptr; }
-  void write_eeprom(uint16_t, uint8_t, SimTime) override {}
 
-  double supply_share() override { return share; }
-
-  std::optional<Pin> asked;
-  double share = 1.0;
+  double supply = 5.0, ohms = 0.0;
+  AdcCapacitor capacitor;
+  std::optional<int> asked;
+  std::vector<double> errors;
 };
 
-uint16_t sampled(Volts& board, uint8_t multiplexer) {
-  double held = 0.0;
-  return adc_sample(board, board.spec(), kAdc, multiplexer, held, 0, 0, 0, [](Pin pin) { return pin; });
-}
-
 TEST(AvrAdc, ChannelsAreThoseOfTable24_4) {
-  Volts board;
-  EXPECT_EQ(sampled(board, 0x40 | 3), adc_code(1.7, 5.0));
-  EXPECT_EQ(board.asked, Pin{17});
-  board.asked.reset();
-  EXPECT_EQ(sampled(board, 0x40 | 14), adc_code(1.1, 5.0)) << "the bandgap";
-  EXPECT_EQ(sampled(board, 0x40 | 15), 0) << "ground";
-  EXPECT_EQ(sampled(board, 0x40 | 7), 0) << "an Uno's chip has no channel 7";
-  EXPECT_FALSE(board.asked);
+  Adc adc;
+  EXPECT_EQ(adc.sample(0x40 | 3), adc_code(1.7, 5.0));
+  EXPECT_EQ(adc.asked, 3);
+  adc.asked.reset();
+  EXPECT_EQ(adc.sample(0x40 | 14), adc_code(1.1, 5.0)) << "the bandgap";
+  EXPECT_EQ(adc.sample(0x40 | 15), 0) << "ground";
+  EXPECT_FALSE(adc.asked);
 }
 
-// read_volts() returns a pin's voltage as if the supply voltage had not dropped (FirmwarePort::supply_share).
-TEST(AvrAdc, ASupplyThatSinksIsSeenAgainstTheBandgapAndNotByIt) {
-  Volts board;
-  board.share = 0.8;
-  EXPECT_EQ(sampled(board, 0x40 | 14), adc_code(1.1, 4.0));
-  EXPECT_EQ(sampled(board, 0x40 | 3), adc_code(1.7, 5.0));
-  EXPECT_EQ(sampled(board, 0xC0 | 14), 1023);
-  board.share = 0.4;
-  EXPECT_EQ(sampled(board, 0xC0 | 0), adc_code(0.4 * 1.4, 1.1));
+TEST(AvrAdc, TheSupplyIsAReferenceThatSinksAndTheBandgapIsNot) {
+  Adc adc;
+  adc.supply = 4.0;
+  EXPECT_EQ(adc.sample(0x40 | 14), adc_code(1.1, 4.0));
+  EXPECT_EQ(adc.sample(0x40 | 3), adc_code(1.7, 4.0));
+  EXPECT_EQ(adc.sample(0xC0 | 14), 1023);
+  EXPECT_EQ(adc.sample(0xC0 | 0), 1023);
+}
+
+// 1 MOhm charges 14 pF with a time constant of 14.14 us.
+TEST(AvrAdc, ASlowSourceLeavesAPartOfTheOldVoltage) {
+  Adc adc;
+  adc.sample(0x40 | 0);
+  EXPECT_TRUE(adc.errors.empty()) << "a source without resistance leaves no error";
+  adc.ohms = 1e6;
+  const double rest = adc_decay(14.0 / 14.14), volts = 1.9 - 0.5 * rest;
+  EXPECT_EQ(adc.sample(0x40 | 5), adc_code(volts, 5.0));
+  EXPECT_NEAR(adc.capacitor.volts, volts, 1e-9);
+  adc.ohms = 0.0;
+  adc.sample(0x40 | 1);
+  adc.sample(0x40 | 2);
+  ASSERT_EQ(adc.errors.size(), 2u) << "the error, and the next sample";
+  EXPECT_NEAR(adc.errors[0], -0.5 * rest, 1e-9);
+  EXPECT_EQ(adc.errors[1], 0.0);
 }
 
 }  // namespace avr_registers_test

@@ -19,7 +19,6 @@ struct Edges final : PinWatcher {
 };
 
 struct Level final : PinSource {
-  double volts(SimTime) override { return value ? 5.0 : 0.0; }
   bool level(SimTime) override { return value; }
   bool value = false;
 };

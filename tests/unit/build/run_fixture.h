@@ -19,7 +19,7 @@ struct SerialText final : SerialWatcher {
 
 struct ConstantVolts final : PinSource {
   explicit ConstantVolts(double v) : value(v) {}
-  double volts(SimTime) override { return value; }
+  Source output(SimTime, double) override { return value; }
   bool level(SimTime) override { return value > 2.5; }
   double value;
 };

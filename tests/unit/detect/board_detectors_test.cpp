@@ -84,14 +84,13 @@ TEST(BoardDetectors, SayNothingOfAPinThatIsHighFirstAndAnOutputThen) {
 }
 
 TEST(BoardDetectors, TellOfAPinThatIsReadBeforeItsWeakSourceHasChargedTheConverter) {
-  Blinker sketch(Blinker::Led::high_first);
   const auto found_in = [&](const std::vector<std::pair<Pin, double>>& round) {
-    SnapshotRegistry snapshots;
-    SlowSource detector(sketch, snapshots);
+    SlowSource detector(*find_board("uno"));
     SimTime t = 0;
     for (int i = 0; i < 4; ++i)
-      for (const auto& [pin, volts] : round) detector.converted(pin, volts, t += kMillisecond);
-    return detector.found(t);
+      for (const auto& [pin, volts] : round)
+        detector.converted(pin, volts, t += kMillisecond, [] { return result::SourceLine{"", "A.ino", 9}; });
+    return detector.found();
   };
   const auto found = found_in({{14, 0.0}, {15, 0.3}});
   ASSERT_THAT(found, SizeIs(1));

@@ -97,15 +97,14 @@ class HostTest : public testing::Test, protected PinWatcher, protected SerialWat
 class FixedSource : public PinSource {
  public:
   explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}
-  double volts(SimTime t) override {
+  Source output(SimTime t, double) override {
     asked_at = t;
-    return volts_;
+    return {volts_, ohms_};
   }
   bool level(SimTime t) override {
     asked_at = t;
     return volts_ >= 2.5;
   }
-  double source_ohms() const override { return ohms_; }
   void set(double volts) { volts_ = volts; }
 
   SimTime asked_at = -1;
@@ -118,7 +117,6 @@ class FixedSource : public PinSource {
 class Pulse : public PinSource {
  public:
   Pulse(SimTime begin, SimTime end) : begin_(begin), end_(end) {}
-  double volts(SimTime t) override { return level(t) ? 5.0 : 0.0; }
   bool level(SimTime t) override { return t >= begin_ && t < end_; }
 
  private:

@@ -11,7 +11,7 @@ namespace polling_test {
 /// its voltage differs from the sample before.
 class Changing final : public PinSource {
  public:
-  double volts(SimTime t) override { return (level(t) ? 4.0 : 0.0) + 0.01 * (++measured % 99); }
+  Source output(SimTime t, double) override { return (level(t) ? 4.0 : 0.0) + 0.01 * (++measured % 99); }
   bool level(SimTime t) override {
     ++asked;
     return t / kHalf % 2 != 0;

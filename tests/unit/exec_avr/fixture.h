@@ -106,15 +106,14 @@ class AvrTest : public testing::Test, protected PinWatcher, protected SerialWatc
 class FixedSource : public PinSource {
  public:
   explicit FixedSource(double volts, double ohms = 0.0) : volts_(volts), ohms_(ohms) {}
-  double volts(SimTime t) override {
+  Source output(SimTime t, double) override {
     asked_at.push_back(t);
-    return volts_;
+    return {volts_, ohms_};
   }
   bool level(SimTime t) override {
     asked_at.push_back(t);
     return volts_ >= 2.5;
   }
-  double source_ohms() const override { return ohms_; }
   void set(double volts) { volts_ = volts; }
 
   std::vector<SimTime> asked_at;
@@ -127,7 +126,6 @@ class FixedSource : public PinSource {
 class Pulse : public PinSource {
  public:
   Pulse(SimTime begin, SimTime end) : begin_(begin), end_(end) {}
-  double volts(SimTime t) override { return level(t) ? 5.0 : 0.0; }
   bool level(SimTime t) override { return t >= begin_ && t < end_; }
 
  private:

@@ -13,7 +13,6 @@ class SpiTest : public BusFixture {
  protected:
   std::uint32_t status() { return load(kSpi1 + 8); }
   struct High : PinSource {
-    double volts(SimTime) override { return 3.3; }
     bool level(SimTime) override { return true; }
   } high_;
 };

@@ -102,7 +102,7 @@ TEST_F(DmaTest, AUsartSendsABufferAndReceivesIntoOneThatGoesRound) {
 
 struct Level : PinSource {
   explicit Level(double of_supply) : volts_(3.3 * of_supply + 1e-5) {}
-  double volts(SimTime) override { return volts_; }
+  Source output(SimTime, double) override { return volts_; }
   bool level(SimTime) override { return false; }
   double volts_;
 };

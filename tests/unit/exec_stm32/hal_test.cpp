@@ -113,7 +113,7 @@ namespace hal_test {
 class HalTest : public testing::Test, protected PinWatcher, protected SerialWatcher {
  protected:
   struct Volts : PinSource {
-    double volts(SimTime) override { return value; }
+    Source output(SimTime, double) override { return value; }
     bool level(SimTime) override {
       ++asked;
       return value > 1.6;
@@ -351,7 +351,6 @@ TEST_F(HalTest, ABytesTimeIsThatOfTheBaudRate) {
 
 TEST_F(HalTest, PulseInMeasuresAPulse) {
   struct Pulse : PinSource {
-    double volts(SimTime) override { return 0.0; }
     bool level(SimTime t) override { return t >= begin && t < begin + 700 * kMicrosecond; }
     SimTime begin = 0;
   } pulse;

@@ -117,7 +117,7 @@ TEST(BusTest, BothAdcsConvertTheirOwnChannelsAndShareAnInterrupt) {
   using namespace robosim::stm32;
   struct Volts : PinSource {
     explicit Volts(double volts) : value(volts) {}
-    double volts(SimTime) override { return value; }
+    Source output(SimTime, double) override { return value; }
     bool level(SimTime) override { return false; }
     double value;
   } quarter(3.3 / 4), half(3.3 / 2);

@@ -34,7 +34,6 @@ class TimersTest : public BusFixture, protected PinWatcher {
   }
   struct Level final : PinSource {
     explicit Level(bool is_high) : high(is_high) {}
-    double volts(SimTime) override { return high ? 3.3 : 0.0; }
     bool level(SimTime) override { return high; }
     bool high;
   };

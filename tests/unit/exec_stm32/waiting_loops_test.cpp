@@ -187,7 +187,6 @@ class RandomProgram : public Program {
 /// A source whose level changes occasionally, and which reports the time of its next change.
 class Level final : public PinSource {
  public:
-  double volts(SimTime t) override { return level(t) ? 3.3 : 0.0; }
   bool level(SimTime t) override { return t / kLasts & 1; }
   SimTime same_until(SimTime t) override { return (t / kLasts + 1) * kLasts; }
 

@@ -14,7 +14,7 @@ using testing::IsEmpty;
 class Sensor final : public PinSource {
  public:
   bool level(SimTime) override { return now > 2.5; }
-  double volts(SimTime) override { return now; }
+  Source output(SimTime, double) override { return now; }
   double now = 0.0;
 };
 

@@ -52,9 +52,11 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
   }
   bool read_along(Pin pin, SimTime t) override { return read_level(pin, t); }
   SimTime same_until(Pin pin, SimTime t) const { return sources_[pin]->same_until(t); }
-  double read_volts(Pin pin, SimTime t) override {
-    return sources_[pin] ? sources_[pin]->volts(t) : pulled_up(pin) ? spec_.supply_volts : 0.0;
+  Source read_source(Pin pin, SimTime t) override {
+    if (sources_[pin]) return sources_[pin]->output(t, *supply_volts_);
+    return pulled_up(pin) ? *supply_volts_ : 0.0;
   }
+  const double& supply_volts() const override { return *supply_volts_; }
   void send_byte(uint8_t, SimTime) override {}
   bool two_wire_address(uint8_t address, SimTime t) override {
     two_wire_stop(t);
@@ -74,6 +76,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
   void write_eeprom(uint16_t, uint8_t, SimTime) override {}
   const PinDrive& drive(Pin pin) const override { return drives_[pin]; }
   void connect(Pin pin, PinSource& source) override { sources_[pin] = &source; }
+  void feed(const double& volts) override { supply_volts_ = &volts; }
   void watch(Pin pin, PinWatcher& watcher) override { watchers_[pin].push_back(&watcher); }
   void watch_serial(SerialWatcher&) override {}
   void watch_eeprom(EepromWatcher&) override {}
@@ -90,6 +93,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
   bool pulled_up(Pin pin) const { return drives_[pin].mode == PinMode::input_pullup; }
 
   const BoardSpec& spec_;
+  const double* supply_volts_ = &spec_.supply_volts;
   std::array<std::optional<bool>, kMaxPins> levels_{};  ///< the last level that the board has seen
   std::array<PinDrive, kMaxPins> drives_{};
   std::array<PinSource*, kMaxPins> sources_{};

@@ -309,7 +309,9 @@ double alkaline_amps(Profile profile, std::uint64_t seed) {
 // Returns the share of the previous channel's voltage that remains on the ADC's capacitor. The new channel
 // charges the capacitor for 12 or 20 us.
 double channel_before(double source_ohms, std::uint64_t seed) {
-  return adc_charged(1.0, 0.0, source_ohms, seed % 2 ? 12e-6 : 20e-6);
+  AdcCapacitor capacitor{1.0};
+  capacitor.charge({0.0, source_ohms}, [=] { return seed % 2 ? 12e-6 : 20e-6; });
+  return capacitor.volts;
 }
 
 struct Figure {
