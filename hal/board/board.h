@@ -50,6 +50,10 @@ inline bool operator!=(const PinDrive& a, const PinDrive& b) { return !(a == b);
 /// The time to erase and write a byte of EEPROM (datasheet, table 8-1).
 constexpr SimTime kEepromWriteTime = 3400 * kMicrosecond;
 
+/// Why a pin's level is read: for the pin itself, or together with its whole port, or by a peripheral. In the
+/// latter cases, firmware may not use the level.
+enum class ReadIntent : uint8_t { pin, port };
+
 /// Describes what is connected to an analog input: a voltage, and the resistance in series with it
 /// (Thévenin's equivalent). With 0 Ohm, the source charges the capacitor of an ADC at once.
 struct Source {

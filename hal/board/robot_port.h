@@ -1,4 +1,11 @@
 // The robot's view of the board. The robot's parts and the simulation around them call this interface.
+//
+// Contract:
+//   - While firmware runs, the board calls sources, watchers and devices, in order of time. A time may be
+//     earlier than the previous one by at most one instruction.
+//   - From inside such a call, they may call schedule_edge(), receive_byte(), and all const functions, but
+//     not connect(), feed() or watch…().
+//   - The board owns none of them. They must exist as long as the firmware runs.
 #pragma once
 
 #include "hal/board/board.h"
@@ -82,14 +89,14 @@ class TwoWireDevice {
 class RobotPort {
  public:
   virtual const BoardSpec& spec() const = 0;
+  /// Returns how firmware drives `pin`. The reference is valid as long as the board, and follows all changes.
   virtual const PinDrive& drive(Pin pin) const = 0;
-  /// Connects a source to `pin`. A pin has at most one source. The source must exist as long as the board.
+  /// Connects a source to `pin`. A pin has at most one source.
   virtual void connect(Pin pin, PinSource& source) = 0;
   /// Connects a device to the two-wire bus. If several devices have the same address, the first one answers.
   virtual void connect(TwoWireDevice& device) = 0;
   /// Connects the board's supply: `volts` is always the present supply voltage. Without a call, the supply is
-  /// spec().supply_volts. Must be called before the firmware starts. The variable must exist as long as the
-  /// board.
+  /// spec().supply_volts. Must be called before the firmware starts.
   virtual void feed(const double& volts) = 0;
   /// Adds a watcher of a pin's drive. Several watchers of a pin are called in the order in which they were
   /// added.

@@ -18,7 +18,7 @@ uint16_t place_of(uint16_t address) { return address % board->spec().eeprom_byte
 
 }  // namespace
 
-uint8_t Eeprom::read(uint16_t address) const { return board->eeprom()[place_of(address)]; }
+uint8_t Eeprom::read(uint16_t address) const { return board->read_eeprom(place_of(address)); }
 
 void Eeprom::write(uint16_t address, uint8_t value, SimTime takes) {
   board->write_eeprom(place_of(address), value, state.now);

@@ -83,7 +83,8 @@ void hear() {
 }
 
 void drive_changed(Pin pin) {
-  hear_level(pin, is_output(pin) ? output_level(pin) : board->read_along(pin, state.now), state.now);
+  hear_level(pin, is_output(pin) ? output_level(pin) : board->read_level(pin, state.now, ReadIntent::port),
+             state.now);
   refresh_wave(pin);
   refresh_deadline();
 }

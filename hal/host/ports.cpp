@@ -197,7 +197,7 @@ uint8_t read_port(Port port) {
   for (int bit = 0; bit < kBits; ++bit) {
     const Pin pin = port_pins[port][bit];
     if (pin == kNoPin || is_input_off(pin)) continue;
-    const bool level = board->read_along(pin, state.now);
+    const bool level = board->read_level(pin, state.now, ReadIntent::port);
     if (driven[pin].pwm ? output_level(pin) : level) value |= static_cast<uint8_t>(1 << bit);
   }
   return value;

@@ -56,17 +56,17 @@ class Bench final : public avr::ChipEnvironment {
     chip.cpu().stop();
   }
 
-  bool level(int pin, bool pull_up, avr::Cycle) override {
+  bool level(int pin, bool pull_up, avr::Cycle, ReadIntent) override {
     const auto found = levels.find(pin);
     return found == levels.end() ? pull_up : found->second;
   }
-  bool level_along(int pin, bool pull_up, avr::Cycle at) override { return level(pin, pull_up, at); }
   avr::Cycle level_until(int, avr::Cycle) override { return avr::kNoCycle; }
   Source source(int pin, bool high, avr::Cycle at) override {
     const int channel = chip.core().chip.pins[pin].analog_channel;
     if (channel < 0) {
       const auto found = pin_voltages.find(pin);
-      return found == pin_voltages.end() ? supply_volts() * level(pin, high, at) : found->second;
+      return found == pin_voltages.end() ? supply_volts() * level(pin, high, at, ReadIntent::pin)
+                                         : found->second;
     }
     samples.emplace_back(at, channel);
     const auto found = voltages.find(channel);
@@ -75,23 +75,17 @@ class Bench final : public avr::ChipEnvironment {
   void driven(int pin, const PinDrive& drive, avr::Cycle) override { drives[pin] = drive; }
   bool wants_edges(int pin, bool wanted, avr::Cycle at) override {
     listens_to[pin] = wanted;
-    return level(pin, true, at);
+    return level(pin, true, at, ReadIntent::port);
   }
   void sent(int usart, std::uint16_t data, avr::Cycle at) override {
     sent_bytes.emplace_back(at, data);
     if (usart == loop_ && !frames.empty()) chip.core().schedule(arrives_, at + frames.back().second);
   }
   void listens(int, avr::Cycle frame, avr::Cycle at) override { frames.emplace_back(at, frame); }
-  bool two_wire_address(std::uint8_t, avr::Cycle) override { return false; }
-  bool two_wire_write(std::uint8_t, avr::Cycle) override { return false; }
-  std::uint8_t two_wire_read(avr::Cycle) override { return 0xFF; }
-  void two_wire_stop(avr::Cycle) override {}
-  std::uint8_t* eeprom() override { return eeprom_.data(); }
+  std::uint8_t read_eeprom(std::uint16_t address) const override { return eeprom_[address]; }
   void write_eeprom(std::uint16_t address, std::uint8_t value, avr::Cycle) override {
     eeprom_[address] = value;
   }
-  void called(avr::Cycle) override {}
-  void clock_divided(int, avr::Cycle) override {}
   void was_reset(std::uint8_t, avr::Cycle) override { ++resets; }
 
   std::array<std::uint8_t, 4096> eeprom_;

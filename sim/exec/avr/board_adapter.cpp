@@ -50,14 +50,9 @@ void BoardAdapter::expect_input() {
   chip_->call_at(next == kNever ? robosim::avr::kNoCycle : state_.clock_map.cycle_at(next));
 }
 
-bool BoardAdapter::level(int pin, bool pull_up, Cycle at) {
+bool BoardAdapter::level(int pin, bool pull_up, Cycle at, ReadIntent intent) {
   const Pin number = pins_[static_cast<std::size_t>(pin)];
-  return number == kNoPin ? pull_up : board_.read_level(number, state_.clock_map.time_of(at));
-}
-
-bool BoardAdapter::level_along(int pin, bool pull_up, Cycle at) {
-  const Pin number = pins_[static_cast<std::size_t>(pin)];
-  return number == kNoPin ? pull_up : board_.read_along(number, state_.clock_map.time_of(at));
+  return number == kNoPin ? pull_up : board_.read_level(number, state_.clock_map.time_of(at), intent);
 }
 
 Cycle BoardAdapter::level_until(int pin, Cycle at) {

@@ -48,8 +48,7 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   void restore(const State& saved) { state_ = saved; }
 
  private:
-  bool level(int pin, bool pull_up, Cycle at) override;
-  bool level_along(int pin, bool pull_up, Cycle at) override;
+  bool level(int pin, bool pull_up, Cycle at, ReadIntent intent) override;
   Cycle level_until(int pin, Cycle at) override;
   Source source(int pin, bool high, Cycle at) override;
   double supply_volts() const override { return board_.supply_volts(); }
@@ -65,7 +64,7 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   }
   std::uint8_t two_wire_read(Cycle at) override { return board_.two_wire_read(state_.clock_map.time_of(at)); }
   void two_wire_stop(Cycle at) override { board_.two_wire_stop(state_.clock_map.time_of(at)); }
-  std::uint8_t* eeprom() override { return board_.eeprom(); }
+  std::uint8_t read_eeprom(std::uint16_t address) const override { return board_.read_eeprom(address); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, Cycle at) override;
   void called(Cycle at) override { take_inputs(at); }
   void clock_divided(int divisor, Cycle at) override;

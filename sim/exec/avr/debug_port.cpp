@@ -91,7 +91,7 @@ std::string DebugPort::read_memory(std::uint32_t address, std::uint32_t size) co
     } else if (at >= kAvrData && at < data_end()) {
       bytes += static_cast<char>(machine_->peek(static_cast<reg::Address>(at - kAvrData)));
     } else if (at >= kAvrEeprom && at < kAvrEeprom + board_.spec().eeprom_bytes) {
-      bytes += static_cast<char>(board_.eeprom()[at - kAvrEeprom]);
+      bytes += static_cast<char>(board_.read_eeprom(static_cast<std::uint16_t>(at - kAvrEeprom)));
     } else {
       break;
     }

@@ -33,20 +33,16 @@ bool BoardState::level_on(Pin pin, SimTime t) {
   return state.drive.mode == PinMode::input_pullup;
 }
 
-bool BoardState::read_along(Pin pin, SimTime t) {
+bool BoardState::read_level(Pin pin, SimTime t, ReadIntent intent) {
   if (pin >= spec_.pin_count) return false;
   const bool level = level_on(pin, t);
   PinUse& use = state_.pins[pin].use;
   use.read = true;
+  use.looked_at |= intent == ReadIntent::pin;
   use.last_seen = t;
   (level ? use.was_high : use.was_low) = true;
   if (input_watcher_) input_watcher_->level_seen(pin, level, t);
   return level;
-}
-
-bool BoardState::read_level(Pin pin, SimTime t) {
-  if (pin < spec_.pin_count) state_.pins[pin].use.looked_at = true;
-  return read_along(pin, t);
 }
 
 SimTime BoardState::same_until(Pin pin, SimTime t) const {
@@ -157,7 +153,7 @@ bool BoardState::set_wants_edges(Pin pin, bool wanted, SimTime now) {
   state.wants_edges = wanted;
   state.use.awaited |= wanted;
   state_.wanted_pins += wanted ? 1 : -1;
-  const bool level = wanted && read_along(pin, now);
+  const bool level = wanted && read_level(pin, now, ReadIntent::port);
   if (wanted) {
     state.last_level = level;
     std::erase_if(state_.edges, [&](const BoardInput& edge) {

@@ -31,8 +31,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
 
   // --- FirmwarePort
   void set_drive(Pin pin, const PinDrive& drive, SimTime t) override;
-  bool read_level(Pin pin, SimTime t) override;
-  bool read_along(Pin pin, SimTime t) override;
+  bool read_level(Pin pin, SimTime t, ReadIntent intent = ReadIntent::pin) override;
   Source read_source(Pin pin, SimTime t) override;
   const double& supply_volts() const override { return *supply_volts_; }
   void send_byte(std::uint8_t byte, SimTime t) override;
@@ -40,7 +39,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   bool two_wire_write(std::uint8_t byte, SimTime t) override;
   std::uint8_t two_wire_read(SimTime t) override;
   void two_wire_stop(SimTime t) override;
-  std::uint8_t* eeprom() override { return state_.eeprom.data(); }
+  std::uint8_t read_eeprom(std::uint16_t address) const override { return state_.eeprom[address]; }
   void write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) override;
 
   // --- RobotPort

@@ -54,8 +54,9 @@ class ClockedBoard final : public FirmwarePort {
   // --- FirmwarePort
   const BoardSpec& spec() const override { return board_.spec(); }
   void set_drive(Pin pin, const PinDrive& drive, SimTime t) override { board_.set_drive(pin, drive, at(t)); }
-  bool read_level(Pin pin, SimTime t) override { return board_.read_level(pin, at(t)); }
-  bool read_along(Pin pin, SimTime t) override { return board_.read_along(pin, at(t)); }
+  bool read_level(Pin pin, SimTime t, ReadIntent intent = ReadIntent::pin) override {
+    return board_.read_level(pin, at(t), intent);
+  }
   Source read_source(Pin pin, SimTime t) override { return board_.read_source(pin, at(t)); }
   const double& supply_volts() const override { return board_.supply_volts(); }
   void send_byte(std::uint8_t byte, SimTime t) override { board_.send_byte(byte, at(t)); }
@@ -65,7 +66,7 @@ class ClockedBoard final : public FirmwarePort {
   bool two_wire_write(std::uint8_t byte, SimTime t) override { return board_.two_wire_write(byte, at(t)); }
   std::uint8_t two_wire_read(SimTime t) override { return board_.two_wire_read(at(t)); }
   void two_wire_stop(SimTime t) override { board_.two_wire_stop(at(t)); }
-  std::uint8_t* eeprom() override { return board_.eeprom(); }
+  std::uint8_t read_eeprom(std::uint16_t address) const override { return board_.read_eeprom(address); }
   void write_eeprom(std::uint16_t address, std::uint8_t value, SimTime t) override {
     board_.write_eeprom(address, value, at(t));
   }

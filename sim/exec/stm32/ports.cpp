@@ -88,7 +88,7 @@ void Ports::reset(Address block) {
 
 bool Ports::level(ChipPin pin) const {
   if (pin == kNoChipPin || number_of(pin) == kNoPin) return false;
-  return link_.board.read_along(number_of(pin), link_.clock.time());
+  return link_.board.read_level(number_of(pin), link_.clock.time(), ReadIntent::port);
 }
 
 Pin Ports::note_read(ChipPin pin) {
@@ -163,7 +163,7 @@ std::uint32_t Ports::read(Address address) {
         if (const Pin pin = note_read({number, bit}); pin != kNoPin) {
           read = read == kNoPin ? pin : InputReads::kSeveral;
           if (makes_pwm({number, bit}) ? pulse_({number, bit}).level
-                                       : link_.board.read_along(pin, link_.clock.time()))
+                                       : link_.board.read_level(pin, link_.clock.time(), ReadIntent::port))
             levels |= 1u << bit;
         }
       if (read != kNoPin) link_.note_read(read);

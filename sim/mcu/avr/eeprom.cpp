@@ -53,7 +53,7 @@ void Eeprom::control(std::uint8_t value, std::uint8_t written) {
   const Cycle now = core_.now();
   const int starts = state_.control.write(core_.at(control_), value, written, now, kEempeWindow);
   if (starts & kEere) {
-    core_.at(data_register()) = core_.environment.eeprom()[address()];
+    core_.at(data_register()) = core_.environment.read_eeprom(address());
     core_.cpu.skip_to(now + kReadHalts);
   }
   if (starts & kEepe) begin();
@@ -62,7 +62,7 @@ void Eeprom::control(std::uint8_t value, std::uint8_t written) {
 
 void Eeprom::begin() {
   const Cycle now = core_.now();
-  const std::uint8_t old = core_.environment.eeprom()[address()];
+  const std::uint8_t old = core_.environment.read_eeprom(address());
   const EepromWrite write = eeprom_write(core_.at(control_), old, core_.at(data_register()));
   if (write.takes == 0) return;
   state_.mode = core_.at(control_) & kEepm;

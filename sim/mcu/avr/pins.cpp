@@ -86,7 +86,7 @@ bool Pins::output_level(int pin) const {
 
 bool Pins::level(int pin) {
   if (is_output(pin)) return output_level(pin);
-  return core_.environment.level_along(pin, is_pulled_up(pin), core_.now());
+  return core_.environment.level(pin, is_pulled_up(pin), core_.now(), ReadIntent::port);
 }
 
 Source Pins::source(int pin, Cycle at) {
@@ -159,8 +159,8 @@ std::uint8_t Pins::read_pins(Address address) {
       level = output_level(pin);
     } else if (!(output_then & mask)) {
       const bool pull_up = level && has_pull_ups();
-      level = asked == Cpu::kAllBits ? core_.environment.level_along(pin, pull_up, now)
-                                     : core_.environment.level(pin, pull_up, now);
+      level = core_.environment.level(pin, pull_up, now,
+                                      asked == Cpu::kAllBits ? ReadIntent::port : ReadIntent::pin);
       state_.last_read = pin;
       state_.last_read_at = now;
       if (tested & mask) read = read == kNoPin ? static_cast<Pin>(pin) : InputReads::kSeveral;

@@ -150,12 +150,12 @@ TEST_F(BoardStateTest, AResetFreesPinsAndForgetsWhatIsOnItsWayButNotTheEeprom) {
   board_.set_drive(9, output(true), 0);
   board_.set_wants_edges(2, true, 0);
   board_.schedule_edge(2, true, 100);
-  board_.eeprom()[7] = 42;
+  board_.write_eeprom(7, 42, 0);
   board_.reset(50);
   EXPECT_EQ(board_.drive(9), PinDrive{});
   EXPECT_EQ(board_.next_input(), kNever);
-  EXPECT_EQ(board_.eeprom()[7], 42);
-  EXPECT_EQ(board_.eeprom()[8], 0xFF);
+  EXPECT_EQ(board_.read_eeprom(7), 42);
+  EXPECT_EQ(board_.read_eeprom(8), 0xFF);
 }
 
 TEST_F(BoardStateTest, ReportsEachEepromWriteWithThePreviousValue) {
@@ -170,7 +170,7 @@ TEST_F(BoardStateTest, ReportsEachEepromWriteWithThePreviousValue) {
   board_.write_eeprom(3, 2, 20);
   board_.write_eeprom(board_.spec().eeprom_bytes, 2, 30);
   EXPECT_THAT(watcher.heard, ElementsAre(3, 1, 2, 20));
-  EXPECT_EQ(board_.eeprom()[3], 2);
+  EXPECT_EQ(board_.read_eeprom(3), 2);
 }
 
 TEST_F(BoardStateTest, PinsThatNoBoardHasDoNoHarm) {

@@ -67,7 +67,7 @@ TEST_F(UsageTest, AnUnwiredCaptureInputWithAPullUpOrAsAnOutputIsNamed) {
   wiring.clear();
   board.set_wants_edges(8, true, 0);
   set(8, PinMode::input_pullup);
-  board.read_along(8, 0);
+  board.read_level(8, 0, ReadIntent::port);
   EXPECT_THAT(told(usage().unwired), ElementsAre("D8 read"));
   set(8, PinMode::output);
   EXPECT_THAT(told(usage().unwired), ElementsAre("D8 driven"));
@@ -75,7 +75,7 @@ TEST_F(UsageTest, AnUnwiredCaptureInputWithAPullUpOrAsAnOutputIsNamed) {
 
 TEST_F(UsageTest, WhatASketchNeverTouchesIsUnusedByElementAndByPart) {
   EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
-  board.read_along(7, 0);  // read together with other pins of its port
+  board.read_level(7, 0, ReadIntent::port);  // read together with other pins of its port
   EXPECT_THAT(usage().unused, ElementsAre("left", "start", "S1", "S2"));
   set(8, PinMode::output);
   board.read_volts(15, 0);
@@ -96,7 +96,7 @@ TEST_F(UsageTest, PinsThatAreUsedWithNothingWiredToThemAreNamed) {
 
 TEST_F(UsageTest, APinThatIsReadWithItsWholePortIsNotBlamed) {
   for (int pass = 0; pass < 3; ++pass)
-    for (Pin pin = 0; pin < 8; ++pin) board.read_along(pin, pass * kMillisecond);
+    for (Pin pin = 0; pin < 8; ++pin) board.read_level(pin, pass * kMillisecond, ReadIntent::port);
   EXPECT_THAT(usage().unwired, IsEmpty());
 }
 

@@ -47,10 +47,9 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
     drives_[pin] = drive;
     for (PinWatcher* watcher : watchers_[pin]) watcher->pin_changed(pin, drive, t);
   }
-  bool read_level(Pin pin, SimTime t) override {
+  bool read_level(Pin pin, SimTime t, ReadIntent = ReadIntent::pin) override {
     return sources_[pin] ? sources_[pin]->level(t) : pulled_up(pin);
   }
-  bool read_along(Pin pin, SimTime t) override { return read_level(pin, t); }
   SimTime same_until(Pin pin, SimTime t) const { return sources_[pin]->same_until(t); }
   Source read_source(Pin pin, SimTime t) override {
     if (sources_[pin]) return sources_[pin]->output(t, *supply_volts_);
@@ -72,7 +71,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
     spoken_to_ = nullptr;
   }
   void connect(TwoWireDevice& device) override { two_wire_.push_back(&device); }
-  uint8_t* eeprom() override { return nullptr; }
+  uint8_t read_eeprom(uint16_t) const override { return 0xFF; }
   void write_eeprom(uint16_t, uint8_t, SimTime) override {}
   const PinDrive& drive(Pin pin) const override { return drives_[pin]; }
   void connect(Pin pin, PinSource& source) override { sources_[pin] = &source; }

@@ -151,22 +151,22 @@ TEST_F(BoardFaultsTest, AByteIsBeingWrittenFor3400Microseconds) {
   ASSERT_TRUE(byte);
   EXPECT_EQ(byte->address, 12);
   EXPECT_EQ(byte->value, 0x5A);
-  EXPECT_EQ(probe.state.eeprom()[12], 0x5A);
+  EXPECT_EQ(probe.state.memory()[12], 0x5A);
   faults.leave_half_written({HalfWritten::Kind::value, 0x77}, 23 * ms);
-  EXPECT_EQ(probe.state.eeprom()[12], 0x77);
+  EXPECT_EQ(probe.state.memory()[12], 0x77);
   EXPECT_FALSE(faults.leave_half_written({HalfWritten::Kind::value, 0}, 24 * ms)) << "the write was complete";
-  EXPECT_EQ(probe.state.eeprom()[12], 0x77);
+  EXPECT_EQ(probe.state.memory()[12], 0x77);
 }
 
 TEST_F(BoardFaultsTest, AFlippedBitIsTheOtherOneFromThenOn) {
-  probe.state.eeprom()[0x3FF] = 0b1010'0000;
+  probe.state.memory()[0x3FF] = 0b1010'0000;
   fail({"eeprom", "flip", "0x3FF", "7"});
   fail({"eeprom", "flip", "1023", "0"});
-  EXPECT_EQ(probe.state.eeprom()[0x3FF], 0b0010'0001);
+  EXPECT_EQ(probe.state.memory()[0x3FF], 0b0010'0001);
 }
 
 TEST_F(BoardFaultsTest, AUsedEepromHoldsSomethingElseEverywhereByTheSeed) {
-  std::uint8_t* const bytes = probe.state.eeprom();
+  std::uint8_t* const bytes = probe.state.memory();
   const auto used = [&](std::uint64_t seed) {
     std::fill_n(bytes, 1024, std::uint8_t{0xFF});
     BoardFaults others(probe, robot, seed);
