@@ -115,8 +115,7 @@ constexpr bool pwm_level(const Counting& how, int64_t top, uint16_t compare, uin
 /// channel's OCRnx. Tables 15-2 to 15-7, 16-1 to 16-3, 18-2 to 18-7.
 inline PinDrive timer_drive(const Counting& how, int32_t prescaler, int64_t top, uint16_t compare,
                             uint8_t com, int64_t clock_hz) {
-  PinDrive drive;
-  drive.mode = PinMode::output;
+  PinDrive drive = PinDrive::constant(false);
   if (prescaler == 0) return drive;
   if (com == 1) {
     drive.pwm = true;
@@ -124,11 +123,7 @@ inline PinDrive timer_drive(const Counting& how, int32_t prescaler, int64_t top,
     drive.tone_hz = static_cast<uint32_t>(clock_hz / (2 * prescaler * period_of(how, top)));
     return drive;
   }
-  if (how.kind != Counting::Kind::pwm) {
-    drive.level = com == 3;
-    drive.duty = drive.level ? 1.0 : 0.0;
-    return drive;
-  }
+  if (how.kind != Counting::Kind::pwm) return PinDrive::constant(com == 3);
   const int64_t value = compare < top ? compare : top;
   const bool longer = !how.short_pulse || value == top;
   const double high = how.dual_slope

@@ -33,6 +33,11 @@ enum class PinMode : uint8_t { input, input_pullup, output };
 /// Describes how the microcontroller drives one pin. The default is the state after a reset: an input without
 /// pull-up.
 struct PinDrive {
+  /// Returns the drive of an output at a constant level.
+  static constexpr PinDrive constant(bool level) {
+    return {PinMode::output, level, false, level ? 1.0 : 0.0, 0, 0};
+  }
+
   PinMode mode = PinMode::input;
   bool level = false;      ///< level of the output latch; meaningful only for `output` without PWM
   bool pwm = false;        ///< a timer drives the pin: `duty` is valid, `level` is not

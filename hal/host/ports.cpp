@@ -73,26 +73,15 @@ void place_timer(Pin pin, const BoardSpec& board) {
 PinDrive drive_of(Pin pin) {
   const PortRegisters& port = ports[port_of(pin)];
   const uint8_t mask = mask_of(pin);
-  PinDrive drive;
   if (!(port.direction & mask)) {
-    drive.mode = port.output & mask && !pull_ups_off ? PinMode::input_pullup : PinMode::input;
-    return drive;
+    const bool pulls_up = port.output & mask && !pull_ups_off;
+    return {pulls_up ? PinMode::input_pullup : PinMode::input, false, false, 0.0, 0, 0};
   }
   const TimerPin by = timer_of(pin);
   if (is_timed(pin)) return timer(by.timer).drive(by.channel);
-  drive.mode = PinMode::output;
-  if (tone_hz[pin]) {
-    drive.pwm = true;
-    drive.duty = 0.5;
-    drive.tone_hz = tone_hz[pin];
-  } else if (pwm_values[pin]) {
-    drive.pwm = true;
-    drive.duty = pwm_values[pin] / 255.0;
-  } else {
-    drive.level = port.output & mask;
-    drive.duty = drive.level ? 1.0 : 0.0;
-  }
-  return drive;
+  if (tone_hz[pin]) return {PinMode::output, false, true, 0.5, tone_hz[pin], 0};
+  if (pwm_values[pin]) return {PinMode::output, false, true, pwm_values[pin] / 255.0, 0, 0};
+  return PinDrive::constant(port.output & mask);
 }
 
 void refresh_port(Port port, uint8_t changed) {

@@ -368,13 +368,7 @@ int64_t Timer::take_overflows() {
 bool Timer::drives(int channel) const { return avr::drives_pin(counting_, connection(channel), channel); }
 
 PinDrive Timer::drive(int channel) const {
-  if (prescaler_ == 0 || (steps() && steps(channel))) {
-    PinDrive drive;
-    drive.mode = PinMode::output;
-    drive.level = level_at(channel, ticks());
-    drive.duty = drive.level ? 1.0 : 0.0;
-    return drive;
-  }
+  if (prescaler_ == 0 || (steps() && steps(channel))) return PinDrive::constant(level_at(channel, ticks()));
   const bool late = late_ >> channel & 1 || is_top(channel);
   const uint16_t compare = late && is_held(channel) ? held_[channel] : compare_[channel];
   return avr::timer_drive(counting_, prescaler_, pin_top_, compare, connection(channel), kClockHz);

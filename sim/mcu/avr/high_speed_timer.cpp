@@ -353,16 +353,11 @@ void HighSpeedTimer::tell_drives() {
       state_.taken[output] = false;
       continue;
     }
-    PinDrive drive;
-    drive.mode = PinMode::output;
+    PinDrive drive = PinDrive::constant(state_.level[output]);
     if (has_pwm(output)) {
       const int value = std::min<int>(state_.compare[output], top);
       const double high = fast ? (value + 1.0) / (top + 1.0) : static_cast<double>(value) / top;
-      drive.pwm = true;
-      drive.duty = com == 3 ? 1.0 - high : high;
-    } else {
-      drive.level = state_.level[output];
-      drive.duty = drive.level ? 1.0 : 0.0;
+      drive = {PinMode::output, false, true, com == 3 ? 1.0 - high : high};
     }
     pins_.take(pin, drive);
     state_.taken[output] = true;

@@ -246,9 +246,7 @@ void Pins::tell_drive(int pin) {
   } else if (!is_output(pin)) {
     drive.mode = latch && has_pull_ups() ? PinMode::input_pullup : PinMode::input;
   } else {
-    drive.mode = PinMode::output;
-    drive.level = latch;
-    drive.duty = latch ? 1.0 : 0.0;
+    drive = PinDrive::constant(latch);
   }
   core_.environment.driven(pin, drive, core_.now());
 }

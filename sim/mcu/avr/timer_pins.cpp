@@ -61,11 +61,7 @@ PinDrive Timer::drive_of(std::size_t channel) const {
   if ((pwm && counts) || toggles)
     return timer_drive(counter.how(), 1 << std::max(state_.shift, 0), counter.top(), counter.compare(channel),
                        com, core_.clock_hz);
-  PinDrive drive;
-  drive.mode = PinMode::output;
-  drive.level = pwm ? pwm_level(channel) : state_.outputs[channel].level;
-  drive.duty = drive.level ? 1.0 : 0.0;
-  return drive;
+  return PinDrive::constant(pwm ? pwm_level(channel) : state_.outputs[channel].level);
 }
 
 std::size_t Timer::channel_of(int pin) const {

@@ -156,10 +156,8 @@ void ShiftRegisterPart::show(SimTime t) {
   for (std::size_t r = 0; r < chain_.size(); ++r) {
     for (int q = 0; q < kRegisterOutputs; ++q) {
       PinDrive drive;
-      if (driven) {
-        const bool high = (state_.latched >> (r * kRegisterOutputs + static_cast<unsigned>(q)) & 1) != 0;
-        drive = {PinMode::output, high, false, high ? 1.0 : 0.0, 0};
-      }
+      if (driven)
+        drive = PinDrive::constant(state_.latched >> (r * kRegisterOutputs + static_cast<unsigned>(q)) & 1);
       context_.netlist.drive_output(output_pin(chain_[r], q), drive, t);
     }
   }

@@ -25,9 +25,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
   std::vector<Edge> edges;    ///< scheduled edges, except those that repeat a level
   bool edges_wanted = false;  ///< the result of wants_edges()
 
-  void output(Pin pin, bool level, SimTime t) {
-    set_drive(pin, {PinMode::output, level, false, level ? 1.0 : 0.0, 0}, t);
-  }
+  void output(Pin pin, bool level, SimTime t) { set_drive(pin, PinDrive::constant(level), t); }
   void pwm(Pin pin, double duty, SimTime t) { set_drive(pin, {PinMode::output, false, true, duty, 0}, t); }
   void input(Pin pin, bool pullup, SimTime t) {
     PinDrive drive;
