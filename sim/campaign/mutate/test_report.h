@@ -27,9 +27,9 @@ struct ProgramBroke : std::runtime_error {
   bool late;
 };
 
-/// Runs a program in `folder` until its first test fails. `filter` is GoogleTest's filter; empty = GTEST_FILTER.
-/// `scratch` receives the report. Throws CouldNotRun, ProgramBroke, and ToolMissing if the program `timeout` is
-/// missing.
+/// Runs a program in `folder` until its first test fails. `filter` is GoogleTest's filter; empty =
+/// GTEST_FILTER. `scratch` receives the report. Throws CouldNotRun, ProgramBroke, and ToolMissing if the
+/// program `timeout` is missing.
 TestRun run_tests(const std::filesystem::path& program, const std::string& filter,
                   const std::filesystem::path& folder, const std::filesystem::path& scratch,
                   int most_seconds = 600);
