@@ -32,23 +32,12 @@ struct AdcCapacitor {
   double error = 0.0;  ///< `volts` minus the source's voltage
   bool slow = false;   ///< the source had a resistance
 
-  /// Lets `source` charge the capacitor for `seconds()`, which is called only if it matters.
-  template <typename Seconds>
-  void charge(Source source, Seconds seconds) {
+  /// Lets `source` charge the capacitor for `seconds`. Not inlined, because few robots have slow sources.
+  __attribute__((noinline, cold)) void charge(Source source, double seconds) {
     slow = source.ohms > 0.0;
-    if (__builtin_expect(slow, 0)) {
-      charge_slowly(source, seconds());
-    } else {
-      volts = source.volts;
-      error = 0.0;
-    }
-  }
-
- private:
-  // Not inlined, because few robots have slow sources.
-  __attribute__((noinline, cold)) void charge_slowly(Source source, double seconds) {
-    error = (volts - source.volts) *
-            adc_decay((seconds > 0.0 ? seconds : 0.0) / (kAdcFarads * (kAdcOhms + source.ohms)));
+    error = slow ? (volts - source.volts) *
+                       adc_decay((seconds > 0.0 ? seconds : 0.0) / (kAdcFarads * (kAdcOhms + source.ohms)))
+                 : 0.0;
     volts = source.volts + error;
   }
 };

@@ -72,9 +72,13 @@ __attribute__((always_inline)) inline uint16_t adc_sample(const AdcSpec& adc, ui
                                                           SourceAt source, Report report) {
   const int selection = adc_selection(adc, multiplexer, control_b), channel = adc_channel(adc, selection);
   if (channel >= 0) {
-    const bool was_slow = capacitor.slow;
-    capacitor.charge(source(channel), seconds);
-    if (__builtin_expect(was_slow || capacitor.slow, 0)) report(channel);
+    const Source input = source(channel);
+    if (__builtin_expect(input.ohms > 0.0 || capacitor.slow, 0)) {
+      capacitor.charge(input, seconds());
+      report(channel);
+    } else {
+      capacitor.volts = input.volts;
+    }
   } else {
     capacitor.volts = selection == adc.bandgap_channel ? adc.bandgap_volts : 0.0;
   }

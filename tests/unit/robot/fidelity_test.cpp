@@ -310,7 +310,7 @@ double alkaline_amps(Profile profile, std::uint64_t seed) {
 // charges the capacitor for 12 or 20 us.
 double channel_before(double source_ohms, std::uint64_t seed) {
   AdcCapacitor capacitor{1.0};
-  capacitor.charge({0.0, source_ohms}, [=] { return seed % 2 ? 12e-6 : 20e-6; });
+  capacitor.charge({0.0, source_ohms}, seed % 2 ? 12e-6 : 20e-6);
   return capacitor.volts;
 }
 

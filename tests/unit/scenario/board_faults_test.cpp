@@ -166,7 +166,7 @@ TEST_F(BoardFaultsTest, AFlippedBitIsTheOtherOneFromThenOn) {
 }
 
 TEST_F(BoardFaultsTest, AUsedEepromHoldsSomethingElseEverywhereByTheSeed) {
-  std::uint8_t* const bytes = probe.state.memory();
+  std::uint8_t* const bytes = probe.state.memory().data();
   const auto used = [&](std::uint64_t seed) {
     std::fill_n(bytes, 1024, std::uint8_t{0xFF});
     BoardFaults others(probe, robot, seed);
