@@ -1,12 +1,10 @@
 #include "sim/base/archive.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 
-namespace robosim {
-namespace archive_test {
+namespace robosim::archive_test {
 
 TEST(Bundle, GivesBackWhatWasPackedWhateverItHolds) {
   const std::string bytes("a 3\n\0\xff", 6);
@@ -27,5 +25,4 @@ TEST(Bundle, RefusesWhatIsCutShortOrNone) {
   EXPECT_THROW(unpack("one -1\nabc"), InputError);
 }
 
-}  // namespace archive_test
-}  // namespace robosim
+}  // namespace robosim::archive_test

@@ -4,8 +4,7 @@
 
 #include "sim/base/error.h"
 
-namespace robosim {
-namespace base64_test {
+namespace robosim::base64_test {
 
 TEST(Base64, IsReadAsItWasWritten) {
   std::string bytes;
@@ -32,5 +31,4 @@ TEST(Base64, IsTheSamePieceByPiece) {
   }
 }
 
-}  // namespace base64_test
-}  // namespace robosim
+}  // namespace robosim::base64_test

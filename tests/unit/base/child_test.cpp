@@ -11,8 +11,7 @@
 
 #include "sim/base/process_state.h"
 
-namespace robosim {
-namespace child_test {
+namespace robosim::child_test {
 
 ChildStart shell(const std::string& script) {
   ChildStart start;
@@ -112,5 +111,4 @@ TEST(Child, AProgramThatCannotBeStartedIsNamed) {
 }
 #endif
 
-}  // namespace child_test
-}  // namespace robosim
+}  // namespace robosim::child_test

@@ -1,10 +1,8 @@
 #include "sim/base/config.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-namespace robosim {
-namespace config_test {
+namespace robosim::config_test {
 
 std::string error_of(const std::function<void()>& f) {
   try {
@@ -128,5 +126,4 @@ TEST(Config, PointsAtASyntaxError) {
     EXPECT_THAT(error_of([&] { parse_toml(header, "f.toml"); }), testing::HasSubstr("f.toml:1")) << header;
 }
 
-}  // namespace config_test
-}  // namespace robosim
+}  // namespace robosim::config_test

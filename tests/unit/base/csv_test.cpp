@@ -2,8 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace robosim {
-namespace csv_test {
+namespace robosim::csv_test {
 
 using testing::ElementsAre;
 using testing::Optional;
@@ -23,5 +22,4 @@ TEST(Csv, ARowGivesItsFieldsBack) {
   EXPECT_EQ(csv_fields("1,\"open"), std::nullopt);
 }
 
-}  // namespace csv_test
-}  // namespace robosim
+}  // namespace robosim::csv_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim {
-namespace did_you_mean_test {
+namespace robosim::did_you_mean_test {
 
 TEST(Nearest, ForgivesOneSlipInAShortWordAndMoreInALongOne) {
   const std::vector<std::string> names{"oval", "figure8", "PidFollower"};
@@ -42,5 +41,4 @@ TEST(UnknownName, ListsWhatThereIs) {
   EXPECT_EQ(unknown_name("map", "moon", {}), "there is no map “moon”; there are none");
 }
 
-}  // namespace did_you_mean_test
-}  // namespace robosim
+}  // namespace robosim::did_you_mean_test

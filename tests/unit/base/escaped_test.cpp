@@ -2,13 +2,11 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim {
-namespace escaped_test {
+namespace robosim::escaped_test {
 
 TEST(Escaped, WhatAScriptCannotHoldBetweenItsQuotesIsEscaped) {
   EXPECT_EQ(escaped("say \"hi\"\r\n\tC:\\"), R"(say \"hi\"\r\n\tC:\\)");
   EXPECT_EQ(escaped("plain, é and all"), "plain, é and all");
 }
 
-}  // namespace escaped_test
-}  // namespace robosim
+}  // namespace robosim::escaped_test

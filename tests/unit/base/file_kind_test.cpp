@@ -1,14 +1,10 @@
 #include "sim/base/file_kind.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 
-namespace robosim {
-namespace file_kind_test {
-
-using ::testing::HasSubstr;
+namespace robosim::file_kind_test {
 
 TEST(FileKind, IsToldByTheContent) {
   EXPECT_EQ(kind_of("+++\nname = \"x\"\n+++\n111\n"), FileKind::map);
@@ -51,5 +47,4 @@ TEST(FileKind, OfAnotherKindIsNamedWithTheOptionForIt) {
   EXPECT_EQ(refusal("what is this\n", FileKind::map), "as it was");
 }
 
-}  // namespace file_kind_test
-}  // namespace robosim
+}  // namespace robosim::file_kind_test

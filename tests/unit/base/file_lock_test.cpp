@@ -1,16 +1,15 @@
 #include "sim/base/file_lock.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <csignal>
 
 #include "sim/base/child.h"
 #include "sim/base/error.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim {
-namespace file_lock_test {
+namespace robosim::file_lock_test {
 
 namespace fs = std::filesystem;
 
@@ -52,12 +51,7 @@ TEST(FileLock, EndsWithItsProcessAndLeavesNothingBehind) {
 TEST(FileLock, IsRefusedWhereTheFileCannotBeWritten) {
   const test::TemporaryFolder folder;
   const auto refusal = [](const fs::path& file) -> std::string {
-    try {
-      const FileLock claim(file);
-      return "";
-    } catch (const InputError& error) {
-      return error.what();
-    }
+    return test::refusal([&] { const FileLock claim(file); }, "");
   };
   EXPECT_THAT(refusal(folder.path() / "none/a.csv"),
               testing::HasSubstr("none does not exist; create it first"));
@@ -70,5 +64,4 @@ TEST(FileLock, IsNotNeededForADevice) {
   EXPECT_NO_THROW(FileLock("/dev/null"));
 }
 
-}  // namespace file_lock_test
-}  // namespace robosim
+}  // namespace robosim::file_lock_test

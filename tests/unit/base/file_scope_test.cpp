@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -16,8 +15,7 @@
 #include "sim/base/file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim {
-namespace file_scope_test {
+namespace robosim::file_scope_test {
 
 namespace fs = std::filesystem;
 
@@ -155,5 +153,4 @@ TEST_F(FileScope, ReadsNothingWhereTheServedFolderIsGone) {
               testing::ExitedWithCode(0), "");
 }
 
-}  // namespace file_scope_test
-}  // namespace robosim
+}  // namespace robosim::file_scope_test

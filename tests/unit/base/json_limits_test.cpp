@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace robosim {
-namespace json_limits_test {
+namespace robosim::json_limits_test {
 
 std::string nested(int depth) {
   const auto count = static_cast<std::size_t>(depth);
@@ -26,5 +25,4 @@ TEST(JsonLimits, DoNotCountWhatIsInStrings) {
   EXPECT_FALSE(is_within_json_limits("[\"\\\\\"," + nested(100) + "]")) << "a backslash at the string's end";
 }
 
-}  // namespace json_limits_test
-}  // namespace robosim
+}  // namespace robosim::json_limits_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim {
-namespace markup_test {
+namespace robosim::markup_test {
 
 TEST(Markup, IsTextThatMarksUpNothing) {
   EXPECT_EQ(markup_text("a < b & \"c\" > d\n\te"), "a &lt; b &amp; &quot;c&quot; &gt; d&#10;\te");
@@ -18,5 +17,4 @@ TEST(Markup, HoldsNothingThatXmlDoesNotAllow) {
   EXPECT_EQ(markup_text("a\xFF<"), std::string("a") + kReplacement + "&lt;");
 }
 
-}  // namespace markup_test
-}  // namespace robosim
+}  // namespace robosim::markup_test

@@ -1,7 +1,6 @@
 #include "sim/base/new_file.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
@@ -9,10 +8,10 @@
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim {
-namespace new_file_test {
+namespace robosim::new_file_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -61,15 +60,9 @@ TEST(NewFile, LeavesAFolderThatHasItsNameMeanwhile) {
   file.add(kLong);
   fs::create_directory(path);
   write_file(path / "inside", "kept");
-  try {
-    file.finish();
-    ADD_FAILURE() << "a folder was replaced";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("cannot be written: Is a directory"));
-  }
+  EXPECT_THAT(test::refusal([&] { file.finish(); }), HasSubstr("cannot be written: Is a directory"));
   EXPECT_EQ(read_file(path / "inside"), "kept");
   EXPECT_THAT(names_in(folder.path()), ElementsAre("file"));
 }
 
-}  // namespace new_file_test
-}  // namespace robosim
+}  // namespace robosim::new_file_test

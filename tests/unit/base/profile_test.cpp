@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim {
-namespace profile_test {
+namespace robosim::profile_test {
 
 TEST(Profile, NamesOfVersionsAreReadAsTheyAreWritten) {
   for (const Profile profile : {Profile::ideal, Profile::typical_1, Profile::typical_2})
@@ -15,5 +14,4 @@ TEST(Profile, NamesOfVersionsAreReadAsTheyAreWritten) {
   EXPECT_EQ(profile_of("typical"), Profile::typical);
 }
 
-}  // namespace profile_test
-}  // namespace robosim
+}  // namespace robosim::profile_test

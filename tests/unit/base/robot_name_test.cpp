@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim {
-namespace robot_name_test {
+namespace robosim::robot_name_test {
 
 void expect(const std::string& text, const std::string& robot, const std::string& board) {
   const RobotName name = parse_robot_name(text);
@@ -30,5 +29,4 @@ TEST(RobotName, TakesOneBoardAtATime) {
   EXPECT_EQ(robot_with_board("uno5@nano", "bluepill"), "uno5@bluepill");
 }
 
-}  // namespace robot_name_test
-}  // namespace robosim
+}  // namespace robosim::robot_name_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim {
-namespace shell_word_test {
+namespace robosim::shell_word_test {
 
 TEST(ShellWords, AreThoseThatACommandWasMadeOf) {
   const std::vector<std::string> words{"robosim",     "run", "./Zoë's <b>", "--send",
@@ -15,5 +14,4 @@ TEST(ShellWords, AreThoseThatACommandWasMadeOf) {
   EXPECT_EQ(shell_words("a 'b"), std::nullopt);
 }
 
-}  // namespace shell_word_test
-}  // namespace robosim
+}  // namespace robosim::shell_word_test

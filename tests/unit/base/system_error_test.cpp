@@ -1,14 +1,12 @@
 #include "sim/base/system_error.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cerrno>
 #include <new>
 #include <system_error>
 
-namespace robosim {
-namespace system_error_test {
+namespace robosim::system_error_test {
 
 using ::testing::HasSubstr;
 
@@ -61,5 +59,4 @@ TEST(MachineFault, IsToldFromWhatIsWrongWithASketch) {
             "the compiler failed: as is missing: sudo apt install binutils");
 }
 
-}  // namespace system_error_test
-}  // namespace robosim
+}  // namespace robosim::system_error_test

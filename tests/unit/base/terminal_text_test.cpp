@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace robosim {
-namespace terminal_text_test {
+namespace robosim::terminal_text_test {
 
 TEST(TerminalText, ShowsWhatATerminalWouldCarryOut) {
   EXPECT_EQ(for_terminal("\x1b]0;title\x07\x1b[2J"), "\\x1b]0;title\\x07\\x1b[2J");
@@ -45,5 +44,4 @@ TEST(TerminalText, TakesPiecesThatCutACharacterInTwo) {
   }
 }
 
-}  // namespace terminal_text_test
-}  // namespace robosim
+}  // namespace robosim::terminal_text_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim {
-namespace utf8_test {
+namespace robosim::utf8_test {
 
 TEST(Utf8, ACharacterIsWhatTheUnicodeStandardCallsWellFormed) {
   EXPECT_EQ(first_character("A").code, U'A');
@@ -36,5 +35,4 @@ TEST(Utf8, CharactersAreCountedAndTakenOffWhole) {
   EXPECT_EQ(text, "");
 }
 
-}  // namespace utf8_test
-}  // namespace robosim
+}  // namespace robosim::utf8_test

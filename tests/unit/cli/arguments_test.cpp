@@ -1,14 +1,13 @@
 #include "sim/cli/arguments.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 #include "sim/result/detector_names.h"
 #include "tests/support/readable.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::cli {
-namespace arguments_test {
+namespace robosim::cli::arguments_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -19,12 +18,7 @@ T parsed(const std::vector<std::string>& words) {
 }
 
 std::string refusal(const std::vector<std::string>& words) {
-  try {
-    parse_arguments(words);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal([&] { parse_arguments(words); }, "");
 }
 
 TEST(Arguments, RunHasDefaultsForEverything) {
@@ -212,5 +206,4 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"new", "a", "b"}, "new: unexpected argument “b”"}),
     test::numbered(&Refused::words));
 
-}  // namespace arguments_test
-}  // namespace robosim::cli
+}  // namespace robosim::cli::arguments_test

@@ -1,13 +1,11 @@
 #include "sim/cli/files/build_command.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::cli {
-namespace build_command_test {
+namespace robosim::cli::build_command_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -70,5 +68,4 @@ TEST_F(BuildReport, SaysHowFarTheRobotsBudgetAllows) {
           "My is over the budget: it uses 165 bytes of RAM for variables, and the robot uno5 allows 164"));
 }
 
-}  // namespace build_command_test
-}  // namespace robosim::cli
+}  // namespace robosim::cli::build_command_test

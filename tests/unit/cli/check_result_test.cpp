@@ -1,17 +1,14 @@
 #include "sim/campaign/check/check_result.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/cli/check/test_report.h"
 
-namespace robosim::cli {
-namespace check_result_test {
+namespace robosim::cli::check_result_test {
 
 using namespace campaign;
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 using ::testing::Optional;
 
 result::RunResult run(const std::string& verdict) {
@@ -205,5 +202,4 @@ TEST(ReportOfManySketches, KeepsWhatASketchIsCalledInItsLine) {
             "anna\\x0aben   passed  1 of 1  ERROR   a\\x0ab\n0 of 1 sketches passed all checks\n");
 }
 
-}  // namespace check_result_test
-}  // namespace robosim::cli
+}  // namespace robosim::cli::check_result_test

@@ -6,8 +6,7 @@
 #include "sim/cli/files/graph_text.h"
 #include "sim/cli/run/classic_text.h"
 
-namespace robosim::cli {
-namespace graph_json_test {
+namespace robosim::cli::graph_json_test {
 
 constexpr const char* kOdd = "a \"quoted\" \\ name";
 
@@ -47,5 +46,4 @@ TEST(ClassicJson, HoldsAnyPathAndAnyName) {
   EXPECT_EQ(json["trace"][0].size(), 6u);
 }
 
-}  // namespace graph_json_test
-}  // namespace robosim::cli
+}  // namespace robosim::cli::graph_json_test

@@ -3,7 +3,6 @@
 #include "sim/cli/help.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cctype>
 #include <sstream>
@@ -13,12 +12,9 @@
 #include "sim/cli/completion.h"
 #include "sim/cli/man_page.h"
 
-namespace robosim::cli {
-namespace help_test {
+namespace robosim::cli::help_test {
 
-using ::testing::Each;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 std::string printed(const std::vector<std::string>& words) {
   return std::get<PrintText>(parse_arguments(words)).text;
@@ -162,5 +158,4 @@ TEST(Completion, RefusesAnotherShell) {
   EXPECT_THROW(parse_arguments({"completion"}), InputError);
 }
 
-}  // namespace help_test
-}  // namespace robosim::cli
+}  // namespace robosim::cli::help_test

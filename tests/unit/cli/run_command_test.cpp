@@ -4,8 +4,7 @@
 
 #include "sim/base/error.h"
 
-namespace robosim::cli {
-namespace run_command_test {
+namespace robosim::cli::run_command_test {
 
 TEST(RunCommand, RefusesWhatCannotWorkBeforeItStartsAnything) {
   RunArguments arguments;
@@ -17,5 +16,4 @@ TEST(RunCommand, RefusesWhatCannotWorkBeforeItStartsAnything) {
   EXPECT_THROW(run_command(arguments), InputError);
 }
 
-}  // namespace run_command_test
-}  // namespace robosim::cli
+}  // namespace robosim::cli::run_command_test

@@ -1,13 +1,11 @@
 #include "sim/cli/run/source_text.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::cli {
-namespace source_text_test {
+namespace robosim::cli::source_text_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -141,5 +139,4 @@ TEST_F(SourceTextTest, TakesNoLineForLongHoweverItIsMade) {
   }
 }
 
-}  // namespace source_text_test
-}  // namespace robosim::cli
+}  // namespace robosim::cli::source_text_test

@@ -1,13 +1,12 @@
 #include "sim/cli/sweep/sweep_arguments.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 #include "tests/support/readable.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::cli {
-namespace sweep_arguments_test {
+namespace robosim::cli::sweep_arguments_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -53,12 +52,7 @@ struct RefusedSweep {
 class RefusedSweepArguments : public ::testing::TestWithParam<RefusedSweep> {};
 
 TEST_P(RefusedSweepArguments, AreToldInASentence) {
-  try {
-    parse_sweep(GetParam().words);
-    FAIL() << "not refused";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr(GetParam().says));
-  }
+  EXPECT_THAT(test::refusal([&] { parse_sweep(GetParam().words); }), HasSubstr(GetParam().says));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -95,5 +89,4 @@ INSTANTIATE_TEST_SUITE_P(
         RefusedSweep{{"--seed", "3"}, "did you mean --seeds?"}),
     test::numbered(&RefusedSweep::words));
 
-}  // namespace sweep_arguments_test
-}  // namespace robosim::cli
+}  // namespace robosim::cli::sweep_arguments_test

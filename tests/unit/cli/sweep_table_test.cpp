@@ -1,17 +1,16 @@
 #include "sim/campaign/sweep/sweep_table.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/cli/sweep/sweep_report.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::cli {
-namespace sweep_table_test {
+namespace robosim::cli::sweep_table_test {
 
 using namespace campaign;
 
@@ -122,12 +121,7 @@ TEST(SweepTable, ReadsWhatItWrites) {
 TEST(SweepTable, RefusesRowsThatItCannotGoOnWith) {
   const SweepPlan p = plan();
   const auto refusal = [&](const std::string& text) {
-    try {
-      read_sweep_rows(text, "a.csv", p);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("not refused");
+    return test::refusal([&] { read_sweep_rows(text, "a.csv", p); }, "not refused");
   };
   EXPECT_THAT(refusal("t_us,x_mm\n"), HasSubstr("a.csv:1: expected the header"));
   EXPECT_THAT(refusal(sweep_header() + "a,b\n"), HasSubstr("a.csv:2: expected a row"));
@@ -149,14 +143,10 @@ TEST(SweepTable, AFlippedBitIsCalledDamageWhereverItIs) {
   for (std::size_t i = 0; i + 1 < whole.size(); ++i) {
     std::string flipped = whole;
     flipped[i] = static_cast<char>(flipped[i] ^ 1);
-    try {
-      read_sweep_rows(before + flipped, "a.csv", p);
-      ADD_FAILURE() << "not noticed: " << flipped;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::AnyOf(HasSubstr("a.csv:3: expected a row of a sweep"),
-                                               HasSubstr("a.csv:3: this row is damaged: its checksum")))
-          << flipped;
-    }
+    EXPECT_THAT(test::refusal([&] { read_sweep_rows(before + flipped, "a.csv", p); }),
+                testing::AnyOf(HasSubstr("a.csv:3: expected a row of a sweep"),
+                               HasSubstr("a.csv:3: this row is damaged: its checksum")))
+        << flipped;
   }
 }
 
@@ -176,12 +166,8 @@ TEST(SweepTable, ASecondSweepDoesNotWriteIntoTheFileOfTheFirst) {
   {
     const SweepTable first(file, false, p, outcomes);
     for (const bool resume : {false, true}) {
-      try {
-        SweepTable(folder.path() / "." / "a.csv", resume, p, outcomes);
-        ADD_FAILURE() << "two sweeps write one file";
-      } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("a.csv: this file is already being written by another robosim"));
-      }
+      EXPECT_THAT(test::refusal([&] { SweepTable(folder.path() / "." / "a.csv", resume, p, outcomes); }),
+                  HasSubstr("a.csv: this file is already being written by another robosim"));
     }
   }
   EXPECT_NO_THROW(SweepTable(file, true, p, outcomes));
@@ -302,5 +288,4 @@ TEST(SweepReport, RunsThatWereNotMadeAreNotCounted) {
   EXPECT_THAT(report, Not(HasSubstr("met")));
 }
 
-}  // namespace sweep_table_test
-}  // namespace robosim::cli
+}  // namespace robosim::cli::sweep_table_test

@@ -2,12 +2,11 @@
 
 #include <gmock/gmock.h>
 
-#include "sim/robot/description.h"
-#include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
+#include "tests/support/fake_firmware.h"
+#include "tests/support/one_robot.h"
 
-namespace robosim::detect {
-namespace blind_driving_test {
+namespace robosim::detect::blind_driving_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -16,21 +15,18 @@ using testing::StartsWith;
 
 /// Firmware that drives straight on, and reads a sensor once per `looks_every`. If `plans` is true, it drives
 /// at half power in the second half of each interval.
-class Distracted : public exec::Executor {
+class Distracted : public test::FakeFirmware {
  public:
   Distracted(SimTime looks_every, bool plans) : looks_every_(looks_every), plans_(plans) {}
 
-  RobotPort& board() override { return board_; }
-  exec::BoardProbe& probe() override { return board_; }
-  void power_on(SimTime t) override { drive(1.0, t); }
-  void power_off(SimTime t) override { board_.reset(t); }
+  void power_on(SimTime t) override { drive(1.0, 1.0, t); }
   void run_until(SimTime t) override {
     for (; next_ < t; next_ += kMillisecond) {
       if (next_ % looks_every_ == 0) board_.read_volts(kMiddle, next_);
-      if (plans_) drive(next_ % looks_every_ < looks_every_ / 2 ? 1.0 : 0.5, next_);
+      const double power = next_ % looks_every_ < looks_every_ / 2 ? 1.0 : 0.5;
+      if (plans_) drive(power, power, next_);
     }
   }
-  const std::optional<exec::Crash>& crash() const override { return crash_; }
   exec::Activity activity() override { return {0, call, kNoPin, kNoPin, {"loop", "A.ino", 9}, ""}; }
   SimTime last_call() const override { return next_; }
   std::string call = "delay(700)";
@@ -38,21 +34,11 @@ class Distracted : public exec::Executor {
  protected:
   static constexpr Pin kMiddle = 16;
 
-  void drive(double power, SimTime t) {
-    for (const Pin en : {5, 6}) board_.set_drive(en, {PinMode::output, false, true, power, 0}, t);
-    for (const Pin pin : {7, 8, 9, 10}) {
-      const bool ahead = pin % 2 == 1;
-      board_.set_drive(pin, {PinMode::output, ahead, false, ahead ? 1.0 : 0.0, 0}, t);
-    }
-  }
-
-  exec::BoardState board_{*find_board("uno")};
   SimTime next_ = 0;
 
  private:
   SimTime looks_every_;
   bool plans_;
-  std::optional<exec::Crash> crash_;
 };
 
 /// Firmware that reads a sensor every millisecond, and starts to drive after two seconds. Its last read of
@@ -60,12 +46,12 @@ class Distracted : public exec::Executor {
 class Starts final : public Distracted {
  public:
   explicit Starts(SimTime later) : Distracted(kSecond, false), later_(later) {}
-  void power_on(SimTime t) override { drive(0.0, t); }
+  void power_on(SimTime t) override { drive(0.0, 0.0, t); }
   void run_until(SimTime t) override {
     constexpr SimTime kStart = 2 * kSecond;
     for (; next_ < t; next_ += kMillisecond) {
       if (next_ <= kStart - later_) board_.read_volts(kMiddle, next_);
-      if (next_ == kStart) drive(1.0, next_);
+      if (next_ == kStart) drive(1.0, 1.0, next_);
     }
   }
 
@@ -74,16 +60,9 @@ class Starts final : public Distracted {
 };
 
 std::vector<result::Detected> detected(exec::Executor& firmware, SimTime limit, bool detect = true) {
-  static const map::Map oval = map::read_map(map::find_map("oval"));
-  static const robot::Description uno5 = robot::load_description("uno5");
-  run::Setup setup;
-  setup.map = &oval;
-  setup.agents.emplace_back();
-  setup.agents[0].robot = &uno5;
-  setup.agents[0].executor = &firmware;
-  setup.limit = limit;
-  setup.detect = detect;
-  return run::simulate(setup).front().detected;
+  test::OneRobot one(firmware, "");
+  one.setup.detect = detect;
+  return one.run(limit).detected;
 }
 
 TEST(BlindDriving, IsWhoLosesTheLineBetweenTwoLooks) {
@@ -137,5 +116,4 @@ TEST(BlindDriving, IsLookedForWhereItIsAskedFor) {
   EXPECT_THAT(detected(firmware, 10 * kSecond, false), IsEmpty());
 }
 
-}  // namespace blind_driving_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::blind_driving_test

@@ -3,28 +3,24 @@
 #include <gmock/gmock.h>
 
 #include "sim/detect/slow_source.h"
-#include "sim/robot/description.h"
-#include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
+#include "tests/support/fake_firmware.h"
+#include "tests/support/one_robot.h"
 
-namespace robosim::detect {
-namespace board_detectors_test {
+namespace robosim::detect::board_detectors_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
 /// Firmware that writes to the LED pin and to a byte of the EEPROM every tenth of a second.
-class Blinker final : public exec::Executor {
+class Blinker final : public test::FakeFirmware {
  public:
   enum class Led { forgotten, high_first };
 
   explicit Blinker(Led led) : led_(led) {}
 
-  RobotPort& board() override { return board_; }
-  exec::BoardProbe& probe() override { return board_; }
   void power_on(SimTime t) override { began_ = t; }
-  void power_off(SimTime t) override { board_.reset(t); }
   void run_until(SimTime t) override {
     for (; next_ < t; next_ += kMillisecond) {
       const SimTime since = next_ - began_;
@@ -35,34 +31,22 @@ class Blinker final : public exec::Executor {
       if (since % (100 * kMillisecond) == 0) board_.write_eeprom(3, value_++, next_);
     }
   }
-  const std::optional<exec::Crash>& crash() const override { return crash_; }
   exec::Activity activity() override { return {next_, "", kNoPin, kNoPin, {"loop", "A.ino", 9}, ""}; }
   SimTime last_call() const override { return next_; }
 
  private:
   static constexpr Pin kLed = 13;
 
-  exec::BoardState board_{*find_board("uno")};
   const Led led_;
   std::uint8_t value_ = 0;
   SimTime began_ = 0, next_ = 0;
-  std::optional<exec::Crash> crash_;
 };
 
 std::vector<result::Detected> detected(Blinker::Led led, bool detect = true, const std::string& script = "") {
-  static const map::Map oval = map::read_map(map::find_map("oval"));
-  static const robot::Description uno5 = robot::load_description("uno5");
   Blinker firmware(led);
-  run::Setup setup;
-  setup.map = &oval;
-  setup.agents.emplace_back();
-  setup.agents[0].robot = &uno5;
-  setup.agents[0].executor = &firmware;
-  setup.agents[0].goal = judge::parse_goal("none");
-  setup.agents[0].scenario = scenario::parse_scenario(script, "script");
-  setup.limit = 7 * kSecond;
-  setup.detect = detect;
-  return run::simulate(setup).front().detected;
+  test::OneRobot one(firmware, "none", script);
+  one.setup.detect = detect;
+  return one.run(7 * kSecond).detected;
 }
 
 TEST(BoardDetectors, TellOfAPinThatWasNeverSetToOutputAndOfWornEeprom) {
@@ -116,5 +100,4 @@ TEST(BoardDetectors, LookOnWhereTheyAreAskedTo) {
   EXPECT_THAT(detected(Blinker::Led::forgotten, false), IsEmpty());
 }
 
-}  // namespace board_detectors_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::board_detectors_test

@@ -3,8 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace robosim::detect {
-namespace doubtful_actions_test {
+namespace robosim::detect::doubtful_actions_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -147,5 +146,4 @@ TEST_F(Actions, AStartOfTheFirmwareForgetsWhichTimersWereTaken) {
   EXPECT_THAT(found(), IsEmpty());
 }
 
-}  // namespace doubtful_actions_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::doubtful_actions_test

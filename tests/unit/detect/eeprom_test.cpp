@@ -1,7 +1,6 @@
 // Tests the detectors of EEPROM bugs: wear, records that a power cut can tear, and records whose bytes were
 // all written to one address.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <map>
 
@@ -9,31 +8,18 @@
 #include "sim/detect/overwritten_record.h"
 #include "sim/detect/torn_record.h"
 #include "sim/exec/core/board_state.h"
+#include "tests/support/fake_firmware.h"
 
-namespace robosim::detect {
-namespace eeprom_test {
+namespace robosim::detect::eeprom_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
 /// An executor that does nothing, but reports the source line `line`, which the test sets.
-class Told final : public exec::Executor {
- public:
-  RobotPort& board() override { return board_; }
-  exec::BoardProbe& probe() override { return board_; }
-  void power_on(SimTime) override {}
-  void power_off(SimTime) override {}
-  void run_until(SimTime) override {}
-  const std::optional<exec::Crash>& crash() const override { return crash_; }
-  exec::Activity activity() override { return {}; }
-  SimTime last_call() const override { return 0; }
+struct Told final : test::FakeFirmware {
   exec::SourceLine source() override { return {"loop", "My.ino", line}; }
   int line = 1;
-
- private:
-  exec::BoardState board_{*find_board("uno")};
-  std::optional<exec::Crash> crash_;
 };
 
 class EepromTest : public testing::Test {
@@ -162,5 +148,4 @@ TEST_F(EepromTest, ANumberWithAChecksumOrAMarkIsNotTorn) {
   EXPECT_THAT(record.found(now), IsEmpty());
 }
 
-}  // namespace eeprom_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::eeprom_test

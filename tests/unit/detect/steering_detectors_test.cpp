@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 
 #include "hal/board/board_spec.h"
 #include "sim/exec/core/board_state.h"
-#include "sim/robot/description.h"
-#include "sim/run/simulation.h"
+#include "tests/support/fake_firmware.h"
+#include "tests/support/one_robot.h"
 
-namespace robosim::detect {
-namespace steering_detectors_test {
+namespace robosim::detect::steering_detectors_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -23,26 +21,18 @@ using testing::SizeIs;
 constexpr Pin kSensors[] = {14, 15, 16, 17, 18};  // from the left
 
 /// Firmware that calls `step` once per millisecond.
-class Driven : public exec::Executor {
+class Driven : public test::FakeFirmware {
  public:
   using Step = std::function<void(Driven&, SimTime)>;
   explicit Driven(Step step) : step_(std::move(step)) {}
 
-  RobotPort& board() override { return board_; }
-  exec::BoardProbe& probe() override { return board_; }
-  void power_on(SimTime) override {}
-  void power_off(SimTime t) override { board_.reset(t); }
   void run_until(SimTime t) override {
     for (; next_ < t; next_ += kMillisecond) step_(*this, next_);
   }
-  const std::optional<exec::Crash>& crash() const override { return crash_; }
   exec::Activity activity() override { return {0, call, kNoPin, kNoPin, {"loop", "A.ino", 9}, ""}; }
   SimTime last_call() const override { return next_; }
 
-  void drive(double left, double right) {
-    motor(5, 7, 8, left);
-    motor(6, 9, 10, right);
-  }
+  void drive(double left, double right) { FakeFirmware::drive(left, right, next_); }
   /// Reads the sensors. Returns whether each sensor is dark, from left to right.
   std::array<bool, 5> look(SimTime t) {
     std::array<bool, 5> dark{};
@@ -55,30 +45,15 @@ class Driven : public exec::Executor {
   SimTime now = 0;
 
  private:
-  void motor(Pin en, Pin in1, Pin in2, double power) {
-    board_.set_drive(en, {PinMode::output, false, true, std::abs(power), 0}, next_);
-    board_.set_drive(in1, {PinMode::output, power >= 0.0, false, power >= 0.0 ? 1.0 : 0.0, 0}, next_);
-    board_.set_drive(in2, {PinMode::output, power < 0.0, false, power < 0.0 ? 1.0 : 0.0, 0}, next_);
-  }
-
-  exec::BoardState board_{*find_board("uno")};
   SimTime next_ = 0;
   Step step_;
-  std::optional<exec::Crash> crash_;
 };
 
 std::vector<result::Detected> seen(Driven::Step step, SimTime limit = 10 * kSecond) {
-  static const map::Map oval = map::read_map(map::find_map("oval"));
-  static const robot::Description uno5 = robot::load_description("uno5");
   Driven firmware(std::move(step));
-  run::Setup setup;
-  setup.map = &oval;
-  setup.agents.emplace_back();
-  setup.agents[0].robot = &uno5;
-  setup.agents[0].executor = &firmware;
-  setup.limit = limit;
-  setup.detect = true;
-  return run::simulate(setup).front().detected;
+  test::OneRobot one(firmware, "");
+  one.setup.detect = true;
+  return one.run(limit).detected;
 }
 
 /// Returns a step that steers to the right until no sensor sees the line, and then calls `after`. The line is
@@ -156,5 +131,4 @@ TEST(SlowSerial, IsNobodyWhoLooksInTimeOrIsKeptBySomethingElse) {
   EXPECT_THAT(seen(sends(35 * kMillisecond, "println()", false), 5 * kSecond), IsEmpty());
 }
 
-}  // namespace steering_detectors_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::steering_detectors_test

@@ -2,8 +2,7 @@
 
 #include "tests/unit/detect_avr/fixture.h"
 
-namespace robosim::detect {
-namespace heap_test {
+namespace robosim::detect::heap_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -77,5 +76,4 @@ TEST_F(HeapTest, IsWellWhereTextsComeAndGo) {
               IsEmpty());
 }
 
-}  // namespace heap_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::heap_test

@@ -3,8 +3,7 @@
 
 #include "tests/unit/detect_avr/fixture.h"
 
-namespace robosim::detect {
-namespace missed_interrupts_test {
+namespace robosim::detect::missed_interrupts_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -110,5 +109,4 @@ TEST_F(LossesTest, AreNoneWhereInterruptsAreOffForAMoment) {
       << "each handler runs before the next edge";
 }
 
-}  // namespace missed_interrupts_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::missed_interrupts_test

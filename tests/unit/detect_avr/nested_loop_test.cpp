@@ -2,8 +2,7 @@
 
 #include "tests/unit/detect_avr/fixture.h"
 
-namespace robosim::detect {
-namespace nested_loop_test {
+namespace robosim::detect::nested_loop_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -35,5 +34,4 @@ TEST_F(NestedLoopTest, IsNoneWhereItComesBack) {
   EXPECT_THAT(seen("void wait() { delay(1); }"), IsEmpty());
 }
 
-}  // namespace nested_loop_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::nested_loop_test

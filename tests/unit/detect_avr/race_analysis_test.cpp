@@ -5,8 +5,7 @@
 
 #include "tests/unit/detect_avr/fixture.h"
 
-namespace robosim::detect {
-namespace race_analysis_test {
+namespace robosim::detect::race_analysis_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -350,13 +349,10 @@ TEST_P(TearingTest, WhatTheCoreDoesWithItsOwnNumbersIsNotTheSketchs) {
 
 TEST_P(TearingTest, IsNotLookedForUnlessSomebodyAsks) {
   if (sanitize_) return;
-  avr_ = std::make_unique<exec::AvrExecutor>(*find_board(board_name_), build(pluralize("seen = ticks;")),
-                                             make_detectors_);
-  avr_->power_on(0);
-  now_ = 0;
+  watched_ = false;
+  start(pluralize("seen = ticks;"));
   run(100 * kMillisecond);
   EXPECT_EQ(torn().text, "");
 }
 
-}  // namespace race_analysis_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::race_analysis_test

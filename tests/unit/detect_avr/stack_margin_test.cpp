@@ -3,8 +3,7 @@
 
 #include "tests/unit/detect_avr/fixture.h"
 
-namespace robosim::detect {
-namespace stack_margin_test {
+namespace robosim::detect::stack_margin_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -90,5 +89,4 @@ TEST_F(StackMarginTest, IsNotKnownOfSketchesWithStacksOfTheirOwn) {
               IsEmpty());
 }
 
-}  // namespace stack_margin_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::stack_margin_test

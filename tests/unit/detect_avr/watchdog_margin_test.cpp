@@ -3,8 +3,7 @@
 
 #include "tests/unit/detect_avr/fixture.h"
 
-namespace robosim::detect {
-namespace watchdog_margin_test {
+namespace robosim::detect::watchdog_margin_test {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -63,5 +62,4 @@ TEST_F(WatchdogMarginTest, IsNoneWhereTheSketchResetsItselfByIt) {
   EXPECT_THAT(seen("delay(700); wdt_enable(WDTO_15MS); while (true) {}"), IsEmpty());
 }
 
-}  // namespace watchdog_margin_test
-}  // namespace robosim::detect
+}  // namespace robosim::detect::watchdog_margin_test

@@ -2,8 +2,7 @@
 
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace board_state_test {
+namespace robosim::exec::board_state_test {
 
 using testing::ElementsAre;
 
@@ -47,9 +46,9 @@ TEST_F(BoardStateTest, AConnectedPinReadsItsSourceAtTheTimeAskedFor) {
   FixedSource source(3.3);
   board_.connect(14, source);
   EXPECT_EQ(board_.read_volts(14, 42), 3.3);
-  EXPECT_EQ(source.asked_at, 42);
+  EXPECT_EQ(source.asked_at.back(), 42);
   EXPECT_TRUE(board_.read_level(14, 43));
-  EXPECT_EQ(source.asked_at, 43);
+  EXPECT_EQ(source.asked_at.back(), 43);
 }
 
 TEST_F(BoardStateTest, AnOutputReadsBackItsOwnLevelWhateverIsConnected) {
@@ -180,5 +179,4 @@ TEST_F(BoardStateTest, PinsThatNoBoardHasDoNoHarm) {
   EXPECT_EQ(board_.read_volts(100, 0), 0.0);
 }
 
-}  // namespace board_state_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::board_state_test

@@ -1,8 +1,7 @@
 // Tests that timer 1 captures the times of edges at pin 8. The expected values are those of the ATmega328P.
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace capture_test {
+namespace robosim::exec::capture_test {
 
 using testing::ElementsAre;
 
@@ -42,8 +41,7 @@ void loop() {
 }
 
 TEST_F(Capture, OwnEdgesAreCapturedAndTheFlagCanBePolled) {
-  output(R"(void setup() {
-  Serial.begin(115200);
+  EXPECT_THAT(printed(R"(
   TCCR1A = 0;
   TCCR1B = _BV(CS11);
   pinMode(8, OUTPUT);
@@ -63,10 +61,8 @@ TEST_F(Capture, OwnEdgesAreCapturedAndTheFlagCanBePolled) {
     while (!(TIFR1 & _BV(ICF1)));
     at[i] = ICR1;
   }
-  Serial.println((uint16_t)(at[1] - at[0]));
-}
-void loop() {})");
-  EXPECT_THAT(numbers(), ElementsAre(0, 32, 10, 0, 4000));
+  Serial.println((uint16_t)(at[1] - at[0]));)"),
+              ElementsAre(0, 32, 10, 0, 4000));
 }
 
 TEST_F(Capture, TheNoiseCancelerPassesNoPulseOfLessThanFourCycles) {
@@ -114,5 +110,4 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(0, 1999, 10));
 }
 
-}  // namespace capture_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::capture_test

@@ -7,8 +7,7 @@
 #include "sim/exec/host/image_file.h"
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace crash_test {
+namespace robosim::exec::crash_test {
 
 using testing::HasSubstr;
 
@@ -196,5 +195,4 @@ TEST_F(CrashTest, TheProgramThatLooksUpLinesSeesNothingButTheImage) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "written"));
 }
 
-}  // namespace crash_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::crash_test

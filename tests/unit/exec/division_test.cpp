@@ -2,8 +2,7 @@
 // compute (sim/build/division.h). tests/system/targets_test.cpp compares the results with the emulated AVR.
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace division_test {
+namespace robosim::exec::division_test {
 
 using testing::ElementsAre;
 
@@ -98,5 +97,4 @@ TEST_F(DivisionTest, ManyLinesThatDivideByZeroAreToldAsTheFirstEight) {
   EXPECT_EQ(host_->divisions_by_zero().size(), 8u);
 }
 
-}  // namespace division_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::division_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim::exec {
-namespace fiber_test {
+namespace robosim::exec::fiber_test {
 
 struct Counter {
   Fiber* fiber = nullptr;
@@ -46,5 +45,4 @@ TEST(GuardedMemoryDeathTest, NobodyCanTouchItsGuards) {
   EXPECT_DEATH(*const_cast<volatile std::byte*>(memory.end()) = std::byte{1}, "");
 }
 
-}  // namespace fiber_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::fiber_test

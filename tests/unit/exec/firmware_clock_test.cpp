@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim::exec {
-namespace firmware_clock_test {
+namespace robosim::exec::firmware_clock_test {
 
 TEST(FirmwareClock, IsTheWorldsUntilItDrifts) {
   const FirmwareClock clock;
@@ -53,5 +52,4 @@ TEST(FirmwareClock, IsExactAfterYears) {
   EXPECT_EQ(clock.to_world(year / 10 * 11), year);
 }
 
-}  // namespace firmware_clock_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::firmware_clock_test

@@ -9,8 +9,7 @@
 #include "sim/exec/gdb/history.h"
 #include "tests/support/gdb_client.h"
 
-namespace robosim::exec::gdb {
-namespace gdb_server_test {
+namespace robosim::exec::gdb::gdb_server_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -200,5 +199,4 @@ TEST(GdbPort, IsRefusedWhereSomebodyListens) {
               ThrowsMessage<InputError>(HasSubstr("is in use by another program")));
 }
 
-}  // namespace gdb_server_test
-}  // namespace robosim::exec::gdb
+}  // namespace robosim::exec::gdb::gdb_server_test

@@ -1,8 +1,7 @@
 // Tests the heap of a sketch on the host, and writes beyond the heap.
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace memory_test {
+namespace robosim::exec::memory_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -103,5 +102,4 @@ TEST_F(MemoryTest, OneFirmwaresOverrunDoesNotHarmAnother) {
   EXPECT_EQ(serial_.size(), 40u);
 }
 
-}  // namespace memory_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::memory_test

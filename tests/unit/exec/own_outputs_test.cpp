@@ -2,8 +2,7 @@
 // ATmega328P.
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace own_outputs_test {
+namespace robosim::exec::own_outputs_test {
 
 using testing::ElementsAre;
 
@@ -102,8 +101,7 @@ void loop() {})");
 }
 
 TEST_F(OwnOutputs, OneBitIsSetAloneWhereOnesAreWritten) {
-  output(R"(void setup() {
-  Serial.begin(115200);
+  EXPECT_THAT(printed(R"(
   EICRA = 15;
   PORTD = _BV(2) | _BV(3);
   DDRD |= _BV(2) | _BV(3);
@@ -115,10 +113,8 @@ TEST_F(OwnOutputs, OneBitIsSetAloneWhereOnesAreWritten) {
   Serial.println(PORTB);
   volatile uint8_t mask = _BV(4);
   PINB |= mask;  // IN, OR, OUT: also toggles all pins that are high
-  Serial.println(PORTB);
-}
-void loop() {})");
-  EXPECT_THAT(numbers(), ElementsAre(3, 2, 0x28, 0x10));
+  Serial.println(PORTB);)"),
+              ElementsAre(3, 2, 0x28, 0x10));
 }
 
 TEST_F(OwnOutputs, EachPeriodOfPwmInterrupts) {
@@ -201,5 +197,4 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // `full` is 3, because the PWM of init() adds one
 }
 
-}  // namespace own_outputs_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::own_outputs_test

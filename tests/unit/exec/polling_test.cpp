@@ -4,8 +4,7 @@
 
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace polling_test {
+namespace robosim::exec::polling_test {
 
 /// A source whose level changes every 7.3 ms, and which reports the time of its next change. Each sample of
 /// its voltage differs from the sample before.
@@ -31,18 +30,16 @@ class Polling : public HostTest {
     bool operator==(const Run&) const = default;
   };
 
+  Polling() { lateness_ = {{50'200'000, 3'300'000}, {110'100'000, -2'000'000}, {250'700'000, 700'000}}; }
+  void before_power_on() override {
+    host_->skip_waiting(skips_);
+    for (const Pin pin : {4, 18}) board().connect(pin, changing_);
+  }
+
   Run run_once(const std::string& text, bool skips) {
-    pins_.clear();
-    serial_.clear();
-    byte_times_.clear();
-    host_ = std::make_unique<HostExecutor>(*find_board("uno"), build(text));
-    host_->skip_waiting(skips);
-    Changing changing;
-    for (const Pin pin : {4, 18}) board().connect(pin, changing);
-    for (Pin pin = 0; pin < 20; ++pin) board().watch(pin, *this);
-    board().watch_serial(*this);
-    host_->set_lateness({{50'200'000, 3'300'000}, {110'100'000, -2'000'000}, {250'700'000, 700'000}});
-    host_->power_on(0);
+    skips_ = skips;
+    changing_ = {};
+    start(text);
     Run run;
     for (int tick = 0; tick < 400; ++tick) {
       const SimTime t = tick * kTick;
@@ -59,7 +56,7 @@ class Polling : public HostTest {
     for (const PinEvent& event : pins_) run.pins.push_back(event.at);
     run.bytes = byte_times_;
     run.serial = serial_;
-    run.asked = changing.asked;
+    run.asked = changing_.asked;
     return run;
   }
 
@@ -75,6 +72,8 @@ class Polling : public HostTest {
     return skipped;
   }
 
+  bool skips_ = true;
+  Changing changing_;
   std::pair<int, int> asked_;
 };
 
@@ -219,5 +218,4 @@ TEST_F(Polling, OfNothingHangs) {
   EXPECT_TRUE(host_->hangs());
 }
 
-}  // namespace polling_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::polling_test

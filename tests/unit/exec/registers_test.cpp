@@ -1,8 +1,7 @@
 // Tests registers other than those of timers and pins. The expected values are those of the ATmega328P.
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace registers_test {
+namespace robosim::exec::registers_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -36,8 +35,7 @@ void loop() {})");
 }
 
 TEST_F(Registers, DigitalInputsCanBeSwitchedOff) {
-  output(R"(void setup() {
-  Serial.begin(115200);
+  EXPECT_THAT(printed(R"(
   pinMode(A5, INPUT_PULLUP);
   pinMode(7, OUTPUT);
   digitalWrite(7, HIGH);
@@ -49,10 +47,8 @@ TEST_F(Registers, DigitalInputsCanBeSwitchedOff) {
   Serial.println(PIND & _BV(7));
   DIDR0 = DIDR1 = 0;
   Serial.println(PINC & _BV(5));
-  Serial.println(PIND & _BV(7));
-}
-void loop() {})");
-  EXPECT_THAT(numbers(), ElementsAre(1, 0, 0, 0, 32, 128));
+  Serial.println(PIND & _BV(7));)"),
+              ElementsAre(1, 0, 0, 0, 32, 128));
 }
 
 TEST_F(Registers, TheEepromIsWrittenAndReadByItsRegisters) {
@@ -306,5 +302,4 @@ TEST_F(Registers, PowerReductionIsLackingWhereItWouldStopATimerInUse) {
   EXPECT_THAT(host_->lacks(), SizeIs(1));
 }
 
-}  // namespace registers_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::registers_test

@@ -1,8 +1,7 @@
 // Tests the findings, and their messages, of a sketch that is built with `--sanitize`.
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace sanitize_test {
+namespace robosim::exec::sanitize_test {
 
 class SanitizeTest : public HostTest {
  protected:
@@ -240,5 +239,4 @@ TEST_F(SanitizeTest, WhatIsAllowedIsNotFound) {
       "sprintf(text, \"%d %s\", n, \"abc\"); Serial.begin(9600); Serial.println(text); Serial.println(all);");
 }
 
-}  // namespace sanitize_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::sanitize_test

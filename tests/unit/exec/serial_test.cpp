@@ -1,23 +1,11 @@
 // Tests Serial on the host: formatting, buffers and timing.
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace serial_test {
+namespace robosim::exec::serial_test {
 
-using testing::ElementsAre;
 using testing::SizeIs;
 
 using SerialTest = HostTest;
-
-TEST_F(SerialTest, PrintGivesTheGenuineCoresText) {
-  EXPECT_EQ(output(R"(void setup() {
-  Serial.begin(115200);
-  Serial.print("a"); Serial.print('b'); Serial.print(-12); Serial.print(3.14159, 3); Serial.print(255, HEX);
-  Serial.print(F(" flash ")); Serial.print(String("s") + 5); Serial.println(true); Serial.write(65);
-}
-void loop() {})"),
-            "ab-123.142FF flash s51\r\nA");
-}
 
 TEST_F(SerialTest, AFullBufferHoldsTheSketchUpAtTheBaudRate) {
   // At 9600 baud, a byte takes 10 bits of 1/9615 s each, because UBRR is 207 with U2X.
@@ -45,57 +33,6 @@ void loop() {})");
   run(300 * kMillisecond);
   ASSERT_EQ(changes(13).size(), 2u);
   EXPECT_LT(changes(13)[1], 2 * kMillisecond);
-}
-
-TEST_F(SerialTest, FlushWaitsForTheLastByte) {
-  output(R"(void setup() {
-  Serial.begin(9600);
-  const unsigned long start = micros();
-  Serial.write("abcdefghij");
-  Serial.flush();
-  const unsigned long took = micros() - start;
-  Serial.println();
-  Serial.println(took);
-}
-void loop() {})");
-  EXPECT_NEAR(std::stod(serial_.substr(12)), 10400, 20);
-}
-
-TEST_F(SerialTest, BytesArriveOneByOneAndAreRead) {
-  start(R"(void setup() { Serial.begin(9600); }
-void loop() { if (Serial.available()) { int c = Serial.read(); Serial.write(c + 1); } })");
-  run(5 * kMillisecond);
-  for (const char c : std::string("HAL")) board().receive_byte(static_cast<std::uint8_t>(c), now_);
-  run(10 * kMillisecond);
-  EXPECT_EQ(serial_, "IBM");
-  EXPECT_GE(byte_times_[0], 6 * kMillisecond);
-  EXPECT_GE(byte_times_[2] - byte_times_[0], 2 * kMillisecond);
-}
-
-TEST_F(SerialTest, TheReceiveBufferHolds63BytesAndTheRestIsLost) {
-  start(
-      "void setup() { Serial.begin(115200); delay(100); Serial.println(Serial.available()); "
-      "Serial.println(Serial.peek()); } void loop() {}");
-  run(5 * kMillisecond);
-  for (int i = 0; i < 100; ++i) board().receive_byte(static_cast<std::uint8_t>(i), now_);
-  run(200 * kMillisecond);
-  EXPECT_THAT(numbers(), ElementsAre(63, 0));
-}
-
-TEST_F(SerialTest, WithInterruptsOffOnlyTheReceiversThreeBytesStay) {
-  start(R"(void setup() {
-  Serial.begin(115200);
-  noInterrupts();
-  delayMicroseconds(16000);
-  interrupts();
-  delay(1);
-  Serial.println(Serial.available());
-}
-void loop() {})");
-  run(5 * kMillisecond);
-  for (int i = 0; i < 10; ++i) board().receive_byte(static_cast<std::uint8_t>(i), now_);
-  run(100 * kMillisecond);
-  EXPECT_THAT(numbers(), ElementsAre(3));
 }
 
 TEST_F(SerialTest, ParsingWaitsForItsTimeout) {
@@ -149,5 +86,4 @@ void loop() {})");
   EXPECT_NEAR(std::stod(tail.substr(tail.find("\r\n") + 2)), 3765.0 / 16, 25);
 }
 
-}  // namespace serial_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::serial_test

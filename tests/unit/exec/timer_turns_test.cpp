@@ -2,10 +2,8 @@
 // that the same sketch prints on target avr.
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace timer_turns_test {
+namespace robosim::exec::timer_turns_test {
 
-using testing::ElementsAre;
 using testing::SizeIs;
 
 struct Step {
@@ -169,5 +167,4 @@ void loop() {})");
   EXPECT_NEAR(1e-6 * static_cast<double>(toggles.back() - toggles[toggles.size() - 2]), 100.0, 0.2);
 }
 
-}  // namespace timer_turns_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::timer_turns_test

@@ -1,11 +1,9 @@
 // Tests the registers, flags and interrupts of timers on the host.
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace timers_test {
+namespace robosim::exec::timers_test {
 
 using testing::AllOf;
-using testing::Each;
 using testing::ElementsAre;
 using testing::Ge;
 using testing::Le;
@@ -147,21 +145,4 @@ void loop() {})",
   EXPECT_THAT(numbers(), ElementsAre(1024, AllOf(Ge(999), Le(1001))));
 }
 
-TEST_F(TimersTest, SleepEndsWithTheNextInterrupt) {
-  output(R"(#include <avr/sleep.h>
-void setup() {
-  Serial.begin(115200);
-  delay(5);
-  set_sleep_mode(SLEEP_MODE_IDLE);
-  for (int i = 0; i < 3; ++i) {
-    const unsigned long start = millis();
-    sleep_mode();
-    Serial.println(millis() - start);
-  }
-}
-void loop() {})");
-  EXPECT_THAT(numbers(), AllOf(SizeIs(3), Each(AllOf(Ge(0), Le(2)))));
-}
-
-}  // namespace timers_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::timers_test

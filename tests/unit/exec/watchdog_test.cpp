@@ -1,8 +1,7 @@
 // Tests that the host executor's watchdog behaves like the ATmega328P's.
 #include "tests/unit/exec/fixture.h"
 
-namespace robosim::exec {
-namespace watchdog_test {
+namespace robosim::exec::watchdog_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -94,5 +93,4 @@ void loop() {})");
   EXPECT_THAT(numbers(), ElementsAre(1, 12, 1, 12));
 }
 
-}  // namespace watchdog_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::watchdog_test

@@ -4,8 +4,7 @@
 
 #include "tests/unit/exec_avr/fixture.h"
 
-namespace robosim::exec {
-namespace boards_test {
+namespace robosim::exec::boards_test {
 
 using testing::HasSubstr;
 
@@ -250,5 +249,4 @@ void loop() {}
   EXPECT_EQ(board().drive(4).duty, 51.0 / 256) << "timer 1";
 }
 
-}  // namespace boards_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::boards_test

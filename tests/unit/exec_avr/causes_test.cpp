@@ -3,8 +3,7 @@
 
 #include "tests/unit/exec_avr/fixture.h"
 
-namespace robosim::exec {
-namespace causes_test {
+namespace robosim::exec::causes_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -39,8 +38,14 @@ class CausesTest : public AvrTest {
     causes_ = avr_->find_causes();
     ASSERT_NE(causes_, nullptr);
   }
-  /// Returns the causes of the final level of pin 5. The keys are line numbers of the sketch.
-  std::map<int, CauseStep> lines_behind_pin_5() {
+  /// Runs a sketch with this voltage at pin A2. Returns the causes of the final level of pin 5. The keys are
+  /// line numbers of the sketch.
+  std::map<int, CauseStep> lines_behind_pin_5(double volts, const std::string& sketch) {
+    FixedSource sensor(volts);
+    start(sketch);
+    board().connect(kA2, sensor);
+    causes_->begin();
+    run(8 * kMillisecond);
     causes_->end();
     causes_->ask({5}, now_);
     causes_->follow(true);
@@ -68,12 +73,7 @@ std::vector<int> numbers_of(const std::map<int, CauseStep>& lines) {
 }
 
 TEST_F(CausesTest, LeadFromThePinToTheReading) {
-  FixedSource sensor(3.0);
-  start(kSketch);
-  board().connect(kA2, sensor);
-  causes_->begin();
-  run(8 * kMillisecond);
-  const auto lines = lines_behind_pin_5();
+  const auto lines = lines_behind_pin_5(3.0, kSketch);
   EXPECT_THAT(numbers_of(lines), IsSupersetOf({4, 10, 12, 13, 16}));
   EXPECT_THAT(lines, AllOf(Not(Contains(Key(11))), Not(Contains(Key(15))), Not(Contains(Key(1)))))
       << "lines without an effect on the pin, and lines whose effect was overwritten";
@@ -85,12 +85,7 @@ TEST_F(CausesTest, LeadFromThePinToTheReading) {
 }
 
 TEST_F(CausesTest, LeadToAVariableThatHasWhatItBeganWith) {
-  FixedSource sensor(0.5);
-  start(kSketch);
-  board().connect(kA2, sensor);
-  causes_->begin();
-  run(8 * kMillisecond);
-  const auto lines = lines_behind_pin_5();
+  const auto lines = lines_behind_pin_5(0.5, kSketch);
   EXPECT_THAT(numbers_of(lines), IsSupersetOf({1, 4, 11, 16}));
   EXPECT_THAT(lines, Not(Contains(Key(13))));
   EXPECT_EQ(lines.at(1).kind, CauseStep::Kind::keeps);
@@ -133,8 +128,7 @@ void loop() {
 
 // The skipped assignment may be far from the branch, in a function that the skipped code would have called.
 TEST_F(CausesTest, LeadToTheBranchThatLeftAValueAsItWas) {
-  FixedSource sensor(3.0);
-  start(R"(int speed = 90, lost;
+  const auto lines = lines_behind_pin_5(3.0, R"(int speed = 90, lost;
 volatile int dark;
 __attribute__((noinline)) void slow() { speed = 20; }
 __attribute__((noinline)) void lose() { lost = lost + 1; }
@@ -152,18 +146,13 @@ void loop() {
   analogWrite(5, speed + lost / 1024 * 0);
   delay(1);
 })");
-  board().connect(kA2, sensor);
-  causes_->begin();
-  run(8 * kMillisecond);
-  const auto lines = lines_behind_pin_5();
   ASSERT_TRUE(lines.contains(10));
   EXPECT_EQ(lines.at(10).kind, CauseStep::Kind::decides);
   EXPECT_FALSE(lines.contains(14)) << "a skipped line on which the pin does not depend";
 }
 
 TEST_F(CausesTest, LeadToTheBranchThatLeftAMemberAsItWas) {
-  FixedSource sensor(3.0);
-  start(R"(struct Motor {
+  const auto lines = lines_behind_pin_5(3.0, R"(struct Motor {
   volatile byte looked;
   int power;
   __attribute__((noinline)) void look(int seen) {
@@ -182,10 +171,6 @@ void loop() {
   analogWrite(5, motors[one].power);
   delay(1);
 })");
-  board().connect(kA2, sensor);
-  causes_->begin();
-  run(8 * kMillisecond);
-  const auto lines = lines_behind_pin_5();
   EXPECT_TRUE(lines.contains(6));
   ASSERT_TRUE(lines.contains(3)) << "the variable keeps its initial value";
   EXPECT_EQ(lines.at(3).kind, CauseStep::Kind::keeps);
@@ -225,5 +210,4 @@ TEST_F(CausesTest, NotingThemChangesNothing) {
   EXPECT_EQ(changes(5), plain);
 }
 
-}  // namespace causes_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::causes_test

@@ -10,8 +10,7 @@
 #include "tests/support/gdb_client.h"
 #include "tests/unit/exec_avr/fixture.h"
 
-namespace robosim::exec {
-namespace debug_test {
+namespace robosim::exec::debug_test {
 
 using testing::ElementsAre;
 
@@ -275,5 +274,4 @@ TEST_F(DebugTest, AfterADetachNoBreakpointIsLeft) {
   EXPECT_FALSE(serial_.empty());
 }
 
-}  // namespace debug_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::debug_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim::exec {
-namespace demangle_test {
+namespace robosim::exec::demangle_test {
 
 TEST(FunctionName, IsAsInTheSketchForMethodsAndTheCompilersVariants) {
   EXPECT_EQ(function_name("loop"), "loop");
@@ -15,5 +14,4 @@ TEST(FunctionName, IsAsInTheSketchForMethodsAndTheCompilersVariants) {
   EXPECT_EQ(function_name(""), "");
 }
 
-}  // namespace demangle_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::demangle_test

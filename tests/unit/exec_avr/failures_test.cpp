@@ -9,8 +9,7 @@
 #include "sim/exec/elf/demangle.h"
 #include "tests/unit/exec_avr/fixture.h"
 
-namespace robosim::exec {
-namespace failures_test {
+namespace robosim::exec::failures_test {
 
 using testing::AnyOf;
 using testing::HasSubstr;
@@ -21,9 +20,7 @@ class FailuresTest : public AvrTest {
     build::Request request{std::filesystem::path(ROBOSIM_TEST_SKETCHES) / name, *find_board(board_name_)};
     request.target = "avr";
     built_ = build::build(request);
-    avr_ = std::make_unique<AvrExecutor>(*find_board(board_name_), built_.image);
-    avr_->power_on(0);
-    now_ = 0;
+    start_image(built_.image);
     run(duration);
     return avr_->crash();
   }
@@ -141,14 +138,6 @@ void loop() { go(); }
   run(20 * kMillisecond);
   ASSERT_TRUE(avr_->crash());
   EXPECT_THAT(avr_->crash()->reason, HasSubstr("after the end of the flash"));
-}
-
-TEST_F(FailuresTest, AHangIsNoCrashAndItsPlaceIsKnown) {
-  EXPECT_FALSE(crash_of("ChipHang"));
-  const Activity activity = avr_->activity();
-  EXPECT_LT(activity.last_call, 25 * kMillisecond);
-  EXPECT_EQ(activity.where.function, "wait");
-  EXPECT_EQ(activity.where.file, "ChipHang.ino");
 }
 
 TEST_F(FailuresTest, ACallIsTheOneThatTheSketchMakesNotOneOfTheCore) {
@@ -369,5 +358,4 @@ TEST_F(FailuresTest, APowerCycleBeginsAfreshAfterACrash) {
   EXPECT_TRUE(avr_->crash()) << "the restarted sketch crashes again";
 }
 
-}  // namespace failures_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::failures_test

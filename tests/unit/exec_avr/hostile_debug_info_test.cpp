@@ -7,8 +7,7 @@
 #include "sim/exec/elf/debug_info.h"
 #include "tests/unit/exec_avr/fixture.h"
 
-namespace robosim::exec {
-namespace hostile_debug_info_test {
+namespace robosim::exec::hostile_debug_info_test {
 
 constexpr const char* kSketch = "void setup() {}\nvoid loop() { delay(10); }\n";
 
@@ -46,5 +45,4 @@ TEST_F(HostileDebugInfoTest, IsSearchedInABoundedNumberOfSteps) {
   }
 }
 
-}  // namespace hostile_debug_info_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::hostile_debug_info_test

@@ -4,10 +4,10 @@
 
 #include "sim/base/error.h"
 #include "sim/exec/avr/firmware.h"
+#include "tests/support/refusal.h"
 #include "tests/unit/exec_avr/fixture.h"
 
-namespace robosim::exec {
-namespace image_test {
+namespace robosim::exec::image_test {
 
 using testing::HasSubstr;
 
@@ -16,12 +16,7 @@ class ImageTest : public AvrTest {
   std::string refusal(const std::string& content, const char* name = "x.elf") {
     const auto file = folder_ / name;
     write_file(file, content);
-    try {
-      AvrExecutor executor(*find_board(board_name_), file);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::refusal([&] { AvrExecutor executor(*find_board(board_name_), file); });
   }
 };
 
@@ -97,12 +92,8 @@ TEST_F(ImageTest, TheFlashInUseIsTheSameForTheBuildAndForTheChip) {
   EXPECT_EQ(avr_->resources()->ram_bytes, built_.data_bytes);
   BoardSpec small = *find_board("uno");
   small.flash_bytes = static_cast<std::uint32_t>(flash - 1);
-  try {
-    AvrExecutor executor(small, built_.image);
-    ADD_FAILURE() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("requires " + std::to_string(flash) + " bytes of flash"));
-  }
+  EXPECT_THAT(test::refusal([&] { AvrExecutor executor(small, built_.image); }),
+              HasSubstr("requires " + std::to_string(flash) + " bytes of flash"));
   small.flash_bytes = static_cast<std::uint32_t>(flash);
   EXPECT_NO_THROW(AvrExecutor(small, built_.image));
 }
@@ -144,11 +135,7 @@ TEST_F(ImageTest, AHexFileRunsLikeItsElfWithTheSameMemoryUse) {
   const Resources of_elf = *avr_->resources();
   const std::string hex = hex_of(avr::Firmware::read(built_.image, *find_board("uno")).flash);
   write_file(folder_ / "x.hex", hex);
-  avr_ = std::make_unique<AvrExecutor>(*find_board("uno"), folder_ / "x.hex");
-  board().watch_serial(*this);
-  serial_.clear();
-  avr_->power_on(0);
-  now_ = 0;
+  start_image(folder_ / "x.hex");
   run(40 * kMillisecond);
   EXPECT_EQ(serial_, "140\r\n");
   const Resources of_hex = *avr_->resources();
@@ -180,11 +167,7 @@ TEST_F(ImageTest, AHexFileWithABootLoaderStartsTheSketch) {
   const std::size_t end = hex.find(":00000001FF");
   write_file(folder_ / "x.hex",
              hex.substr(0, end) + ":107E0000112484B714BE81FFF0D085E080938100F7\n" + hex.substr(end));
-  avr_ = std::make_unique<AvrExecutor>(*find_board("uno"), folder_ / "x.hex");
-  board().watch_serial(*this);
-  serial_.clear();
-  avr_->power_on(0);
-  now_ = 0;
+  start_image(folder_ / "x.hex");
   run(40 * kMillisecond);
   EXPECT_EQ(serial_, "hello\r\n");
 }
@@ -211,5 +194,4 @@ TEST_F(ImageTest, WhatIsNotInitialisedIsKeptWhenTheWatchdogResets) {
             "11\r\n21\r\n");
 }
 
-}  // namespace image_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::image_test

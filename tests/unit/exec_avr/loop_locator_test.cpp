@@ -6,8 +6,7 @@
 
 #include "tests/unit/exec_avr/fixture.h"
 
-namespace robosim::exec {
-namespace loop_locator_test {
+namespace robosim::exec::loop_locator_test {
 
 class AvrLoopTest : public AvrTest {
  protected:
@@ -40,52 +39,53 @@ class AvrLoopTest : public AvrTest {
   }
 };
 
-constexpr const char* kSetup = "volatile byte n;\nvoid setup() { DDRB = 32; }\n";
+constexpr const char* kSetup = "volatile byte n;\nvoid setup() { DDRB = _BV(5); }\n";
 
 std::string sketch(const std::string& loop) { return kSetup + ("void loop() {\n" + loop + "\n}"); }
 
 TEST_F(AvrLoopTest, ALoopThatBeginsWithALoopWithinIsNotCountedByThat) {
   for (const char* loop : {
-           "while (n < 50) { n = n + 1; PIND = 1; }\nn = 0;\nPINB = 32;",
-           "do { n = n + 1; PIND = 1; } while (n < 50);\nn = 0;\nPINB = 32;",
-           "while (!(TIFR1 & 1)) {}\nTIFR1 = 1;\ndelayMicroseconds(100);\nPINB = 32;",
+           "while (n < 50) { n = n + 1; PIND = 1; }\nn = 0;\nPINB = _BV(5);",
+           "do { n = n + 1; PIND = 1; } while (n < 50);\nn = 0;\nPINB = _BV(5);",
+           "while (!(TIFR1 & 1)) {}\nTIFR1 = 1;\ndelayMicroseconds(100);\nPINB = _BV(5);",
            "for (int i = 0; i < 5; i++) {\n"
            "  for (int j = 0; j < 3; j++) {\n"
            "    n = n + j;\n"
            "    while (GPIOR0 < 2) { GPIOR0 = GPIOR0 + 1; if (GPIOR0 == 7) return; }\n"
            "  }\n"
            "  GPIOR0 = 0;\n"
-           "}\nPINB = 32;",
+           "}\nPINB = _BV(5);",
        }) {
     expect_true_rounds(sketch(loop));
   }
   expect_true_rounds("#pragma GCC optimize \"O2\"\n" +
-                     sketch("while (n < 50) { n = n + 1; PIND = 1; }\nn = 0;\nPINB = 32;"));
+                     sketch("while (n < 50) { n = n + 1; PIND = 1; }\nn = 0;\nPINB = _BV(5);"));
 }
 
 TEST_F(AvrLoopTest, AWaitForTheSerialLineOrForTimeIsAPartOfTheRound) {
   expect_true_rounds(
-      "void setup() { DDRB = 32; Serial.begin(115200); }\n"
+      "void setup() { DDRB = _BV(5); Serial.begin(115200); }\n"
       "void loop() {\n"
       "  while (Serial.available() == 0) { if (millis() % 10 == 5) break; }\n"
-      "  Serial.read();\n  delay(1);\n  PINB = 32;\n}",
+      "  Serial.read();\n  delay(1);\n  PINB = _BV(5);\n}",
       kSecond);
 }
 
 TEST_F(AvrLoopTest, EachReturnEndsARound) {
   expect_true_rounds(
-      sketch("PINB = 32;\nif (n < 50) { n = n + 1; PIND = 1; return; }\nn = 0;\nPIND = 4;\n"
+      sketch("PINB = _BV(5);\nif (n < 50) { n = n + 1; PIND = 1; return; }\nn = 0;\nPIND = 4;\n"
              "if (n == 3) return;\nPIND = 8;\ndelayMicroseconds(20);"));
   expect_true_rounds(
-      sketch("PINB = 32;\nswitch (n) {\n case 0: n = 1; break;\n case 1: n = 2; return;\n"
+      sketch("PINB = _BV(5);\nswitch (n) {\n case 0: n = 1; break;\n case 1: n = 2; return;\n"
              " case 2: while (TCNT0 & 8) {} n = 3; break;\n case 3: delay(1); n = 4; return;\n"
              " case 4: PIND = 1; n = 5; break;\n default: n = 0; }"));
 }
 
 TEST_F(AvrLoopTest, ALoopThatNeverEndsIsAPartOfTheLastRound) {
-  for (const std::string setup : {kSetup, "byte n;\nvoid setup() { DDRB = 32; Serial.begin(9600); }\n"})
+  for (const std::string setup : {kSetup, "byte n;\nvoid setup() { DDRB = _BV(5); Serial.begin(9600); }\n"})
     for (const char* end : {"for (;;) {}", "for (;;) { PIND = 1; n = 0; }"}) {
-      const std::string text = setup + "void loop() {\nfor (byte i = 0; i < 9; i++) PIND = i;\nPINB = 32;\n" +
+      const std::string text = setup +
+                               "void loop() {\nfor (byte i = 0; i < 9; i++) PIND = i;\nPINB = _BV(5);\n" +
                                "if (++n == 200) { " + end + " }\n}";
       const Resources r = run_for(text, 100 * kMillisecond);
       EXPECT_EQ(changes(13).size(), 201u) << text;
@@ -94,7 +94,7 @@ TEST_F(AvrLoopTest, ALoopThatNeverEndsIsAPartOfTheLastRound) {
 }
 
 TEST_F(AvrLoopTest, ALoopThatIsCalledOrCallsOnIsCounted) {
-  const std::string within = "while (n < 50) { n = n + 1; PIND = 1; }\nn = 0;\nPINB = 32;";
+  const std::string within = "while (n < 50) { n = n + 1; PIND = 1; }\nn = 0;\nPINB = _BV(5);";
   expect_true_rounds("void __attribute__((noinline)) loop();\n" + sketch(within));
   expect_true_rounds("void __attribute__((noinline)) work();\nvoid __attribute__((noinline)) loop();\n" +
                      sketch("work();") + "\nvoid work() {\n" + within + "\n}");
@@ -102,22 +102,23 @@ TEST_F(AvrLoopTest, ALoopThatIsCalledOrCallsOnIsCounted) {
 
 TEST_F(AvrLoopTest, AMethodThatIsCalledLoopIsNotIt) {
   expect_true_rounds("struct Client { void loop() { for (int i = 0; i < 9; i++) PIND = i; } } client;\n" +
-                     sketch("client.loop();\nPINB = 32;"));
+                     sketch("client.loop();\nPINB = _BV(5);"));
 }
 
 TEST_F(AvrLoopTest, TheRoundsOfAMainOfItsOwnAreThoseOfItsEndlessLoop) {
-  const std::string begin = "volatile byte n;\nint main() {\n  DDRB = 32;\n  for (;;) {\n";
-  expect_true_rounds(begin + "    PINB = 32;\n    n = n + 1;\n  }\n}", 10 * kMillisecond);
-  expect_true_rounds(begin +
-                     "    PINB = 32;\n    for (byte i = 0; i < 9; i++)\n      PIND = i;\n    n = 0;\n  }\n}");
+  const std::string begin = "volatile byte n;\nint main() {\n  DDRB = _BV(5);\n  for (;;) {\n";
+  expect_true_rounds(begin + "    PINB = _BV(5);\n    n = n + 1;\n  }\n}", 10 * kMillisecond);
+  expect_true_rounds(
+      begin + "    PINB = _BV(5);\n    for (byte i = 0; i < 9; i++)\n      PIND = i;\n    n = 0;\n  }\n}");
 }
 
 TEST_F(AvrLoopTest, WhatCannotBeToldIsNotSaid) {
   // The inner loop compiles to the same machine code as `if (n < 50) { …; continue; }` in the outer loop.
   expect_nothing_said(
-      "volatile byte n;\nint main() {\n  DDRB = 32;\n  for (;;) {\n"
-      "    while (n < 50) {\n      n = n + 1;\n      PIND = 1;\n    }\n    n = 0;\n    PINB = 32;\n  }\n}");
-  expect_nothing_said("int main() {\n  DDRB = 32;\n  for (;;) {\n  }\n}");
+      "volatile byte n;\nint main() {\n  DDRB = _BV(5);\n  for (;;) {\n"
+      "    while (n < 50) {\n      n = n + 1;\n      PIND = 1;\n    }\n    n = 0;\n    PINB = _BV(5);\n  "
+      "}\n}");
+  expect_nothing_said("int main() {\n  DDRB = _BV(5);\n  for (;;) {\n  }\n}");
   expect_nothing_said("void setup() {\n  for (;;) {\n    delay(5);\n  }\n}\nvoid loop() {\n}");
 }
 
@@ -149,5 +150,4 @@ int main() {
   EXPECT_NEAR(r.interrupt_share, 1.0 - alone / with, 0.01);
 }
 
-}  // namespace loop_locator_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::loop_locator_test

@@ -2,10 +2,7 @@
 #include "sim/exec/avr/firmware.h"
 #include "tests/unit/exec_avr/fixture.h"
 
-namespace robosim::exec {
-namespace memory_test {
-
-using testing::HasSubstr;
+namespace robosim::exec::memory_test {
 
 class MemoryTest : public AvrTest {
  protected:
@@ -107,24 +104,9 @@ void loop() {})",
   EXPECT_NEAR(r.interrupt_share, 0.256, 0.01);
 }
 
-TEST_F(MemoryTest, TheClockCanBeginShortlyBeforeItWraps) {
-  avr_ = std::make_unique<AvrExecutor>(*find_board("uno"), build(R"(void setup() {
-  Serial.begin(115200); Serial.println(millis()); delay(1000); Serial.println(millis());
-}
-void loop() {})"));
-  board().watch_serial(*this);
-  avr_->set_clock_start(4294967 * kSecond);
-  avr_->power_on(0);
-  run(1500 * kMillisecond);
-  ASSERT_EQ(numbers().size(), 2u);
-  EXPECT_EQ(numbers()[0], 4294967000);
-  EXPECT_NEAR(static_cast<double>(numbers()[1]), 704.0, 2.0);
-}
-
 TEST_F(MemoryTest, ASketchWithoutAClockCannotHaveItSet) {
-  avr_ = std::make_unique<AvrExecutor>(*find_board("uno"), build("int main() { for (;;) {} }"));
+  start("int main() { for (;;) {} }");
   EXPECT_THROW(avr_->set_clock_start(kSecond), InputError);
 }
 
-}  // namespace memory_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::memory_test

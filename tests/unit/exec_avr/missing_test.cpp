@@ -4,8 +4,7 @@
 
 #include "tests/support/require_target.h"
 
-namespace robosim::exec {
-namespace missing_test {
+namespace robosim::exec::missing_test {
 
 TEST(AvrExecutor, NeedsLibdw) {
   const char* const sentence = "the target avr was left out: the Debian package libdw-dev is missing";
@@ -13,5 +12,4 @@ TEST(AvrExecutor, NeedsLibdw) {
   GTEST_SKIP() << sentence;
 }
 
-}  // namespace missing_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::missing_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim::exec {
-namespace symbols_test {
+namespace robosim::exec::symbols_test {
 
 TEST(Symbols, ALabelOfTheAssemblerIsNotAFunction) {
   Symbols symbols;
@@ -18,5 +17,4 @@ TEST(Symbols, ALabelOfTheAssemblerIsNotAFunction) {
   EXPECT_FALSE(symbols.find("L0\1"));
 }
 
-}  // namespace symbols_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::symbols_test

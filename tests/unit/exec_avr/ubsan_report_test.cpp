@@ -2,10 +2,7 @@
 
 #include "tests/unit/exec_avr/fixture.h"
 
-namespace robosim::exec {
-namespace ubsan_report_test {
-
-using testing::HasSubstr;
+namespace robosim::exec::ubsan_report_test {
 
 class CheckTest : public AvrTest {
  protected:
@@ -82,5 +79,4 @@ TEST_F(CheckTest, ThereIsMoreMemoryThanOnTheChipButNotForOthers) {
   EXPECT_THROW(build(large), InputError);
 }
 
-}  // namespace ubsan_report_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::ubsan_report_test

@@ -2,8 +2,7 @@
 // 4) and the cycle counter.
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
-namespace robosim::exec::stm32 {
-namespace backup_test {
+namespace robosim::exec::stm32::backup_test {
 
 using namespace robosim::stm32;
 
@@ -117,5 +116,4 @@ TEST_F(BackupTest, TheCycleCounterCountsWhileItIsEnabled) {
   EXPECT_EQ(load(0xE0042000) & 0xFFF, 0x410u) << "a medium-density device";
 }
 
-}  // namespace backup_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::backup_test

@@ -1,8 +1,7 @@
 // Tests SPI (RM0008, chapter 25) and I2C (chapter 26), without devices at their pins.
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
-namespace robosim::exec::stm32 {
-namespace buses_test {
+namespace robosim::exec::stm32::buses_test {
 
 using namespace robosim::stm32;
 
@@ -123,5 +122,4 @@ TEST_F(I2cTest, ItsEventAndItsErrorInterrupt) {
   EXPECT_FALSE(takes(kIrqI2c1Error));
 }
 
-}  // namespace buses_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::buses_test

@@ -4,8 +4,7 @@
 
 #include "tests/unit/exec_stm32/chip_fixture.h"
 
-namespace robosim::exec {
-namespace chip_test {
+namespace robosim::exec::chip_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -31,12 +30,6 @@ TEST_F(Stm32ChipTest, PrintsNumbersOfItsOwnWidths) {
                    "Serial.println(100 / (int)(millis() - millis())); Serial.println(String(\"a\") + 7); }\n"
                    "void loop() {}\n"),
             "FFFFFFFF\r\n1.500\r\n4\r\n   -2.35\r\n0\r\na7\r\n");
-}
-
-TEST_F(Stm32ChipTest, ASketchMayHaveAMainOfItsOwn) {
-  EXPECT_EQ(
-      output("int main() { init(); Serial.begin(115200); delay(5); Serial.print(millis()); for (;;) {} }"),
-      "5");
 }
 
 TEST_F(Stm32ChipTest, DelaysLastTheirTimeAtBothClocks) {
@@ -239,18 +232,6 @@ void loop() {
   EXPECT_NEAR(r.loop_us_mean, took_us / 500.0, 0.02 * r.loop_us_mean);
 }
 
-TEST_F(Stm32ChipTest, AHangIsNoCrashAndItsPlaceIsKnown) {
-  start(
-      "volatile bool flag;\nvoid wait() {\n  while (!flag) {\n  }\n}\nvoid setup() { delay(20); wait(); }\n"
-      "void loop() {}\n");
-  run(kSecond);
-  EXPECT_FALSE(chip_->crash());
-  const Activity activity = chip_->activity();
-  EXPECT_LT(activity.last_call, 30 * kMillisecond);
-  EXPECT_EQ(activity.where.file, "Test.ino");
-  EXPECT_EQ(activity.where.line, 3);
-}
-
 const char* const kRegisters =
     "#include \"hal/stm32/registers.h\"\nusing namespace robosim::stm32;\nuint32_t n_;\n";
 
@@ -324,19 +305,4 @@ TEST_F(Stm32ChipTest, AProgramMayWriteCodeIntoFlashAndRunIt) {
       " 7 42");
 }
 
-TEST_F(Stm32ChipTest, EepromSurvivesThePowerAndMillisBeginsWhereItIsTold) {
-  clock_start_ = 4'294'967 * kSecond;
-  start(
-      "#include <EEPROM.h>\nvoid setup() { Serial.begin(115200); EEPROM.update(3, EEPROM.read(3) + 1);\n"
-      "Serial.println(EEPROM.read(3)); Serial.println(millis() / 1000); }\nvoid loop() {}\n");
-  run(300 * kMillisecond);
-  EXPECT_EQ(serial_, "0\r\n4294967\r\n");
-  chip_->power_off(now_);
-  chip_->power_on(now_);
-  serial_.clear();
-  run(300 * kMillisecond);
-  EXPECT_EQ(serial_, "1\r\n4294967\r\n");
-}
-
-}  // namespace chip_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::chip_test

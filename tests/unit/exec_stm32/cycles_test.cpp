@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim::exec::stm32 {
-namespace cycles_test {
+namespace robosim::exec::stm32::cycles_test {
 
 TEST(Cycles, InstructionsCostWhatTheManualSays) {
   struct Case {
@@ -56,5 +55,4 @@ TEST(Cycles, WhatTheEmulatorMustLookAtIsSeen) {
   EXPECT_EQ(decode(0xFB91, 0xF0F2).divisor, 2);
 }
 
-}  // namespace cycles_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::cycles_test

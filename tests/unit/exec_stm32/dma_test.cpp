@@ -3,8 +3,7 @@
 
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
-namespace robosim::exec::stm32 {
-namespace dma_test {
+namespace robosim::exec::stm32::dma_test {
 
 using namespace robosim::stm32;
 
@@ -216,5 +215,4 @@ TEST_F(AdcTest, AnExternalLineStartsIt) {
   EXPECT_EQ(load(kAdcDr), 2048u);
 }
 
-}  // namespace dma_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::dma_test

@@ -1,8 +1,7 @@
 // Tests the external interrupt lines (RM0008, 10.2 and 10.3).
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
-namespace robosim::exec::stm32 {
-namespace exti_test {
+namespace robosim::exec::stm32::exti_test {
 
 using namespace robosim::stm32;
 
@@ -76,5 +75,4 @@ TEST_F(ExtiTest, TheLinesOfTheChipItselfHaveInterruptsOfTheirOwn) {
   EXPECT_EQ(load(kExtiImr), 0x7FFFFu);
 }
 
-}  // namespace exti_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::exti_test

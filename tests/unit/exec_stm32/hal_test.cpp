@@ -11,8 +11,7 @@
 #include "sim/exec/stm32/bus.h"
 #include "tests/unit/exec_stm32/hal_firmware.h"
 
-namespace robosim::exec::stm32 {
-namespace hal_test {
+namespace robosim::exec::stm32::hal_test {
 
 using testing::ElementsAre;
 
@@ -77,8 +76,7 @@ class Chip {
 Chip* chip = nullptr;
 constexpr Cycle kAccess = 4;
 
-}  // namespace hal_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::hal_test
 
 namespace robosim::stm32 {
 
@@ -107,8 +105,7 @@ void wait_for_interrupt() { chip->sleep(); }
 
 }  // namespace robosim::stm32
 
-namespace robosim::exec::stm32 {
-namespace hal_test {
+namespace robosim::exec::stm32::hal_test {
 
 class HalTest : public testing::Test, protected PinWatcher, protected SerialWatcher {
  protected:
@@ -401,5 +398,4 @@ TEST_F(HalTest, ShiftOutAndShiftInTakeTheOrderOfBits) {
   EXPECT_EQ(shiftIn(12, 13, LSBFIRST), 0xFF);
 }
 
-}  // namespace hal_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::hal_test

@@ -2,14 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "sim/exec/stm32/bus.h"
 
-namespace robosim::exec::stm32 {
-namespace registers_test {
+namespace robosim::exec::stm32::registers_test {
 
 TEST(BusTest, AnAccessToWhatIsNotModelledIsNamed) {
   BoardState board(*find_board("bluepill"));
@@ -146,5 +144,4 @@ TEST(BusTest, BothAdcsConvertTheirOwnChannelsAndShareAnInterrupt) {
   EXPECT_FALSE(bus.unmodelled());
 }
 
-}  // namespace registers_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::registers_test

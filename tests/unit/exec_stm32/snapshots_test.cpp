@@ -7,22 +7,23 @@
 #include "tests/support/stm32_sum.h"
 #include "tests/unit/exec_stm32/chip_fixture.h"
 
-namespace robosim::exec {
-namespace snapshots_test {
+namespace robosim::exec::snapshots_test {
 
 // The first lines of each sketch. They let the sketch access registers, and install handlers for 60
 // interrupts in a vector table in RAM.
-const std::string kBegins = R"(#define R(address) (*(volatile unsigned*)(address))
+const std::string kBegins = R"(#include "hal/stm32/registers.h"
+using namespace robosim::stm32;
+#define R(address) (*(volatile unsigned*)(address))
 static unsigned vectors[76] __attribute__((aligned(512)));
 volatile unsigned counts[8];
 static void take_vectors() {
-  for (int i = 0; i < 76; ++i) vectors[i] = ((unsigned*)0x08000000)[i];
-  R(0xE000ED08) = (unsigned)vectors;
+  for (int i = 0; i < 76; ++i) vectors[i] = ((unsigned*)kFlash)[i];
+  R(kScbVtor) = (unsigned)vectors;
 }
 static void enable(int irq, void (*handler)(), int priority) {
   vectors[16 + irq] = (unsigned)handler;
-  ((volatile unsigned char*)0xE000E400)[irq] = priority << 4;
-  R(0xE000E100 + irq / 32 * 4) = 1u << irq % 32;
+  ((volatile unsigned char*)kNvicIpr)[irq] = priority << 4;
+  R(kNvicIser + irq / 32 * 4) = 1u << irq % 32;
 }
 static void dawdle(unsigned n) { for (volatile unsigned i = 0; i < n; i++); }
 )";
@@ -53,100 +54,100 @@ void loop() {
   analogWrite(5, millis());
 })"},
     {"Handlers", R"(
-static void slow() { ++counts[0]; dawdle(400); R(0x40000010) = 0; ++counts[1]; }
-static void quick() { counts[2] += counts[1]; dawdle(20); R(0x40000410) = 0; }
+static void slow() { ++counts[0]; dawdle(400); R(kTim2 + kTimSr) = 0; ++counts[1]; }
+static void quick() { counts[2] += counts[1]; dawdle(20); R(kTim3 + kTimSr) = 0; }
 void setup() {
   take_vectors();
-  R(0x4002101C) |= 3;  // TIM2 interrupts, TIM3 preempts it
-  enable(28, slow, 9);
-  enable(29, quick, 3);
-  R(0x4000002C) = 10000, R(0x4000000C) = 1, R(0x40000000) = 1;
-  R(0x4000042C) = 3331, R(0x4000040C) = 1, R(0x40000400) = 1;
+  R(kRccApb1Enr) |= kTim2En | kTim3En;  // TIM2 interrupts, TIM3 preempts it
+  enable(kIrqTim2, slow, 9);
+  enable(kIrqTim3, quick, 3);
+  R(kTim2 + kTimArr) = 10000, R(kTim2 + kTimDier) = kUie, R(kTim2 + kTimCr1) = kCen;
+  R(kTim3 + kTimArr) = 3331, R(kTim3 + kTimDier) = kUie, R(kTim3 + kTimCr1) = kCen;
 }
 void loop() {
   counts[3] += counts[0] & 1 ? counts[2] : 1;
   asm volatile("wfi");
-  if (counts[0] == 30) R(0xE000ED10) = 2;  // SLEEPONEXIT
+  if (counts[0] == 30) R(kScbScr) = kSleepOnExit;
 })"},
     {"DmaAndBuses", R"(
 static unsigned short samples[24];
 static char text[] = "what a byte takes: 8.7 us\r\n";
-static void converted() { counts[7] += R(0x4001284C) + 1; }
-static void moved() { counts[0] += R(0x40020000); R(0x40020004) = 0xFFFFFFFF; }
+static void converted() { counts[7] += R(kAdc2 + 0x4C) + 1; }
+static void moved() { counts[0] += R(kDma1); R(kDma1 + 4) = 0xFFFFFFFF; }
 void setup() {
   Serial.begin(115200);
   take_vectors();
-  R(0x40021014) |= 1;       // DMA1
-  R(0x40021018) |= 0x1E01;  // ADC1 and 2, TIM1, SPI1, AFIO
-  R(0x4002101C) |= 0x18A04001;  // TIM2, SPI2, I2C1, PWR, BKP, WWDG
-  enable(11, moved, 5);
-  R(0x40012408) = 1;  // ADC1 by DMA, endlessly, 3 channels
-  R(0x4001242C) = 2 << 20, R(0x40012434) = 1 | 2 << 5 | 4 << 10;
-  R(0x40012404) = 0x100;
-  R(0x40020010) = (unsigned)samples, R(0x40020014) = 0;
-  R(0x40020010) = 0x4001244C, R(0x40020014) = (unsigned)samples, R(0x4002000C) = 24;
-  R(0x40020008) = 0x5A7;
-  R(0x40012408) = 0x1E0103, R(0x40012408) = 0x5E0103;
-  R(0x40005404) = 36, R(0x4000541C) = 180, R(0x40005400) = 1;  // I2C1
-  R(0x40013000) = 0x37C;  // SPI1
-  R(0x40012808) = 1, R(0x40012810) = 0x38;  // ADC2 occasionally interrupts at the end of a conversion
-  R(0x40012804) = 0x20;
-  enable(18, converted, 6);
+  R(kRccAhbEnr) |= kDma1En;
+  R(kRccApb2Enr) |= 0x1E01;  // ADC1 and 2, TIM1, SPI1, AFIO
+  R(kRccApb1Enr) |= 0x18A04001;  // TIM2, SPI2, I2C1, PWR, BKP, WWDG
+  enable(kIrqDma1Channel1, moved, 5);
+  R(kAdcCr2) = 1;  // ADC1 by DMA, endlessly, 3 channels
+  R(kAdcSqr1) = 2 << 20, R(kAdcSqr3) = 1 | 2 << 5 | 4 << 10;
+  R(kAdcCr1) = 0x100;
+  R(kDma1 + 0x10) = (unsigned)samples, R(kDma1 + 0x14) = 0;
+  R(kDma1 + 0x10) = kAdcDr, R(kDma1 + 0x14) = (unsigned)samples, R(kDma1 + 0xC) = 24;
+  R(kDma1 + 8) = 0x5A7;
+  R(kAdcCr2) = 0x1E0103, R(kAdcCr2) = 0x5E0103;
+  R(kI2c1 + 4) = 36, R(kI2c1 + 0x1C) = 180, R(kI2c1) = 1;
+  R(kSpi1) = 0x37C;
+  R(kAdc2 + 8) = 1, R(kAdc2 + 0x10) = 0x38;  // ADC2 occasionally interrupts at the end of a conversion
+  R(kAdc2 + 4) = 0x20;
+  enable(kIrqAdc, converted, 6);
 }
 static void by_dma(unsigned n) {
-  R(0x40013814) |= 0x80;
-  R(0x40020044) = 0;
-  R(0x40020048) = 0x40013804, R(0x4002004C) = (unsigned)text, R(0x40020048 - 4) = n;
+  R(kUsartCr3) |= kDmaT;
+  R(kDma1 + 0x44) = 0;
+  R(kDma1 + 0x48) = kUsartDr, R(kDma1 + 0x4C) = (unsigned)text, R(kDma1 + 0x44) = n;
 }
 static unsigned word_by_word[64];
 void loop() {
-  R(0x40005400) |= 0x100;  // a start, and an address that no device answers
-  while (!(R(0x40005414) & 1)) ++counts[1];
-  R(0x40005410) = 0x46;
-  while (!(R(0x40005414) & 0x402)) ++counts[2];
-  R(0x40005414) = 0, R(0x40005400) |= 0x200;
-  R(0x4001300C) = counts[1];
-  while (!(R(0x40013008) & 1)) ++counts[3];
-  counts[4] += R(0x4001300C) + samples[7];
-  R(0x40020030) = 0;  // memory to memory: channel 3
-  R(0x40020038) = (unsigned)counts, R(0x4002003C) = (unsigned)word_by_word, R(0x40020034) = 8;
-  R(0x40020030) = 0x4AC1;
+  R(kI2c1) |= 0x100;  // a start, and an address that no device answers
+  while (!(R(kI2c1 + 0x14) & 1)) ++counts[1];
+  R(kI2c1 + 0x10) = 0x46;
+  while (!(R(kI2c1 + 0x14) & 0x402)) ++counts[2];
+  R(kI2c1 + 0x14) = 0, R(kI2c1) |= 0x200;
+  R(kSpi1 + 0xC) = counts[1];
+  while (!(R(kSpi1 + 8) & 1)) ++counts[3];
+  counts[4] += R(kSpi1 + 0xC) + samples[7];
+  R(kDma1 + 0x30) = 0;  // memory to memory: channel 3
+  R(kDma1 + 0x38) = (unsigned)counts, R(kDma1 + 0x3C) = (unsigned)word_by_word, R(kDma1 + 0x34) = 8;
+  R(kDma1 + 0x30) = 0x4AC1;
   Serial.write(text[counts[5]++ % 20]);
   counts[6] ^= R(0xE0001004);  // DWT_CYCCNT
-  if (counts[5] % 4 == 0) R(0x40012808) = 1;
+  if (counts[5] % 4 == 0) R(kAdc2 + 8) = 1;
   if (counts[5] % 30 == 9) by_dma(20);
 })"},
     {"Watchdogs", R"(
 void setup() {
   Serial.begin(115200);
-  Serial.println(R(0x40021024), HEX);  // why it was reset
+  Serial.println(R(kRccCsr), HEX);  // why it was reset
   R(0xE000EDFC) |= 1u << 24, R(0xE0001000) |= 1;
-  R(0x40021014) |= 0x40;  // CRC
-  R(0x40021018) |= 1, R(0x4002101C) |= 0x18000800;
-  if (R(0x40006C04) == 0) {
-    R(0x40021024) |= 1;
-    while (!(R(0x40021024) & 2)) {}
-    R(0x40007000) |= 0x100;
-    R(0x40021020) = 0x8200;  // the RTC on LSI
-    R(0x40002804) = 0x10;
-    R(0x4000280C) = 13;
-    R(0x40002804) = 0;
+  R(kRccAhbEnr) |= kCrcUnitEn;
+  R(kRccApb2Enr) |= 1, R(kRccApb1Enr) |= 0x18000800;
+  if (R(kBkp + 4) == 0) {
+    R(kRccCsr) |= kLsiOn;
+    while (!(R(kRccCsr) & kLsiReady)) {}
+    R(kPwr) |= 0x100;
+    R(kRccBdcr) = 0x8200;  // the RTC on LSI
+    R(kRtc + 4) = 0x10;
+    R(kRtc + 0xC) = 13;
+    R(kRtc + 4) = 0;
   }
-  R(0x40007000) |= 0x100;
-  R(0x40006C04) = R(0x40006C04) + 1;  // a backup register
-  if (R(0x40006C04) == 3) R(0x40002C04) = 0x1FF, R(0x40002C00) = 0xFF;  // the window watchdog: 58 ms
-  if (R(0x40006C04) == 2)
-    R(0x40003000) = 0x5555, R(0x40003004) = 2, R(0x40003008) = 50, R(0x40003000) = 0xCCCC;
+  R(kPwr) |= 0x100;
+  R(kBkp + 4) = R(kBkp + 4) + 1;  // a backup register
+  if (R(kBkp + 4) == 3) R(kWwdg + 4) = 0x1FF, R(kWwdg) = 0xFF;  // the window watchdog: 58 ms
+  if (R(kBkp + 4) == 2)
+    R(kIwdg) = 0x5555, R(kIwdg + 4) = 2, R(kIwdg + 8) = 50, R(kIwdg) = 0xCCCC;
 }
 void loop() {
-  if (millis() < 12) R(0x40003000) = 0xAAAA, R(0x40007000) &= ~0x100u;
-  if (R(0x40006C04) == 1 && millis() > 20) R(0xE000ED0C) = 0x05FA0004;  // SYSRESETREQ
-  counts[0] += R(0x4000281C) + R(0xE0001004);
-  R(0x40006C08) = counts[0];
-  R(0x40023000) = counts[0] + R(0x40002C00) + R(0x40006C08);
-  counts[1] = R(0x40023000);
+  if (millis() < 12) R(kIwdg) = 0xAAAA, R(kPwr) &= ~0x100u;
+  if (R(kBkp + 4) == 1 && millis() > 20) R(kScbAircr) = 0x05FA0004;  // SYSRESETREQ
+  counts[0] += R(kRtc + 0x1C) + R(0xE0001004);
+  R(kBkp + 8) = counts[0];
+  R(kCrc) = counts[0] + R(kWwdg) + R(kBkp + 8);
+  counts[1] = R(kCrc);
   delay(2);
-  Serial.print(R(0x4000281C));
+  Serial.print(R(kRtc + 0x1C));
 })"},
     {"Flash", R"(#include <EEPROM.h>
 static volatile unsigned short* const half = (volatile unsigned short*)0x0800E000;
@@ -154,11 +155,11 @@ void setup() { Serial.begin(115200); }
 void loop() {
   static int i;
   EEPROM.write(i++ % 7, micros());
-  R(0x40022004) = 0x45670123, R(0x40022004) = 0xCDEF89AB;
-  if (i == 20) R(0x40022010) = 2, R(0x40022014) = 0x0800E000, R(0x40022010) = 0x42;
-  R(0x40022010) = 1;
+  R(kFlashKeyr) = kFlashKey1, R(kFlashKeyr) = kFlashKey2;
+  if (i == 20) R(kFlashCr) = kFlashPer, R(kFlashAr) = 0x0800E000, R(kFlashCr) = kFlashPer | kFlashStart;
+  R(kFlashCr) = kFlashPg;
   half[i * 2] = micros();
-  R(0x40022010) = 0x80;
+  R(kFlashCr) = kFlashLock;
   Serial.println(EEPROM.read(3) + half[4] + half[i * 2]);
 })",
      true, 1400},
@@ -168,10 +169,10 @@ static unsigned short* const code = (unsigned short*)0x0800F000;
 static unsigned short in_ram[4] = {0x3001, 0xEA80, 0x0040, 0x4770};  // adds; eor r0, r0, r0, lsl #1; bx lr
 typedef unsigned (*Function)(unsigned);
 static void program(int at, unsigned value) {
-  R(0x40022004) = 0x45670123, R(0x40022004) = 0xCDEF89AB;
-  R(0x40022010) = 1;
+  R(kFlashKeyr) = kFlashKey1, R(kFlashKeyr) = kFlashKey2;
+  R(kFlashCr) = kFlashPg;
   ((volatile unsigned short*)code)[at] = value;
-  R(0x40022010) = 0x80;
+  R(kFlashCr) = kFlashLock;
 }
 void setup() { Serial.begin(115200); }
 void loop() {
@@ -204,28 +205,25 @@ void loop() {
   Serial.println(word);
 })"},
     {"Sleep", R"(
-static void ticked() { ++counts[0]; R(0x40000010) = 0; }
+static void ticked() { ++counts[0]; R(kTim2 + kTimSr) = 0; }
 void setup() {
   take_vectors();
-  R(0x4002101C) |= 1;
-  R(0x4000002C) = 60000, R(0x4000000C) = 1, R(0x40000000) = 1;
-  R(0xE000ED10) = 0x10;  // SEVONPEND
+  R(kRccApb1Enr) |= kTim2En;
+  R(kTim2 + kTimArr) = 60000, R(kTim2 + kTimDier) = kUie, R(kTim2 + kTimCr1) = kCen;
+  R(kScbScr) = kSevOnPend;
 }
 void loop() {
   asm volatile("wfe");
   counts[1] += micros();
-  if (R(0xE000E200) >> 28 & 1) R(0x40000010) = 0, R(0xE000E280) = 1u << 28, ++counts[2];
+  if (R(kNvicIspr) >> kIrqTim2 & 1) R(kTim2 + kTimSr) = 0, R(kNvicIcpr) = 1u << kIrqTim2, ++counts[2];
   if (counts[2] % 8 == 5) asm volatile("sev");
   if (counts[2] % 8 == 7) asm volatile("cpsid i\n wfi\n cpsie i");
-  if (counts[2] == 40) enable(28, ticked, 2);
+  if (counts[2] == 40) enable(kIrqTim2, ticked, 2);
 })"},
 };
 
-class Stm32Snapshots : public Stm32ChipTest, public testing::WithParamInterface<Case>, PinWatcher {
+class Stm32Snapshots : public Stm32ChipTest, public testing::WithParamInterface<Case> {
  protected:
-  void before_power_on() override {
-    for (Pin pin = 0; pin < find_board(board_name_)->pin_count; ++pin) chip_->board().watch(pin, *this);
-  }
   void pin_changed(Pin, const PinDrive& drive, SimTime t) override {
     told_.add(static_cast<std::uint64_t>(t) + drive.level);
     told_.add(static_cast<std::uint64_t>(1e6 * drive.duty));
@@ -288,5 +286,4 @@ TEST_P(Stm32Snapshots, GoOnAsTheChipThatWasNotInterrupted) {
 INSTANTIATE_TEST_SUITE_P(Of, Stm32Snapshots, testing::ValuesIn(kCases),
                          [](const auto& parameter) { return std::string(parameter.param.name); });
 
-}  // namespace snapshots_test
-}  // namespace robosim::exec
+}  // namespace robosim::exec::snapshots_test

@@ -4,15 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <memory>
 #include <random>
 #include <sstream>
 
 #include "sim/exec/stm32/cpu.h"
 #include "sim/exec/stm32/engine.h"
 
-namespace robosim::exec::stm32 {
-namespace thumb_test {
+namespace robosim::exec::stm32::thumb_test {
 
 using namespace robosim::stm32;
 
@@ -194,5 +192,4 @@ TEST(Thumb, SaturatesAsLibunicornDoes) {
   }
 }
 
-}  // namespace thumb_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::thumb_test

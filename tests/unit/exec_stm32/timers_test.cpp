@@ -3,8 +3,7 @@
 
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
-namespace robosim::exec::stm32 {
-namespace timers_test {
+namespace robosim::exec::stm32::timers_test {
 
 using namespace robosim::stm32;
 
@@ -316,5 +315,4 @@ TEST_F(TimersTest, AUsartsPinMovesWithTheMap) {
   EXPECT_TRUE(board_.drive(kPb6).level);
 }
 
-}  // namespace timers_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::timers_test

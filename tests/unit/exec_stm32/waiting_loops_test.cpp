@@ -9,8 +9,7 @@
 #include "sim/exec/stm32/machine.h"
 #include "tests/support/effort.h"
 
-namespace robosim::exec::stm32 {
-namespace waiting_loops_test {
+namespace robosim::exec::stm32::waiting_loops_test {
 
 using namespace robosim::stm32;
 
@@ -250,5 +249,4 @@ TEST(WaitingLoops, LeaveThePillAsItWouldBe) {
   EXPECT_GT(skipped, all / 8);
 }
 
-}  // namespace waiting_loops_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::waiting_loops_test

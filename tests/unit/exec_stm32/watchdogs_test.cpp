@@ -1,8 +1,7 @@
 // Tests the watchdogs (RM0008, chapters 19 and 20), and the causes of resets in RCC_CSR (7.3.10).
 #include "tests/unit/exec_stm32/bus_fixture.h"
 
-namespace robosim::exec::stm32 {
-namespace watchdogs_test {
+namespace robosim::exec::stm32::watchdogs_test {
 
 using namespace robosim::stm32;
 
@@ -94,5 +93,4 @@ TEST_F(WatchdogsTest, TheFlagsOfResetsAddUpUntilTheyAreRemoved) {
   EXPECT_EQ(cause(), Reset::none) << "the watchdog is off after a reset";
 }
 
-}  // namespace watchdogs_test
-}  // namespace robosim::exec::stm32
+}  // namespace robosim::exec::stm32::watchdogs_test

@@ -9,8 +9,7 @@
 
 #include "tests/unit/judge/hand_moved.h"
 
-namespace robosim::judge {
-namespace contest_test {
+namespace robosim::judge::contest_test {
 
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
@@ -231,5 +230,4 @@ TEST(RescueLine, AndDragRacesNeedTheirTables) {
   EXPECT_THROW(Pushed{text}, InputError);
 }
 
-}  // namespace contest_test
-}  // namespace robosim::judge
+}  // namespace robosim::judge::contest_test

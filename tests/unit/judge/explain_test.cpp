@@ -1,10 +1,8 @@
 #include "sim/judge/explain.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-namespace robosim::judge {
-namespace explain_test {
+namespace robosim::judge::explain_test {
 
 using ::testing::AllOf;
 using ::testing::EndsWith;
@@ -709,5 +707,4 @@ TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {
   EXPECT_EQ(next(Verdict::crashed), "") << "the number's type is already long";
 }
 
-}  // namespace explain_test
-}  // namespace robosim::judge
+}  // namespace robosim::judge::explain_test

@@ -1,15 +1,14 @@
 #include "sim/judge/goal.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "sim/base/error.h"
+#include "tests/support/refusal.h"
 #include "tests/unit/judge/hand_moved.h"
 
-namespace robosim::judge {
-namespace goal_test {
+namespace robosim::judge::goal_test {
 
 struct Course : HandMoved {
   explicit Course(const char* text, const char* goal) : HandMoved(text, goal ? goal : "") {}
@@ -270,12 +269,8 @@ TEST(Goal, NoneSaysThatNoneWasSet) {
 }
 
 TEST(Goal, NamesTheStationsThatExistAndTheGoalThatFits) {
-  try {
-    Course c(kFork, "station:9");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "test.map: unknown station: expected 1, 2 or 3, got “9”");
-  }
+  EXPECT_EQ(test::refusal([] { Course c(kFork, "station:9"); }),
+            "test.map: unknown station: expected 1, 2 or 3, got “9”");
   EXPECT_THROW(Course(kFork, "laps:1"), InputError);
 }
 
@@ -284,5 +279,4 @@ TEST(Goal, DefaultsToALapOnALoopAndToATourElsewhere) {
   EXPECT_EQ(to_string(default_goal(Course(kFork, nullptr).map, Course(kFork, nullptr).network)), "tour");
 }
 
-}  // namespace goal_test
-}  // namespace robosim::judge
+}  // namespace robosim::judge::goal_test

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace robosim::judge {
-namespace judge_test {
+namespace robosim::judge::judge_test {
 
 // A robot that a test moves manually.
 struct Driver {
@@ -223,5 +222,4 @@ TEST(Judge, ForgivesSilenceWhileThePowerIsOff) {
   EXPECT_EQ(d.run(10 * kSecond, [] {}), std::nullopt);
 }
 
-}  // namespace judge_test
-}  // namespace robosim::judge
+}  // namespace robosim::judge::judge_test

@@ -4,8 +4,7 @@
 
 #include "tests/unit/judge/hand_moved.h"
 
-namespace robosim::judge {
-namespace maze_tries_test {
+namespace robosim::judge::maze_tries_test {
 
 using ::testing::HasSubstr;
 
@@ -83,5 +82,4 @@ TEST(LineMaze, NeedsAnEndAndADiscThere) {
   EXPECT_THROW(Maze{text}, InputError);
 }
 
-}  // namespace maze_tries_test
-}  // namespace robosim::judge
+}  // namespace robosim::judge::maze_tries_test

@@ -1,12 +1,10 @@
 #include "sim/judge/wiring_usage.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/exec/core/board_state.h"
 
-namespace robosim::judge {
-namespace wiring_usage_test {
+namespace robosim::judge::wiring_usage_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -121,5 +119,4 @@ TEST_F(UsageTest, AnInputThatGaveTheSameThroughoutIsSteadyAndOneThatChangedIsNot
   EXPECT_THAT(told(usage().steady), ElementsAre("start LOW", "S1 4.3 V"));
 }
 
-}  // namespace wiring_usage_test
-}  // namespace robosim::judge
+}  // namespace robosim::judge::wiring_usage_test

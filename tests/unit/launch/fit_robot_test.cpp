@@ -4,8 +4,7 @@
 
 #include "sim/base/robot_name.h"
 
-namespace robosim::launch {
-namespace fit_robot_test {
+namespace robosim::launch::fit_robot_test {
 
 /// Returns the description of a robot file with the board uno. In a name such as "my.toml@nano", the board
 /// after "@" has priority.
@@ -40,5 +39,4 @@ TEST(FitRobot, GoesBackToTheFilesOwnBoardFirst) {
   expect("my.toml@bluepill8", {"nano", "uno"}, "my.toml", "bluepill8");
 }
 
-}  // namespace fit_robot_test
-}  // namespace robosim::launch
+}  // namespace robosim::launch::fit_robot_test

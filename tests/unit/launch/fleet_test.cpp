@@ -1,16 +1,15 @@
 #include "sim/launch/fleet.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "sim/base/file.h"
 #include "tests/support/readable.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::launch {
-namespace fleet_test {
+namespace robosim::launch::fleet_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -125,13 +124,10 @@ void PrintTo(const Bad& bad, std::ostream* out) { *out << bad.name; }
 class BadFleet : public ::testing::TestWithParam<Bad> {};
 
 TEST_P(BadFleet, IsOneSentenceWithItsPlace) {
-  std::string said;
-  try {
+  const std::string said = test::refusal([] {
     Fleet fleet = parse_fleet(GetParam().text, "robots.toml");
     choose(fleet);
-  } catch (const InputError& error) {
-    said = error.what();
-  }
+  });
   EXPECT_THAT(said, StartsWith(std::string("robots.toml") + GetParam().sentence));
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 0);
 }
@@ -195,5 +191,4 @@ TEST(FleetFile, AScriptThatIsNotThereIsNamed) {
       ::testing::ThrowsMessage<InputError>(HasSubstr("none.txt")));
 }
 
-}  // namespace fleet_test
-}  // namespace robosim::launch
+}  // namespace robosim::launch::fleet_test

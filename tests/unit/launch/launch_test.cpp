@@ -1,15 +1,13 @@
 #include "sim/launch/launch.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/base/robot_name.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::launch {
-namespace launch_test {
+namespace robosim::launch::launch_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -119,5 +117,4 @@ TEST_F(LaunchTest, SaysOfWhatNeedsTheChipThatItCompilesThere) {
               ::testing::AllOf(HasSubstr("missing"), ::testing::Not(HasSubstr("--target avr"))));
 }
 
-}  // namespace launch_test
-}  // namespace robosim::launch
+}  // namespace robosim::launch::launch_test

@@ -1,15 +1,13 @@
 #include "sim/launch/names.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <fstream>
 
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::launch {
-namespace names_test {
+namespace robosim::launch::names_test {
 
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
@@ -171,5 +169,4 @@ TEST(Target, SketchesRunOnAllThree) {
   EXPECT_THROW(check_target("mars"), InputError);
 }
 
-}  // namespace names_test
-}  // namespace robosim::launch
+}  // namespace robosim::launch::names_test

@@ -1,12 +1,10 @@
 #include "sim/launch/run_json.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-namespace robosim::launch {
-namespace run_json_test {
+namespace robosim::launch::run_json_test {
 
 using ::testing::ElementsAre;
 
@@ -125,5 +123,4 @@ TEST(RunJson, BytesThatAreNotUtf8AreReplaced) {
   EXPECT_EQ(nlohmann::json::parse(run_json(inputs(), r, std::nullopt))["serial"], "a\xEF\xBF\xBD");
 }
 
-}  // namespace run_json_test
-}  // namespace robosim::launch
+}  // namespace robosim::launch::run_json_test

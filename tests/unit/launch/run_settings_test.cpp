@@ -8,8 +8,7 @@
 #include "sim/base/error.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::launch {
-namespace run_settings_test {
+namespace robosim::launch::run_settings_test {
 
 TEST(ScenarioText, SendIsTheShortFormOfALineOfScript) {
   RunSettings settings;
@@ -30,5 +29,4 @@ TEST(ScenarioText, SendsComeAfterTheScriptWhoseLineNumbersStay) {
   EXPECT_THROW(scenario_text(settings), InputError);
 }
 
-}  // namespace run_settings_test
-}  // namespace robosim::launch
+}  // namespace robosim::launch::run_settings_test

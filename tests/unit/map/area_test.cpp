@@ -3,9 +3,9 @@
 
 #include "sim/map/map.h"
 #include "sim/map/map_writer.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::map {
-namespace area_test {
+namespace robosim::map::area_test {
 
 using ::testing::HasSubstr;
 
@@ -113,12 +113,7 @@ TEST(Area, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       {"colour = \"red\"\nname = \"finish\"\n" + at + size, "name"},
   };
   for (const auto& one : refused) {
-    try {
-      map_of("[[area]]\n" + one.area);
-      ADD_FAILURE() << one.area;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr(one.message)) << one.area;
-    }
+    EXPECT_THAT(test::refusal([&] { map_of("[[area]]\n" + one.area); }), HasSubstr(one.message)) << one.area;
   }
   std::string many;
   for (int i = 0; i <= 1000; ++i) many += "[[area]]\ncolour = \"red\"\n" + at + size;
@@ -126,5 +121,4 @@ TEST(Area, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   EXPECT_THROW(map_of("[area]\ncolour = \"red\"\n" + at + size), InputError);
 }
 
-}  // namespace area_test
-}  // namespace robosim::map
+}  // namespace robosim::map::area_test

@@ -4,23 +4,20 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <random>
 
 #include "sim/base/file.h"
 #include "sim/map/map_writer.h"
 #include "tests/support/png_file.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::map {
-namespace floor_image_test {
+namespace robosim::map::floor_image_test {
 
 using test::grey_png;
 using test::png_of;
-using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 std::uint8_t noise(int x, int y) { return static_cast<std::uint8_t>((x * 7919 + y * 104729 + x * y) % 256); }
 
@@ -37,12 +34,7 @@ struct Folder : test::TemporaryFolder {
 
 template <class Act>
 std::string message_of(Act act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::refusal([&] { act(); }, "no error");
 }
 
 // Compares the mean with a reference that adds up all pixels in floating point.
@@ -202,5 +194,4 @@ TEST(FloorImage, BadKeysAreToldInASentence) {
               HasSubstr("the floor is a picture without a [[path]] along its line"));
 }
 
-}  // namespace floor_image_test
-}  // namespace robosim::map
+}  // namespace robosim::map::floor_image_test

@@ -2,16 +2,13 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <stdexcept>
-#include <string>
 
 #include "sim/base/file.h"
 #include "sim/map/map_writer.h"
 #include "sim/map/true_graph.h"
 
-namespace robosim::map {
-namespace generator_test {
+namespace robosim::map::generator_test {
 
 using ::testing::IsEmpty;
 
@@ -152,5 +149,4 @@ TEST(Generator, KnowsItsFamiliesByName) {
   EXPECT_EQ(family_of("forest"), std::nullopt);
 }
 
-}  // namespace generator_test
-}  // namespace robosim::map
+}  // namespace robosim::map::generator_test

@@ -9,9 +9,9 @@
 #include "sim/base/noise.h"
 #include "sim/map/map.h"
 #include "sim/map/map_writer.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::map {
-namespace legend_test {
+namespace robosim::map::legend_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -136,15 +136,10 @@ TEST(ALegend, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       {"5 = \"wet\"", "m.map:5:2: unexpected character: expected"},
   };
   for (const auto& one : refused) {
-    try {
-      parse_map("+++\n[legend]\n" + one.line + "\n+++\n14\n", "m.map");
-      ADD_FAILURE() << one.line;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr(one.message)) << one.line;
-      EXPECT_THAT(error.what(), HasSubstr("m.map:")) << one.line;
-    }
+    EXPECT_THAT(test::refusal([&] { parse_map("+++\n[legend]\n" + one.line + "\n+++\n14\n", "m.map"); }),
+                testing::AllOf(HasSubstr(one.message), HasSubstr("m.map:")))
+        << one.line;
   }
 }
 
-}  // namespace legend_test
-}  // namespace robosim::map
+}  // namespace robosim::map::legend_test

@@ -1,14 +1,13 @@
 #include "sim/map/light.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 #include "sim/map/map.h"
 #include "sim/map/map_writer.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::map {
-namespace light_test {
+namespace robosim::map::light_test {
 
 Map lit_map(const std::string& lights) { return parse_map("+++\n" + lights + "\n+++\n_11_\n", "m.map"); }
 
@@ -43,12 +42,7 @@ moves = ["-5 mm/s", "0 mm/s"])");
 
 TEST(Lights, ThatMakeNoSenseAreRefused) {
   const auto complaint = [](const std::string& lights) -> std::string {
-    try {
-      lit_map(lights);
-      return "accepted";
-    } catch (const InputError& error) {
-      return error.what();
-    }
+    return test::refusal([&] { lit_map(lights); });
   };
   const std::string at = "at = [\"1 m\", \"1 m\"]\n";
   const std::pair<std::string, const char*> refused[] = {
@@ -75,5 +69,4 @@ TEST(Lights, ThatMakeNoSenseAreRefused) {
   EXPECT_THAT(complaint(many), testing::HasSubstr("too many lights: expected at most 64"));
 }
 
-}  // namespace light_test
-}  // namespace robosim::map
+}  // namespace robosim::map::light_test

@@ -11,10 +11,10 @@
 #include "sim/base/file.h"
 #include "sim/cli/files/map_generate.h"
 #include "sim/map/map.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::cli {
-namespace map_command_test {
+namespace robosim::cli::map_command_test {
 
 using ::testing::AllOf;
 using ::testing::EndsWith;
@@ -193,12 +193,10 @@ TEST_F(MapCommand, GeneratedTracksAreLoopsThatTheirSeedDetermines) {
 
 TEST_F(MapCommand, GenerateOverwritesNothing) {
   const std::string mine = file("tree-4-3.map", "...\n");
-  try {
-    generate_maps({"tree", 4, 5, 1, folder_.path().string()}, out_);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), StartsWith(mine + ": exists already; nothing was written"));
-  }
+  EXPECT_THAT(test::refusal([&] {
+                generate_maps({"tree", 4, 5, 1, folder_.path().string()}, out_);
+              }),
+              StartsWith(mine + ": exists already; nothing was written"));
   EXPECT_EQ(read_file(mine), "...\n");
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "tree-4-1.map"));
   EXPECT_THROW(generate_maps({"tree", 4, 1, 1, mine}, out_), InputError);  // a file instead of a folder
@@ -211,5 +209,4 @@ TEST_F(MapCommand, ShowDrawsTheMap) {
   EXPECT_THROW(show_map("d", "0,0", {}, out_), InputError);
 }
 
-}  // namespace map_command_test
-}  // namespace robosim::cli
+}  // namespace robosim::cli::map_command_test

@@ -7,22 +7,17 @@
 
 #include "sim/base/file.h"
 #include "tests/support/readable.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::map {
-namespace map_test {
+namespace robosim::map::map_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // Returns parse_map()'s error message, or "accepted".
 std::string complaint(std::string_view text) {
-  try {
-    parse_map(text, "m.map");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal([&] { parse_map(text, "m.map"); });
 }
 
 // Robosim v1 wrote a map's cells as digits. Its display drew floor, line and wall as space, '.' and '#'.
@@ -169,13 +164,8 @@ TEST(FindMap, KnowsTheSamplesAndListsThem) {
   EXPECT_EQ(read_map(find_map("oval")).name, "oval");
   EXPECT_EQ(find_map("./x.map"), "./x.map");
   EXPECT_EQ(find_map("x.map"), "x.map");
-  try {
-    find_map("ovall");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("oval"));
-    EXPECT_THAT(error.what(), HasSubstr("tight"));
-  }
+  EXPECT_THAT(test::refusal([] { find_map("ovall"); }),
+              testing::AllOf(HasSubstr("oval"), HasSubstr("tight")));
 }
 
 struct Refused {
@@ -338,5 +328,4 @@ TEST(Start, OfTheUserIsColumnRowAndDirection) {
     EXPECT_THROW(parse_start(map, wrong), InputError) << wrong;
 }
 
-}  // namespace map_test
-}  // namespace robosim::map
+}  // namespace robosim::map::map_test

@@ -4,8 +4,7 @@
 
 #include "sim/base/noise.h"
 
-namespace robosim::map {
-namespace map_writer_test {
+namespace robosim::map::map_writer_test {
 
 // Expects that both maps are equal in everything that affects a driving robot.
 void expect_same(const Map& a, const Map& b) {
@@ -76,5 +75,4 @@ TEST(WriteMap, IsReadBackAsTheSameMap) {
   }
 }
 
-}  // namespace map_writer_test
-}  // namespace robosim::map
+}  // namespace robosim::map::map_writer_test

@@ -7,8 +7,7 @@
 
 #include "sim/base/noise.h"
 
-namespace robosim::map {
-namespace network_test {
+namespace robosim::map::network_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -237,5 +236,4 @@ TEST(Network, EveryDeadEndIsNumberedOrUnreachable) {
   }
 }
 
-}  // namespace network_test
-}  // namespace robosim::map
+}  // namespace robosim::map::network_test

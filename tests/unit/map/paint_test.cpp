@@ -5,9 +5,9 @@
 #include "sim/map/map.h"
 #include "sim/map/map_writer.h"
 #include "sim/map/stripes.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::map {
-namespace paint_test {
+namespace robosim::map::paint_test {
 
 using ::testing::HasSubstr;
 
@@ -92,13 +92,8 @@ class PaintMistakes : public testing::TestWithParam<PaintMistake> {};
 
 TEST_P(PaintMistakes, AreToldWithTheirPlace) {
   const PaintMistake& mistake = GetParam();
-  try {
-    parse_map(text_with(mistake.top, mistake.path), "m.map");
-    FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr(mistake.says));
-    EXPECT_THAT(error.what(), HasSubstr("m.map:"));
-  }
+  EXPECT_THAT(test::refusal([&] { parse_map(text_with(mistake.top, mistake.path), "m.map"); }),
+              testing::AllOf(HasSubstr(mistake.says), HasSubstr("m.map:")));
 }
 
 std::string segment(const std::string& keys) { return "segments = [{ length = \"1 m\", " + keys + " }]"; }
@@ -134,5 +129,4 @@ TEST(Paint, MayBeOf32Kinds) {
   EXPECT_EQ(parse_map(text_with("", kinds(32)), "m.map").course.paints.size(), 32u);
 }
 
-}  // namespace paint_test
-}  // namespace robosim::map
+}  // namespace robosim::map::paint_test

@@ -15,9 +15,9 @@
 #include "sim/map/network.h"
 #include "sim/map/stripes.h"
 #include "tests/support/effort.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::map {
-namespace path_test {
+namespace robosim::map::path_test {
 
 using ::testing::HasSubstr;
 
@@ -43,12 +43,7 @@ Map map_of(const std::string& course) {
 }
 
 std::string message_of(const std::string& course) {
-  try {
-    map_of(course);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::refusal([&] { map_of(course); }, "no error");
 }
 
 TEST(Angle, DirectionsAreThoseOfLibmAndExactAtQuarterTurns) {
@@ -278,5 +273,4 @@ TEST(Path, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
   EXPECT_THROW(parse_map("+++\nsize = [\"1 m\", \"1 m\"]\n+++\n...\n", "m.map"), InputError);
 }
 
-}  // namespace path_test
-}  // namespace robosim::map
+}  // namespace robosim::map::path_test

@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace robosim::map {
-namespace picture_test {
+namespace robosim::map::picture_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -58,5 +57,4 @@ TEST(Picture, ALargeMapIsClippedAroundTheStartAndSaysSo) {
   EXPECT_THAT(drawn, Not(HasSubstr("\n189")));
 }
 
-}  // namespace picture_test
-}  // namespace robosim::map
+}  // namespace robosim::map::picture_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace robosim::map {
-namespace places_test {
+namespace robosim::map::places_test {
 
 // Returns the map 1 - J - 3 with station 2 below J. From J, stations 1 and 3 are four cells away, and station
 // 2 three cells.
@@ -66,5 +65,4 @@ TEST(Places, ARingHasNone) {
   EXPECT_EQ(Places(map, default_start(map)).at(map.centre({1, 1})), "");
 }
 
-}  // namespace places_test
-}  // namespace robosim::map
+}  // namespace robosim::map::places_test

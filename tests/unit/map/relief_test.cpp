@@ -10,9 +10,9 @@
 
 #include "sim/map/map.h"
 #include "sim/map/map_writer.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::map {
-namespace relief_test {
+namespace robosim::map::relief_test {
 
 using ::testing::HasSubstr;
 
@@ -146,12 +146,7 @@ TEST(Relief, ThatMakesNoSenseIsRefusedWithPlaceAndReason) {
       {"surface = 3\n", "surface: expected [[surface]], with two brackets"},
   };
   for (const auto& one : refused) {
-    try {
-      relief_of(one.table + "\n");
-      ADD_FAILURE() << one.table;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr(one.message)) << one.table;
-    }
+    EXPECT_THAT(test::refusal([&] { relief_of(one.table + "\n"); }), HasSubstr(one.message)) << one.table;
   }
   std::string hills, surfaces, joints;
   for (int i = 0; i <= 64; ++i) hills += hill + at + size + ramp;
@@ -232,14 +227,7 @@ TEST(APlaceWithASpread, IsAsItsFileInIdealAndDrawnByTheSeedElse) {
 }
 
 TEST(APlaceWithASpread, IsRefusedWhereNotAllOfItIsAllowedWhateverTheSeed) {
-  const auto refused = [](const std::string& table) {
-    try {
-      relief_of(table);
-      return std::string();
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-  };
+  const auto refused = [](const std::string& table) { return test::refusal([&] { relief_of(table); }, ""); };
   const std::string size = "size = [\"600 mm\", \"300 mm\"]\n", at = "at = [\"1 m\", \"500 mm\"]\n";
   EXPECT_THAT(
       refused("[[surface]]\nat = [\"1 m\", { value = \"900 mm\", spread = \"200 mm\" }]\nradius = \"9 mm\"\n"
@@ -260,12 +248,11 @@ TEST(APlaceWithASpread, IsRefusedWhereNotAllOfItIsAllowedWhateverTheSeed) {
 
 TEST(AHillWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
   const auto refused = [](const std::string& figure) {
-    try {
-      relief_of("[[hill]]\nat = [\"1 m\", \"500 mm\"]\nsize = [\"600 mm\", \"300 mm\"]\n" + figure);
-      return std::string();
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
+    return test::refusal(
+        [&] {
+          relief_of("[[hill]]\nat = [\"1 m\", \"500 mm\"]\nsize = [\"600 mm\", \"300 mm\"]\n" + figure);
+        },
+        "");
   };
   EXPECT_THAT(refused("slope = { value = \"40 deg\", spread = \"6 deg\" }"),
               HasSubstr("m.map:6:38: the spread of slope: expected values from -45 to 45 deg, got 34 to 46"));
@@ -276,5 +263,4 @@ TEST(AHillWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
   EXPECT_THAT(refused("slope = { value = \"4 deg\", spread = \"6 kg\" }"), HasSubstr("the spread of slope"));
 }
 
-}  // namespace relief_test
-}  // namespace robosim::map
+}  // namespace robosim::map::relief_test

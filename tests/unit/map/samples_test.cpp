@@ -12,8 +12,7 @@
 #include "sim/map/network.h"
 #include "sim/map/stripes.h"
 
-namespace robosim::map {
-namespace samples_test {
+namespace robosim::map::samples_test {
 
 using ::testing::Contains;
 using ::testing::IsEmpty;
@@ -188,5 +187,4 @@ TEST(SampleMaps, BlockedHasADetour) {
   EXPECT_EQ(network_of(map).stations.size(), 5u);  // the two new line ends, and all three stations
 }
 
-}  // namespace samples_test
-}  // namespace robosim::map
+}  // namespace robosim::map::samples_test

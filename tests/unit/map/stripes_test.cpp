@@ -7,8 +7,7 @@
 
 #include "sim/base/noise.h"
 
-namespace robosim::map {
-namespace stripes_test {
+namespace robosim::map::stripes_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -223,5 +222,4 @@ TEST(Stripes, NothingIsNearACellOutsideTheMap) {
   EXPECT_THAT(stripes.near({0, 0}), ElementsAre(0u));
 }
 
-}  // namespace stripes_test
-}  // namespace robosim::map
+}  // namespace robosim::map::stripes_test

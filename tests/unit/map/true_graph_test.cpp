@@ -9,8 +9,7 @@
 #include "sim/base/noise.h"
 #include "sim/map/network.h"
 
-namespace robosim::map {
-namespace true_graph_test {
+namespace robosim::map::true_graph_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -302,5 +301,4 @@ TEST(TrueGraph, OfALargeMapHasNoMoreNodesThanTheirTextFitsIntoMemory) {
               testing::ThrowsMessage<InputError>(HasSubstr("expected at most 300000 (")));
 }
 
-}  // namespace true_graph_test
-}  // namespace robosim::map
+}  // namespace robosim::map::true_graph_test

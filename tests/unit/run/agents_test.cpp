@@ -7,8 +7,7 @@
 #include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
 
-namespace robosim::run {
-namespace agents_test {
+namespace robosim::run::agents_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -27,34 +26,12 @@ struct Witness final : Listener {
   std::vector<result::RunEvent> events;
 };
 
-/// Firmware that only waits, so that its robot stays in place.
-class Parked : public exec::Executor {
- public:
-  RobotPort& board() override { return board_; }
-  exec::BoardProbe& probe() override { return board_; }
-  void power_on(SimTime) override {}
-  void power_off(SimTime t) override { board_.reset(t); }
-  void run_until(SimTime t) override { now_ = t; }
-  const std::optional<exec::Crash>& crash() const override { return crash_; }
-  exec::Activity activity() override { return {}; }
-  SimTime last_call() const override { return now_; }
-
- protected:
-  exec::BoardState board_{*find_board("uno")};
-
- private:
-  SimTime now_ = 0;
-  std::optional<exec::Crash> crash_;
-};
+using Parked = test::FakeFirmware;
 
 /// Firmware that drives straight ahead.
-class Straight final : public Parked {
+class Straight final : public test::FakeFirmware {
  public:
-  void power_on(SimTime t) override {
-    for (const Pin enable : {5, 6}) board_.set_drive(enable, {PinMode::output, false, true, 0.3, 0}, t);
-    for (const Pin ahead : {7, 9}) board_.set_drive(ahead, {PinMode::output, true, false, 1.0, 0}, t);
-    for (const Pin back : {8, 10}) board_.set_drive(back, {PinMode::output, false, false, 0.0, 0}, t);
-  }
+  void power_on(SimTime t) override { drive(0.3, 0.3, t); }
 };
 
 class AgentsTest : public testing::Test {
@@ -246,5 +223,4 @@ TEST_F(AgentsTest, CannotBeSavedWhereTheirFirmwareCannot) {
                                               testing::HasSubstr("saving a run requires an emulated chip")));
 }
 
-}  // namespace agents_test
-}  // namespace robosim::run
+}  // namespace robosim::run::agents_test

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace robosim::run {
-namespace append_only_text_test {
+namespace robosim::run::append_only_text_test {
 
 TEST(AppendOnlyText, ComesBackAsItWasAndCopiesShareTheirBeginnings) {
   struct Moment {
@@ -39,5 +38,4 @@ TEST(AppendOnlyText, ComesBackAsItWasAndCopiesShareTheirBeginnings) {
   EXPECT_LT(second.rest.size(), 4096u);
 }
 
-}  // namespace append_only_text_test
-}  // namespace robosim::run
+}  // namespace robosim::run::append_only_text_test

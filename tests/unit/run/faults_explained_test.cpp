@@ -2,28 +2,17 @@
 
 #include <gmock/gmock.h>
 
-#include "sim/robot/description.h"
-#include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
+#include "tests/support/one_robot.h"
 
-namespace robosim::judge {
-namespace faults_explained_test {
+namespace robosim::judge::faults_explained_test {
 
 using testing::HasSubstr;
 using testing::Not;
 
 std::string why(const std::string& script, const char* goal = "laps:3", SimTime limit = 20 * kSecond) {
-  const map::Map map = map::read_map(map::find_map("oval"));
-  const robot::Description robot = robot::load_description("uno5");
   test::BuiltInDriver driver;
-  run::Setup setup;
-  setup.map = &map;
-  setup.agents = {{.robot = &robot,
-                   .executor = &driver,
-                   .goal = parse_goal(goal),
-                   .scenario = scenario::parse_scenario(script, "s.txt")}};
-  setup.limit = limit;
-  return run::simulate(setup).front().why;
+  return test::OneRobot(driver, goal, script).run(limit).why;
 }
 
 TEST(FaultsExplained, TheSensorThatWasStuckWhenTheLineWasLost) {
@@ -47,5 +36,4 @@ TEST(FaultsExplained, NoneWhereTheScriptBrokeNothing) {
   EXPECT_THAT(why("at 2s lift\n", "laps:1", 5 * kSecond), Not(HasSubstr("by the script")));
 }
 
-}  // namespace faults_explained_test
-}  // namespace robosim::judge
+}  // namespace robosim::judge::faults_explained_test

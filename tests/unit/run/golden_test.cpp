@@ -3,12 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/robot/description.h"
-#include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
+#include "tests/support/one_robot.h"
 
-namespace robosim::run {
-namespace golden_test {
+namespace robosim::run::golden_test {
 
 // A figure eight of arcs and slanted straights that cross.
 constexpr const char* kCourse = R"(+++
@@ -26,16 +24,13 @@ segments = [
 
 judge::Outcome follow(const map::Map& map, robot::Profile profile, std::uint64_t seed,
                       SimTime samples_every = 0) {
-  const robot::Description robot = robot::load_description("uno5");
   test::BuiltInDriver driver;
-  Setup setup;
-  setup.map = &map;
-  setup.agents = {{.robot = &robot, .executor = &driver, .goal = judge::parse_goal("laps:2")}};
-  setup.limit = 60 * kSecond;
-  setup.profile = profile;
-  setup.seed = seed;
-  setup.samples_every = samples_every;
-  return simulate(setup).front();
+  test::OneRobot one(driver, "laps:2");
+  one.setup.map = &map;
+  one.setup.profile = profile;
+  one.setup.seed = seed;
+  one.setup.samples_every = samples_every;
+  return one.run(60 * kSecond);
 }
 
 judge::Outcome follow(const char* map, robot::Profile profile, std::uint64_t seed,
@@ -82,5 +77,4 @@ TEST(Golden, RecordingChangesNothing) {
             follow("oval", robot::Profile::typical, 3, kTick).trace_hash);
 }
 
-}  // namespace golden_test
-}  // namespace robosim::run
+}  // namespace robosim::run::golden_test

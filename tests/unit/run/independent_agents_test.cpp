@@ -9,18 +9,16 @@
 #include "sim/exec/core/board_state.h"
 #include "sim/robot/description.h"
 #include "sim/run/simulation.h"
+#include "tests/support/fake_firmware.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::run {
-namespace independent_agents_test {
+namespace robosim::run::independent_agents_test {
 
 /// Firmware for an Uno that drives randomly, reads sensors, prints and occasionally crashes.
-class Roaming final : public exec::Executor {
+class Roaming final : public test::FakeFirmware {
  public:
   explicit Roaming(unsigned seed) : random_(seed) {}
 
-  RobotPort& board() override { return board_; }
-  exec::BoardProbe& probe() override { return board_; }
   void power_on(SimTime t) override {
     board_.reset(t);
     on_ = true;
@@ -33,9 +31,6 @@ class Roaming final : public exec::Executor {
     now_ = t;
     for (; on_ && !crash_ && next_ < t; next_ += (1 + random_() % 40) * 700 * kMicrosecond) act(next_);
   }
-  const std::optional<exec::Crash>& crash() const override { return crash_; }
-  exec::Activity activity() override { return {}; }
-  SimTime last_call() const override { return now_; }
 
   std::string seen;
 
@@ -64,11 +59,9 @@ class Roaming final : public exec::Executor {
     }
   }
 
-  exec::BoardState board_{*find_board("uno")};
   std::mt19937 random_;
-  SimTime next_ = 0, now_ = 0;
+  SimTime next_ = 0;
   bool on_ = false;
-  std::optional<exec::Crash> crash_;
 };
 
 /// Records one robot's samples and events. All robots append to one text.
@@ -147,29 +140,19 @@ TEST_P(Turns, LeaveNoTrace) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Turns, testing::Range(0u, 4u));
 
 /// Firmware that counts how often it ran directly after the firmware of another robot.
-class Counting final : public exec::Executor {
+class Counting final : public test::FakeFirmware {
  public:
   explicit Counting(const void*& last) : last_(last) {}
-  RobotPort& board() override { return board_; }
-  exec::BoardProbe& probe() override { return board_; }
-  void power_on(SimTime) override {}
-  void power_off(SimTime t) override { board_.reset(t); }
   void run_until(SimTime t) override {
     now_ = t;
     changes += last_ != this;
     last_ = this;
   }
-  const std::optional<exec::Crash>& crash() const override { return crash_; }
-  exec::Activity activity() override { return {}; }
-  SimTime last_call() const override { return now_; }
 
   int changes = 0;
 
  private:
   const void*& last_;
-  exec::BoardState board_{*find_board("uno")};
-  SimTime now_ = 0;
-  std::optional<exec::Crash> crash_;
 };
 
 int changes_of(const std::string& other_start) {
@@ -194,5 +177,4 @@ TEST(RobotsThatAreApart, GoATenthOfASecondAtAStretch) {
   EXPECT_EQ(changes_of("12,7,E"), 1000) << "the robots are near enough to meet";
 }
 
-}  // namespace independent_agents_test
-}  // namespace robosim::run
+}  // namespace robosim::run::independent_agents_test

@@ -7,8 +7,7 @@
 #include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
 
-namespace robosim::run {
-namespace prepared_map_test {
+namespace robosim::run::prepared_map_test {
 
 class PreparedMapTest : public testing::Test {
  protected:
@@ -65,5 +64,4 @@ TEST_F(PreparedMapTest, ReportsAnInvalidMissionInResolveNotInPrepare) {
   EXPECT_NO_THROW(prepared_map.resolve(0, {}));
 }
 
-}  // namespace prepared_map_test
-}  // namespace robosim::run
+}  // namespace robosim::run::prepared_map_test

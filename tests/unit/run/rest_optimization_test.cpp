@@ -6,19 +6,16 @@
 #include <random>
 
 #include "sim/exec/core/board_state.h"
-#include "sim/robot/description.h"
-#include "sim/run/simulation.h"
+#include "tests/support/fake_firmware.h"
+#include "tests/support/one_robot.h"
 
-namespace robosim::run {
-namespace rest_optimization_test {
+namespace robosim::run::rest_optimization_test {
 
 /// An executor that acts as the firmware, so that no sketch needs to be compiled.
-class OnBoard : public exec::Executor {
+class OnBoard : public test::FakeFirmware {
  public:
-  explicit OnBoard(const BoardSpec& board) : board_(board) {}
+  using FakeFirmware::FakeFirmware;
 
-  RobotPort& board() override { return board_; }
-  exec::BoardProbe& probe() override { return board_; }
   void power_on(SimTime t) override {
     board_.reset(t);
     next_ = t;
@@ -28,19 +25,15 @@ class OnBoard : public exec::Executor {
     board_.reset(t);
     on_ = false;
   }
-  const std::optional<exec::Crash>& crash() const override { return crash_; }
-  exec::Activity activity() override { return {}; }
   SimTime last_call() const override { return on_ ? std::min(next_, now_) : now_; }
 
  protected:
-  void drive(std::initializer_list<Pin> pins, double duty, SimTime t) {
+  void drive_pins(std::initializer_list<Pin> pins, double duty, SimTime t) {
     for (const Pin pin : pins) board_.set_drive(pin, {PinMode::output, duty > 0.0, true, duty, 0}, t);
   }
 
-  exec::BoardState board_;
-  SimTime next_ = 0, now_ = 0;
+  SimTime next_ = 0;
   bool on_ = false;
-  std::optional<exec::Crash> crash_;
 };
 
 /// Firmware that usually waits, and occasionally drives, prints, reads a sensor or crashes.
@@ -70,10 +63,10 @@ class Dozing final : public OnBoard {
     switch (random_() % 8) {
       case 0:
       case 1:
-        return drive({5, 6, 7, 9}, one_of({0.3, 0.6, 1.0}), t);
+        return drive_pins({5, 6, 7, 9}, one_of({0.3, 0.6, 1.0}), t);
       case 2:
       case 3:
-        return drive({5, 6, 7, 8, 9, 10}, 0.0, t);
+        return drive_pins({5, 6, 7, 8, 9, 10}, 0.0, t);
       case 4:
         return board_.set_drive(pin, {one_of({PinMode::input, PinMode::output}), true, false, 1.0, 0}, t);
       case 5:
@@ -93,9 +86,9 @@ class Dozing final : public OnBoard {
 /// Firmware that starts to drive at time `begin`.
 class Late final : public OnBoard {
  public:
-  explicit Late(SimTime begin) : OnBoard(*find_board("uno")), begin_(begin) {}
+  explicit Late(SimTime begin) : begin_(begin) {}
   void run_until(SimTime t) override {
-    if (now_ < begin_ && begin_ <= t) drive({5, 6, 7, 9}, 1.0, begin_);
+    if (now_ < begin_ && begin_ <= t) drive_pins({5, 6, 7, 9}, 1.0, begin_);
     next_ = now_ = t;
   }
 
@@ -176,20 +169,13 @@ TEST_P(Resting, IsLeftOutWithoutATrace) {
 }
 
 TEST(RestingRobot, IsStuckThreeSecondsAfterItsLastMomentWithoutAWish) {
-  const map::Map map = map::read_map(map::find_map("oval"));
-  const robot::Description robot = robot::load_description("uno5");
   Late firmware(1006 * kMillisecond + kMicrosecond);
-  run::Setup setup;
-  setup.map = &map;
-  setup.agents = {{.robot = &robot, .executor = &firmware, .goal = judge::parse_goal("none")}};
-  setup.agents.front().scenario =
-      scenario::parse_scenario("at 0s fault left stuck\nat 0s fault right stuck\n", "s.txt");
-  const judge::Outcome outcome = simulate(setup).front();
+  test::OneRobot one(firmware, "none", "at 0s fault left stuck\nat 0s fault right stuck\n");
+  const judge::Outcome outcome = one.run(kDefaultLimit);
   EXPECT_EQ(outcome.verdict, judge::Verdict::stuck) << outcome.why;
   EXPECT_EQ(outcome.time, 4006 * kMillisecond);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Resting, testing::Range(0u, 6u));
 
-}  // namespace rest_optimization_test
-}  // namespace robosim::run
+}  // namespace robosim::run::rest_optimization_test

@@ -2,35 +2,26 @@
 
 #include <gmock/gmock.h>
 
-#include "sim/robot/description.h"
-#include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
+#include "tests/support/one_robot.h"
 
-namespace robosim::run {
-namespace stop_conditions_test {
+namespace robosim::run::stop_conditions_test {
 
 using testing::HasSubstr;
 
 /// The built-in driver, which also sends `text`: one byte per millisecond from the start of the run.
-class Talker final : public exec::Executor {
+class Talker final : public test::BuiltInDriver {
  public:
   explicit Talker(std::string text) : text_(std::move(text)) {}
-  RobotPort& board() override { return driver_.board(); }
-  exec::BoardProbe& probe() override { return driver_.probe(); }
-  void power_on(SimTime t) override { driver_.power_on(t); }
-  void power_off(SimTime t) override { driver_.power_off(t); }
+  SimTime sleeps_until() const override { return 0; }
   void run_until(SimTime t) override {
-    if (said_ < text_.size()) static_cast<exec::BoardState&>(board()).send_byte(text_[said_++], t - kTick);
-    driver_.run_until(t);
+    if (said_ < text_.size()) board_.send_byte(text_[said_++], t - kTick);
+    BuiltInDriver::run_until(t);
   }
-  const std::optional<exec::Crash>& crash() const override { return driver_.crash(); }
-  exec::Activity activity() override { return {}; }
-  SimTime last_call() const override { return driver_.last_call(); }
 
  private:
   std::string text_;
   std::size_t said_ = 0;
-  test::BuiltInDriver driver_;
 };
 
 /// Continues the run once, until a stop condition of `leg` is met, or until `leg.until`. Then ends the run.
@@ -61,20 +52,12 @@ class StopConditionsTest : public testing::Test {
  protected:
   OneLeg drive(std::vector<Stop> stops, const std::string& says = "", const std::string& script = "",
                SimTime until = 3 * kSecond) {
-    const map::Map map = map::read_map(map::find_map("oval"));
-    const robot::Description robot = robot::load_description("uno5");
     Talker talker(says);
     OneLeg controller;
     controller.leg = {.until = until, .stops = std::move(stops)};
-    run::Setup setup;
-    setup.map = &map;
-    setup.agents = {{.robot = &robot,
-                     .executor = &talker,
-                     .goal = judge::parse_goal("none"),
-                     .scenario = scenario::parse_scenario(script, "s.txt")}};
-    setup.limit = 10 * kSecond;
-    setup.controller = &controller;
-    simulate(setup);
+    test::OneRobot one(talker, "none", script);
+    one.setup.controller = &controller;
+    one.run(10 * kSecond);
     return controller;
   }
 };
@@ -136,5 +119,4 @@ TEST_F(StopConditionsTest, NamesThatDoNotExistAreRefusedWithThoseThatDo) {
               HasSubstr("unknown robot: expected a number from 0 to 0, got 1"));
 }
 
-}  // namespace stop_conditions_test
-}  // namespace robosim::run
+}  // namespace robosim::run::stop_conditions_test

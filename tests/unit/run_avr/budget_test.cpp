@@ -3,10 +3,10 @@
 
 #include "sim/exec/avr/avr_executor.h"
 #include "tests/support/noted_run.h"
+#include "tests/support/one_robot.h"
 #include "tests/support/require_target.h"
 
-namespace robosim::run {
-namespace budget_test {
+namespace robosim::run::budget_test {
 
 using testing::HasSubstr;
 
@@ -16,15 +16,10 @@ class Budgets : public testing::Test {
   /// Runs PidFollower for 2 s on a robot with this budget. Returns the outcome.
   static judge::Outcome outcome(const robot::Budget& budget) {
     const StockRun follower{"PidFollower", "uno5", "oval", 2 * kSecond};
-    const map::Map map = map::read_map(map::find_map(follower.map));
-    robot::Description robot = robot::load_description(follower.robot);
-    robot.budget = budget;
-    exec::AvrExecutor executor(*robot.board, NotedRun::image_of(follower, "avr"));
-    run::Setup setup;
-    setup.map = &map;
-    setup.agents = {{.robot = &robot, .executor = &executor, .goal = judge::parse_goal("none")}};
-    setup.limit = follower.limit;
-    return simulate(setup).front();
+    exec::AvrExecutor executor(*find_board("uno"), NotedRun::image_of(follower, "avr"));
+    test::OneRobot one(executor);
+    one.robot.budget = budget;
+    return one.run(follower.limit);
   }
 };
 
@@ -44,5 +39,4 @@ TEST_F(Budgets, OfAPassOfLoopEndsARunThatExceedsIt) {
   EXPECT_EQ(outcome({.loop_s = 0.02}).verdict, judge::Verdict::reached);
 }
 
-}  // namespace budget_test
-}  // namespace robosim::run
+}  // namespace robosim::run::budget_test

@@ -7,11 +7,11 @@
 #include "sim/build/sketch.h"
 #include "sim/exec/avr/avr_executor.h"
 #include "sim/robot/describe.h"
+#include "tests/support/one_robot.h"
 #include "tests/support/require_target.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::runner {
-namespace verdict_trace_test {
+namespace robosim::runner::verdict_trace_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -34,20 +34,15 @@ void setup() {
   digitalWrite(9, HIGH);
 }
 void loop() { )" + loop + " }\n");
-    const map::Map map = map::read_map(map::find_map("oval"));
-    const robot::Description robot = robot::load_description("uno5");
-    build::Request request{folder, *robot.board};
-    request.target = "avr";
-    exec::AvrExecutor executor(*robot.board, build::build(request).image);
-    run::Setup setup;
-    setup.map = &map;
-    setup.agents = {{.robot = &robot, .executor = &executor, .goal = judge::parse_goal("laps:1")}};
-    setup.limit = 10 * kSecond;
+    const BoardSpec& board = *find_board("uno");
+    exec::AvrExecutor executor(board, build::build({folder, board, "avr"}).image);
+    test::OneRobot one(executor, "laps:1");
+    one.setup.limit = 10 * kSecond;
     std::vector<robot::WiredPin> wiring;
-    for (const robot::PartSummary& part : robot::describe(robot).parts)
+    for (const robot::PartSummary& part : robot::describe(one.robot).parts)
       for (const auto& [role, pin] : part.pins) wiring.push_back({part.name, part.type, role, pin});
     std::string texts;
-    for (const result::Cause& cause : Inquiry(setup, *robot.board, wiring).go().because)
+    for (const result::Cause& cause : Inquiry(one.setup, board, wiring).go().because)
       texts += cause.text + "\n";
     return texts;
   }
@@ -84,5 +79,4 @@ TEST_F(VerdictTrace, NamesWhereInterruptsWentOff) {
               HasSubstr("interrupts went off here, and were off at all later checks"));
 }
 
-}  // namespace verdict_trace_test
-}  // namespace robosim::runner
+}  // namespace robosim::runner::verdict_trace_test

@@ -2,12 +2,10 @@
 #include "sim/runner/answers.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/robot/description.h"
 
-namespace robosim::runner {
-namespace answers_test {
+namespace robosim::runner::answers_test {
 
 using ::testing::ElementsAre;
 
@@ -154,5 +152,4 @@ TEST(Answers, ARobotHasThePinsOfItsPartsAsItsFileHasThem) {
   EXPECT_THAT(pins, ElementsAre("REG1.data 11", "REG1.clock 13", "REG1.latch 10", "buzzer.pin REG1.Q7"));
 }
 
-}  // namespace answers_test
-}  // namespace robosim::runner
+}  // namespace robosim::runner::answers_test

@@ -3,43 +3,34 @@
 #include "sim/runner/fork_runs.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/archive.h"
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 #include "sim/wire/protocol.h"
 #include "tests/support/built_in_driver.h"
+#include "tests/support/refusal.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::runner {
-namespace fork_runs_test {
+namespace robosim::runner::fork_runs_test {
 
 using ::testing::HasSubstr;
 
 /// The built-in driver, which also prints "hello" at 1.5 s. Its counters() returns the number of ticks,
 /// instead of the line counters of real firmware.
-class Talker final : public exec::Executor {
+class Talker final : public test::BuiltInDriver {
  public:
-  RobotPort& board() override { return driver_.board(); }
-  exec::BoardProbe& probe() override { return driver_.probe(); }
-  void power_on(SimTime t) override { driver_.power_on(t); }
-  void power_off(SimTime t) override { driver_.power_off(t); }
+  SimTime sleeps_until() const override { return 0; }
   void run_until(SimTime t) override {
-    driver_.run_until(t);
+    BuiltInDriver::run_until(t);
     ++ticks_;
     if (t == 1500 * kMillisecond)
-      for (const char c : std::string("hello"))
-        dynamic_cast<exec::BoardState&>(driver_.board()).send_byte(static_cast<std::uint8_t>(c), t);
+      for (const char c : std::string("hello")) board_.send_byte(static_cast<std::uint8_t>(c), t);
   }
-  const std::optional<exec::Crash>& crash() const override { return driver_.crash(); }
-  exec::Activity activity() override { return driver_.activity(); }
-  SimTime last_call() const override { return driver_.last_call(); }
   std::vector<ArchivedFile> counters() override { return {{"ticks", std::to_string(ticks_)}}; }
   void count_lines() override {}
 
  private:
-  test::BuiltInDriver driver_;
   int ticks_ = 0;
 };
 
@@ -66,12 +57,7 @@ class WaysTest : public ::testing::Test {
     return run_all_branches(run, request_, [] {});
   }
   std::string refusal() const {
-    try {
-      go();
-      return "";
-    } catch (const InputError& error) {
-      return error.what();
-    }
+    return test::refusal([&] { go(); }, "");
   }
   /// Returns the result of a separate run from power-on, with the complete script of one branch.
   std::string whole(const std::string& way) const {
@@ -148,5 +134,4 @@ TEST_F(WaysTest, OfARunThatCannotPartAreRefused) {
   EXPECT_THROW(run_all_branches(run, request_, {}), InputError);
 }
 
-}  // namespace fork_runs_test
-}  // namespace robosim::runner
+}  // namespace robosim::runner::fork_runs_test

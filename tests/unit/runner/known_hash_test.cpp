@@ -6,8 +6,7 @@
 #include "sim/base/file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::runner {
-namespace known_hash_test {
+namespace robosim::runner::known_hash_test {
 
 TEST(KnownHash, IsThatOfTheFileAsItIsNow) {
   const test::TemporaryFolder folder;
@@ -29,5 +28,4 @@ TEST(KnownHash, AFileThatHasGoneIsNoLongerKnown) {
   EXPECT_THROW(known_sha256(file), InputError);
 }
 
-}  // namespace known_hash_test
-}  // namespace robosim::runner
+}  // namespace robosim::runner::known_hash_test

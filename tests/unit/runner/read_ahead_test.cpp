@@ -6,8 +6,7 @@
 #include "sim/base/file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::runner {
-namespace read_ahead_test {
+namespace robosim::runner::read_ahead_test {
 
 class ReadingAhead : public testing::Test {
  protected:
@@ -196,5 +195,4 @@ TEST_F(ReadingAhead, AMapWithASpreadIsReadForItsSeed) {
   EXPECT_EQ(read_the_map(), first.get()) << "the maps of both seeds are stored";
 }
 
-}  // namespace read_ahead_test
-}  // namespace robosim::runner
+}  // namespace robosim::runner::read_ahead_test

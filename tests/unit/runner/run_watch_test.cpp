@@ -6,8 +6,7 @@
 
 #include "sim/base/child.h"
 
-namespace robosim::runner {
-namespace run_watch_test {
+namespace robosim::runner::run_watch_test {
 
 using Found = RunWatch::Found;
 using Reading = RunWatch::Reading;
@@ -121,5 +120,4 @@ TEST_F(Watching, BelievesNoTimeThatTheRunMayNotReach) {
   }
 }
 
-}  // namespace run_watch_test
-}  // namespace robosim::runner
+}  // namespace robosim::runner::run_watch_test

@@ -3,7 +3,6 @@
 #include "sim/runner/session.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <sched.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -20,15 +19,13 @@
 #include "sim/base/child.h"
 #include "sim/base/file.h"
 #include "sim/exec/host/asan_build.h"
-#include "sim/robot/description.h"
-#include "sim/run/simulation.h"
 #include "sim/wire/batch.h"
 #include "sim/wire/protocol.h"
 #include "tests/support/built_in_driver.h"
+#include "tests/support/one_robot.h"
 #include "tests/support/temporary_folder.h"
 
-namespace robosim::runner {
-namespace session_test {
+namespace robosim::runner::session_test {
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
@@ -155,23 +152,16 @@ class Session {
 };
 
 /// The built-in driver, which also calls a function at 100 ms.
-class Driver final : public exec::Executor {
+class Driver final : public test::BuiltInDriver {
  public:
   explicit Driver(void (*at_100_ms)()) : at_100_ms_(at_100_ms) {}
-  RobotPort& board() override { return driver_.board(); }
-  exec::BoardProbe& probe() override { return driver_.probe(); }
-  void power_on(SimTime t) override { driver_.power_on(t); }
-  void power_off(SimTime t) override { driver_.power_off(t); }
+  SimTime sleeps_until() const override { return 0; }
   void run_until(SimTime t) override {
-    driver_.run_until(t);
+    BuiltInDriver::run_until(t);
     if (t == 100 * kMillisecond && at_100_ms_) at_100_ms_();
   }
-  const std::optional<exec::Crash>& crash() const override { return driver_.crash(); }
-  exec::Activity activity() override { return driver_.activity(); }
-  SimTime last_call() const override { return driver_.last_call(); }
 
  private:
-  test::BuiltInDriver driver_;
   void (*at_100_ms_)();
 };
 
@@ -310,16 +300,11 @@ TEST_F(SessionTest, GivesTheResultThatTheSimulationHasWithoutIt) {
   session.line();
   const auto result = session.ask_for<result::RunResult>(wire::Request(request_));
 
-  const map::Map map = map::read_map(request_.map);
-  const robot::Description robot = robot::load_description("uno5");
   test::BuiltInDriver driver;
-  run::Setup setup;
-  setup.map = &map;
-  setup.agents = {{.robot = &robot, .executor = &driver, .goal = judge::parse_goal("laps:1")}};
-  setup.limit = 20 * kSecond;
-  setup.seed = 3;
-  setup.profile = robot::Profile::ideal;
-  const judge::Outcome outcome = run::simulate(setup).front();
+  test::OneRobot one(driver, "laps:1");
+  one.setup.seed = 3;
+  one.setup.profile = robot::Profile::ideal;
+  const judge::Outcome outcome = one.run(20 * kSecond);
 
   EXPECT_EQ(result.verdict, "reached");
   EXPECT_EQ(result.status, 0);
@@ -330,7 +315,7 @@ TEST_F(SessionTest, GivesTheResultThatTheSimulationHasWithoutIt) {
   EXPECT_DOUBLE_EQ(result.for_s, 20.0);
   EXPECT_EQ(result.image_sha256, sha256("any"));
   EXPECT_EQ(result.map_sha256, sha256_of_file(request_.map));
-  EXPECT_EQ(result.robot_sha256, robot.sha256);
+  EXPECT_EQ(result.robot_sha256, one.robot.sha256);
   const auto again = session.ask_for<result::RunResult>(wire::Request(request_));
   EXPECT_EQ(again.trace_hash, result.trace_hash) << "one runner repeats a run";
 }
@@ -616,5 +601,4 @@ TEST_F(DrivenSessionTest, EndsWithItsClientAndAnswersNothing) {
   EXPECT_EQ(session_.line(), "");
 }
 
-}  // namespace session_test
-}  // namespace robosim::runner
+}  // namespace robosim::runner::session_test

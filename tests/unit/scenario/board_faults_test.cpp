@@ -2,7 +2,6 @@
 #include "sim/run/scenario/board_faults.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
@@ -12,9 +11,10 @@
 #include "sim/robot/describe.h"
 #include "sim/robot/description.h"
 #include "sim/world/world.h"
+#include "tests/support/fake_firmware.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::scenario {
-namespace board_faults_test {
+namespace robosim::scenario::board_faults_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -24,10 +24,8 @@ using testing::SizeIs;
 constexpr SimTime ms = kMillisecond;
 
 /// An executor that records calls.
-class Probe final : public exec::Executor {
+class Probe final : public test::FakeFirmware {
  public:
-  RobotPort& board() override { return state; }
-  exec::BoardProbe& probe() override { return state; }
   void power_on(SimTime t) override {
     state.reset(t);
     state.listen(1, t);
@@ -41,10 +39,6 @@ class Probe final : public exec::Executor {
     state.reset(t);
     power.push_back(-t / ms);
   }
-  void run_until(SimTime) override {}
-  const std::optional<exec::Crash>& crash() const override { return crash_; }
-  exec::Activity activity() override { return {}; }
-  SimTime last_call() const override { return 0; }
   bool has_boards_eeprom() const override { return reaches_eeprom; }
   void set_clock_drift(int ppm, SimTime) override { drift = ppm; }
 
@@ -54,14 +48,11 @@ class Probe final : public exec::Executor {
     return text;
   }
 
-  exec::BoardState state{*find_board("uno")};
+  exec::BoardState& state = board_;
   std::vector<SimTime> power;  // times in ms: positive for power on, negative for power off
   int recovered = 0;
   bool reaches_eeprom = true;
   int drift = 0;
-
- private:
-  std::optional<exec::Crash> crash_;
 };
 
 class BoardFaultsTest : public testing::Test {
@@ -76,12 +67,7 @@ class BoardFaultsTest : public testing::Test {
   std::string refusal(std::vector<std::string> words, bool ends = false) {
     const std::string name = words.front();
     words.erase(words.begin());
-    try {
-      faults.read(name, words, ends);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::refusal([&] { faults.read(name, words, ends); });
   }
 
   map::Map map = map::read_map(map::find_map("oval"));
@@ -243,5 +229,4 @@ TEST_F(BoardFaultsTest, WhatIsNoFaultIsRefusedWithWhatThereIs) {
   EXPECT_THAT(probe.power, IsEmpty());
 }
 
-}  // namespace board_faults_test
-}  // namespace robosim::scenario
+}  // namespace robosim::scenario::board_faults_test

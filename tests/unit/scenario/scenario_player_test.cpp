@@ -3,16 +3,14 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-#include "sim/robot/description.h"
-#include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
 #include "tests/support/effort.h"
 #include "tests/support/event_values.h"
+#include "tests/support/one_robot.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::scenario {
-namespace scenario_player_test {
+namespace robosim::scenario::scenario_player_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -36,27 +34,14 @@ struct Witness final : run::Listener {
 class Scripts : public testing::Test {
  protected:
   judge::Outcome play(const std::string& script, double seconds) {
-    const map::Map map = map::read_map(map::find_map("oval"));
-    const robot::Description robot = robot::load_description("uno5");
     test::BuiltInDriver driver;
-    run::Setup setup;
-    setup.map = &map;
-    setup.agents = {{.robot = &robot,
-                     .executor = &driver,
-                     .goal = judge::parse_goal("none"),
-                     .scenario = parse_scenario(script, "s.txt"),
-                     .listener = &seen}};
-    setup.limit = static_cast<SimTime>(seconds * 1e9);
-    setup.samples_every = kTick;
-    return simulate(setup).front();
+    test::OneRobot one(driver, "none", script);
+    one.setup.agents[0].listener = &seen;
+    one.setup.samples_every = kTick;
+    return one.run(static_cast<SimTime>(seconds * 1e9));
   }
   std::string error_of(const std::string& script) {
-    try {
-      play(script, 0.01);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return test::refusal([&] { play(script, 0.01); }, "no error");
   }
   /// Returns the reading at this time of sensor S1, which is next to the line.
   double s1(double seconds) { return seen.at(seconds).readings[0]; }
@@ -282,5 +267,4 @@ TEST_F(Scripts, ThatDoNothingChangeNothing) {
   EXPECT_NE(play("at 100ms fault S1 noisy 0.2\n", 1.0).trace_hash, plain);
 }
 
-}  // namespace scenario_player_test
-}  // namespace robosim::scenario
+}  // namespace robosim::scenario::scenario_player_test

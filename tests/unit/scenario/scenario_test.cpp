@@ -1,18 +1,12 @@
 #include "sim/run/scenario/scenario.h"
+#include "tests/support/refusal.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-namespace robosim::scenario {
-namespace scenario_test {
+namespace robosim::scenario::scenario_test {
 
 std::string error_of(const char* text) {
-  try {
-    parse_scenario(text, "s.txt");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::refusal([&] { parse_scenario(text, "s.txt"); }, "no error");
 }
 
 TEST(Scenario, ReadsTriggersVerbsTextsAndComments) {
@@ -109,13 +103,9 @@ TEST(Scenario, EndsWhatLastsAfterItsTimeWithTheWordForOrWithout) {
 TEST(Scenario, RefusesWhatLastsForLessThanATickWithOrWithoutASpread) {
   for (const char* line : {"at 1s lift for 0s", "at 1s press b 999us", "at 1s power off for 1s+-1s",
                            "at 1s door 1,1 1,5 shut for 0s", "at 1s fault S2 stuck 1023 for 0s"}) {
-    try {
-      parse_scenario(line, "s.txt");
-      ADD_FAILURE() << line;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr("the duration is too short: expected at least 1ms"))
-          << line;
-    }
+    EXPECT_THAT(test::refusal([&] { parse_scenario(line, "s.txt"); }),
+                testing::HasSubstr("the duration is too short: expected at least 1ms"))
+        << line;
   }
 }
 
@@ -233,5 +223,4 @@ TEST(AFigureWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
               testing::HasSubstr("a tilt goes over and back"));
 }
 
-}  // namespace scenario_test
-}  // namespace robosim::scenario
+}  // namespace robosim::scenario::scenario_test

@@ -1,17 +1,15 @@
 // Tests scripts that change the world while the built-in driver follows the oval.
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
-#include "sim/robot/description.h"
-#include "sim/run/simulation.h"
 #include "tests/support/built_in_driver.h"
 #include "tests/support/event_values.h"
+#include "tests/support/one_robot.h"
+#include "tests/support/refusal.h"
 
-namespace robosim::scenario {
-namespace world_changes_test {
+namespace robosim::scenario::world_changes_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -20,32 +18,21 @@ using testing::HasSubstr;
 class ChangingWorld : public testing::Test, public run::Listener {
  protected:
   judge::Outcome play(const std::string& script, double seconds) {
-    const robot::Description robot = robot::load_description("uno5");
     test::BuiltInDriver driver;
-    run::Setup setup;
-    setup.map = &map;
-    setup.agents = {{.robot = &robot,
-                     .executor = &driver,
-                     .goal = judge::parse_goal("none"),
-                     .scenario = parse_scenario(script, "s.txt"),
-                     .listener = this}};
-    setup.limit = static_cast<SimTime>(seconds * 1e9);
-    setup.samples_every = kTick;
-    setup.profile = profile;
-    setup.seed = seed;
+    test::OneRobot one(driver, "none", script);
+    one.setup.map = &map;
+    one.setup.agents[0].listener = this;
+    one.setup.samples_every = kTick;
+    one.setup.profile = profile;
+    one.setup.seed = seed;
     samples.clear();
     happenings.clear();
     values.clear();
     volts.clear();
-    return simulate(setup).front();
+    return one.run(static_cast<SimTime>(seconds * 1e9));
   }
   std::string error_of(const std::string& script) {
-    try {
-      play(script, 0.01);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "no error";
+    return test::refusal([&] { play(script, 0.01); }, "no error");
   }
   void sampled(const run::Sample& sample) override { samples.push_back(sample); }
   bool wants_inputs() const override { return true; }
@@ -212,5 +199,4 @@ TEST_F(ChangingWorld, HasALimit) {
               HasSubstr("s.txt:101: the script is too long: expected at most 100 lines that paint"));
 }
 
-}  // namespace world_changes_test
-}  // namespace robosim::scenario
+}  // namespace robosim::scenario::world_changes_test

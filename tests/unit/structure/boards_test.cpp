@@ -9,8 +9,7 @@
 #include "hal/board/board_spec.h"
 #include "tests/unit/structure/include_table.h"
 
-namespace robosim::structure {
-namespace boards_test {
+namespace robosim::structure::boards_test {
 
 /// Returns whether the path of a file shows that the file is about one chip or board.
 bool is_about_a_chip(const std::string& file) {
@@ -51,5 +50,4 @@ TEST(Boards, AreNamedByNoCodeButTheirData) {
   }
 }
 
-}  // namespace boards_test
-}  // namespace robosim::structure
+}  // namespace robosim::structure::boards_test

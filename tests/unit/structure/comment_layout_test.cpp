@@ -1,12 +1,10 @@
 #include "tests/unit/structure/comment_layout.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/file.h"
 
-namespace robosim::structure {
-namespace comment_layout_test {
+namespace robosim::structure::comment_layout_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -156,5 +154,4 @@ TEST(BrokenRows, AreNotWhatTablesMayHave) {
       << "comments of different lines";
 }
 
-}  // namespace comment_layout_test
-}  // namespace robosim::structure
+}  // namespace robosim::structure::comment_layout_test

@@ -9,8 +9,7 @@
 #include "sim/base/file.h"
 #include "sim/result/detector_names.h"
 
-namespace robosim::structure {
-namespace detectors_test {
+namespace robosim::structure::detectors_test {
 
 namespace fs = std::filesystem;
 
@@ -26,5 +25,4 @@ TEST(Detectors, EachHaveATest) {
   }
 }
 
-}  // namespace detectors_test
-}  // namespace robosim::structure
+}  // namespace robosim::structure::detectors_test

@@ -1,10 +1,8 @@
 #include "tests/unit/structure/documents.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
-namespace robosim::structure {
-namespace documents_test {
+namespace robosim::structure::documents_test {
 
 using testing::ElementsAre;
 
@@ -82,5 +80,4 @@ TEST(References, OfSourcesAreDeadIfThePageIsGone) {
                   "sim/x.h: names docs/howto/gone.md, which does not exist"));
 }
 
-}  // namespace documents_test
-}  // namespace robosim::structure
+}  // namespace robosim::structure::documents_test

@@ -1,13 +1,11 @@
 #include "tests/unit/structure/hidden_functions.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <set>
 
-namespace robosim::structure {
-namespace hidden_functions_test {
+namespace robosim::structure::hidden_functions_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -75,5 +73,4 @@ TEST(HiddenFunctions, AreNotThoseOfOtherLibrariesNorThoseThatNobodyElseCalls) {
         << line;
 }
 
-}  // namespace hidden_functions_test
-}  // namespace robosim::structure
+}  // namespace robosim::structure::hidden_functions_test

@@ -1,13 +1,11 @@
 #include "tests/unit/structure/include_table.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
 
-namespace robosim::structure {
-namespace include_table_test {
+namespace robosim::structure::include_table_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -116,5 +114,4 @@ TEST(IncludeTable, ComplainsOfALineThatIsNoRow) {
   EXPECT_THROW(read_include_table("table", "sim/map sim/base\n"), InputError);
 }
 
-}  // namespace include_table_test
-}  // namespace robosim::structure
+}  // namespace robosim::structure::include_table_test

@@ -2,7 +2,6 @@
 // prose_rules.h.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -14,8 +13,7 @@
 #include "tests/unit/structure/documents.h"
 #include "tests/unit/structure/prose_rules.h"
 
-namespace robosim::structure {
-namespace prose_test {
+namespace robosim::structure::prose_test {
 
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -283,5 +281,4 @@ TEST(OddSubjects, AreNotAnAreaAndAnImperative) {
               ElementsAre(HasSubstr("81 characters: expected at most 72")));
 }
 
-}  // namespace prose_test
-}  // namespace robosim::structure
+}  // namespace robosim::structure::prose_test

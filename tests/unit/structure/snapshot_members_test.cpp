@@ -12,8 +12,7 @@
 #include "sim/base/file.h"
 #include "tests/unit/structure/include_table.h"
 
-namespace robosim::structure {
-namespace snapshot_members_test {
+namespace robosim::structure::snapshot_members_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -143,5 +142,4 @@ TEST(SnapshotMembers, AreConstOrInStateOrInTheTable) {
                   "sim/run/a.h: a state_ that is not saved"));
 }
 
-}  // namespace snapshot_members_test
-}  // namespace robosim::structure
+}  // namespace robosim::structure::snapshot_members_test

@@ -3,8 +3,7 @@
 
 #include "tests/unit/structure/include_table.h"
 
-namespace robosim::structure {
-namespace temporary_files_test {
+namespace robosim::structure::temporary_files_test {
 
 TEST(TemporaryFiles, AreInFoldersOfTheTestsThemselves) {
   for (const auto& [file, text] : read_sources(ROBOSIM_SOURCE_DIR)) {
@@ -20,5 +19,4 @@ TEST(TemporaryFiles, AreInFoldersOfTheTestsThemselves) {
   }
 }
 
-}  // namespace temporary_files_test
-}  // namespace robosim::structure
+}  // namespace robosim::structure::temporary_files_test

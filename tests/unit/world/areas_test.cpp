@@ -3,8 +3,7 @@
 
 #include "sim/world/floor.h"
 
-namespace robosim::world {
-namespace areas_test {
+namespace robosim::world::areas_test {
 
 // Returns a map with a 20 mm line from left to right at y = 500 mm.
 map::Map map_with_areas(const std::string& tables, const char* paint = "black on white") {
@@ -64,5 +63,4 @@ area = [{ colour = "white", at = ["500 mm", "800 mm"], radius = "50 mm" }])",
   EXPECT_NEAR(floor.darkness({0.556, 0.8}, 0.01), 1.0, 1e-12);
 }
 
-}  // namespace areas_test
-}  // namespace robosim::world
+}  // namespace robosim::world::areas_test

@@ -6,35 +6,17 @@
 #include <memory>
 #include <stdexcept>
 
-#include "maps.h"
-#include "sim/world/world.h"
+#include "one_body.h"
 #include "tests/support/effort.h"
 
-namespace robosim::world {
-namespace body_test {
+namespace robosim::world::body_test {
 
-// Provides a body in the middle of an empty floor of 40 m x 40 m.
-class BodyTest : public testing::Test {
+class BodyTest : public OneBodyTest {
  protected:
-  // Creates a new world with a body.
-  Body& make(const BodyParams& params = default_body_params()) {
-    world_ = std::make_unique<World>(map_);
-    return world_->body(world_->add_body(params, {{20.0, 20.0}, {1.0, 0.0}}));
-  }
-  void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds * 1000.0 + 0.5); ++i) world_->step();
-  }
-  static void drive(Body& body, double left_drive, double right_drive) {
-    body.command(left, {left_drive, 0.0});
-    body.command(right, {right_drive, 0.0});
-  }
   static void brake(Body& body) {
     body.command(left, {0.0, 1.0});
     body.command(right, {0.0, 1.0});
   }
-
-  map::Map map_ = empty_map(400, 400);
-  std::unique_ptr<World> world_;
 };
 
 // Returns parameters with `nominal_volts` at the motors' terminals, and with friction only in the motors.
@@ -416,5 +398,4 @@ TEST_F(BodyTest, StaysFiniteForAnyPositiveParameters) {
   }
 }
 
-}  // namespace body_test
-}  // namespace robosim::world
+}  // namespace robosim::world::body_test

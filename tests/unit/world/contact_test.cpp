@@ -7,8 +7,7 @@
 #include "sim/world/world.h"
 #include "tests/support/effort.h"
 
-namespace robosim::world {
-namespace contact_test {
+namespace robosim::world::contact_test {
 
 void drive(Body& body, double left_drive, double right_drive) {
   body.command(left, {left_drive, 0.0});
@@ -317,5 +316,4 @@ TEST(Walls, ClearanceNeverPromisesTooMuch) {
   }
 }
 
-}  // namespace contact_test
-}  // namespace robosim::world
+}  // namespace robosim::world::contact_test

@@ -9,8 +9,7 @@
 #include "maps.h"
 #include "sim/world/world.h"
 
-namespace robosim::world {
-namespace determinism_test {
+namespace robosim::world::determinism_test {
 
 // Computes FNV-1a over the bits of doubles.
 struct Bits {
@@ -79,5 +78,4 @@ TEST(Determinism, ABodyOwesNothingToTheMemoryItIsMadeIn) {
   used->~Body();
 }
 
-}  // namespace determinism_test
-}  // namespace robosim::world
+}  // namespace robosim::world::determinism_test

@@ -10,8 +10,7 @@
 #include "maps.h"
 #include "sim/world/world.h"
 
-namespace robosim::world {
-namespace floor_gaps_test {
+namespace robosim::world::floor_gaps_test {
 
 constexpr double kFall = 9.80665;  // in m/s^2
 
@@ -174,5 +173,4 @@ TEST_F(JointsTest, AreDarkForASensorThatLooksIn) {
   EXPECT_EQ(world.floor().darkness({10.01, 10.0}, 0.006), 0.0);
 }
 
-}  // namespace floor_gaps_test
-}  // namespace robosim::world
+}  // namespace robosim::world::floor_gaps_test

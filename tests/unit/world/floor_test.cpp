@@ -8,8 +8,7 @@
 #include "maps.h"
 #include "tests/support/effort.h"
 
-namespace robosim::world {
-namespace floor_test {
+namespace robosim::world::floor_test {
 
 struct Random {
   unsigned state = 1;
@@ -318,5 +317,4 @@ TEST(Floor, OfALightLineIsDarkBesideIt) {
   EXPECT_EQ(on_light.darkness({0.5, 0.2}, 0.006), 1.0);
 }
 
-}  // namespace floor_test
-}  // namespace robosim::world
+}  // namespace robosim::world::floor_test

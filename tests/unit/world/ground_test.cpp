@@ -9,11 +9,9 @@
 #include <memory>
 #include <numbers>
 
-#include "maps.h"
-#include "sim/world/world.h"
+#include "one_body.h"
 
-namespace robosim::world {
-namespace ground_test {
+namespace robosim::world::ground_test {
 
 constexpr double kG = 9.80665;
 constexpr double kWithin = 0.02;
@@ -44,24 +42,14 @@ BodyParams free_body() {
   return p;
 }
 
-class GroundTest : public testing::Test {
+class GroundTest : public OneBodyTest {
  protected:
-  Body& make(const BodyParams& params, const Pose& pose = {{10.0, 10.0}, {1.0, 0.0}}) {
-    world_ = std::make_unique<World>(map_);
-    return world_->body(world_->add_body(params, pose));
-  }
+  GroundTest() : OneBodyTest(200) {}
   /// Puts a body in the middle of an even slope. `sine` is the sine of the slope's angle. By default, the
   /// body faces uphill.
   Body& on_slope(double sine, const BodyParams& params, Vec2 heading = {1.0, 0.0}) {
     map_.course.hills = {hill({10.0, 10.0}, 10.0, 10.0, {0.0, 10.0 * sine})};
     return make(params, {{10.0, 10.0}, heading});
-  }
-  void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds * 1000.0 + 0.5); ++i) world_->step();
-  }
-  static void drive(Body& body, double share) {
-    body.command(left, {share, 0.0});
-    body.command(right, {share, 0.0});
   }
   /// Returns the smallest sine from 0 to 0.9 for which `happens` is true.
   static double least_sine(const std::function<bool(double)>& happens) {
@@ -73,9 +61,6 @@ class GroundTest : public testing::Test {
     return high;
   }
   static double slope_of(double sine) { return sine / std::sqrt(1.0 - sine * sine); }
-
-  map::Map map_ = empty_map(200, 200);
-  std::unique_ptr<World> world_;
 };
 
 double inertia_mass(const BodyParams& p) {
@@ -465,5 +450,4 @@ TEST_F(GroundTest, TheBitsOfARunOverHillsArePinned) {
   EXPECT_EQ(sum, 395756.95616502652);
 }
 
-}  // namespace ground_test
-}  // namespace robosim::world
+}  // namespace robosim::world::ground_test

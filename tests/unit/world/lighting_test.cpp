@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace robosim::world {
-namespace lighting_test {
+namespace robosim::world::lighting_test {
 
 using map::Light;
 
@@ -77,5 +76,4 @@ TEST(Lighting, AHigherSensorIsLessInTheShade) {
   EXPECT_NEAR(exposure(0.008), (64.0 / 89.0) / (9.0 / 34.0), 1e-12);
 }
 
-}  // namespace lighting_test
-}  // namespace robosim::world
+}  // namespace robosim::world::lighting_test

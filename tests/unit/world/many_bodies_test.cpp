@@ -9,8 +9,7 @@
 #include "sim/world/world.h"
 #include "tests/unit/world/maps.h"
 
-namespace robosim::world {
-namespace many_bodies_test {
+namespace robosim::world::many_bodies_test {
 
 std::vector<std::unique_ptr<Body>> crowd(std::size_t count, double width_m, double height_m,
                                          std::uint64_t seed) {
@@ -120,5 +119,4 @@ TEST(RadioChannel, BringsWhatComesAtOnceInAnOrderThatNumbersDoNotShowIn) {
   }
 }
 
-}  // namespace many_bodies_test
-}  // namespace robosim::world
+}  // namespace robosim::world::many_bodies_test

@@ -8,14 +8,12 @@
 #include <memory>
 #include <vector>
 
-#include "maps.h"
+#include "one_body.h"
 #include "sim/base/exponential.h"
 #include "sim/base/noise.h"
 #include "sim/world/step_constants.h"
-#include "sim/world/world.h"
 
-namespace robosim::world {
-namespace motor_winding_test {
+namespace robosim::world::motor_winding_test {
 
 constexpr double kWithinFormula = 0.02;
 constexpr double kVolts = 6.0, kOhms = 4.0, kHenries = 2e-3;
@@ -139,7 +137,7 @@ TEST(Winding, HasTheMeanOfPulsesThatAreFollowedStepByStep) {
 }
 
 // Provides a body without friction. Its driver has MOSFETs, and its motors have 1 mH.
-class WoundBody : public testing::Test {
+class WoundBody : public OneBodyTest {
  protected:
   static BodyParams wound() {
     BodyParams p = default_body_params();
@@ -152,13 +150,6 @@ class WoundBody : public testing::Test {
     }
     return p;
   }
-  Body& make(const BodyParams& params) {
-    world_ = std::make_unique<World>(map_);
-    return world_->body(world_->add_body(params, {{20.0, 20.0}, {1.0, 0.0}}));
-  }
-  void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds * 1000.0 + 0.5); ++i) world_->step();
-  }
   static void both(Body& body, const WheelCommand& command) {
     body.command(left, command);
     body.command(right, command);
@@ -169,9 +160,6 @@ class WoundBody : public testing::Test {
     const double inertia = w.wheel_inertia_kgm2 + w.rotor_inertia_kgm2 * w.gear_ratio * w.gear_ratio;
     return p.mass_kg + 2.0 * inertia / (w.radius_m * w.radius_m);
   }
-
-  map::Map map_ = empty_map(400, 400);
-  std::unique_ptr<World> world_;
 };
 
 // If the wheel turns the motor, the motor has the torque k_e per ampere. The loss of speed therefore
@@ -226,5 +214,4 @@ TEST_F(WoundBody, CoastsAsFarAsItsFrictionLetsItAndBrakesAsFarAsItsWindingDoes) 
   }
 }
 
-}  // namespace motor_winding_test
-}  // namespace robosim::world
+}  // namespace robosim::world::motor_winding_test

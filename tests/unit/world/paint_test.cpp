@@ -5,8 +5,7 @@
 
 #include "sim/world/floor.h"
 
-namespace robosim::world {
-namespace paint_test {
+namespace robosim::world::paint_test {
 
 constexpr double kSeen = 0.002;
 
@@ -152,5 +151,4 @@ TEST(Paints, GlossAddsToWhatAnyColourSendsBack) {
   EXPECT_NEAR(Floor(area).darkness({1.0, 0.7}, kSeen), 0.0, 1e-12);
 }
 
-}  // namespace paint_test
-}  // namespace robosim::world
+}  // namespace robosim::world::paint_test

@@ -6,8 +6,7 @@
 #include "sim/world/floor.h"
 #include "tests/support/png_file.h"
 
-namespace robosim::world {
-namespace picture_floor_test {
+namespace robosim::world::picture_floor_test {
 
 const std::string kPath =
     "line = \"20 mm\"\nsize = [\"200 mm\", \"200 mm\"]\n[[path]]\nfrom = [\"0 mm\", \"101 mm\"]\n"
@@ -44,5 +43,4 @@ TEST(PictureFloor, GreysAreSeenAsGreys) {
   EXPECT_NEAR(Floor(grey).darkness({0.1, 0.1}, 0.008), 0.6, 1e-12);
 }
 
-}  // namespace picture_floor_test
-}  // namespace robosim::world
+}  // namespace robosim::world::picture_floor_test

@@ -8,8 +8,7 @@
 #include "sim/world/world.h"
 #include "tests/unit/world/maps.h"
 
-namespace robosim::world {
-namespace range_test {
+namespace robosim::world::range_test {
 
 constexpr double kMost = 4.0;
 constexpr Vec2 kEast{1.0, 0.0}, kNorth{0.0, 1.0}, kWest{-1.0, 0.0};
@@ -108,5 +107,4 @@ TEST(Range, DirectionsAreThoseOfSineAndCosine) {
   }
 }
 
-}  // namespace range_test
-}  // namespace robosim::world
+}  // namespace robosim::world::range_test

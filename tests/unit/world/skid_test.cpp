@@ -5,28 +5,15 @@
 #include <cmath>
 #include <memory>
 
-#include "maps.h"
+#include "one_body.h"
 #include "sim/world/step_constants.h"
-#include "sim/world/world.h"
 
-namespace robosim::world {
-namespace skid_test {
+namespace robosim::world::skid_test {
 
 constexpr double kTwoPercent = 0.02;
 
-class SkidTest : public testing::Test {
+class SkidTest : public OneBodyTest {
  protected:
-  Body& make(const BodyParams& params) {
-    world_ = std::make_unique<World>(map_);
-    return world_->body(world_->add_body(params, {{20.0, 20.0}, {1.0, 0.0}}));
-  }
-  void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds * 1000.0 + 0.5); ++i) world_->step();
-  }
-  static void drive(Body& body, double left_drive, double right_drive) {
-    body.command(left, {left_drive, 0.0});
-    body.command(right, {right_drive, 0.0});
-  }
   /// Returns parameters of a body with four wheels and strong motors.
   static BodyParams rover() {
     BodyParams p = default_body_params();
@@ -35,9 +22,6 @@ class SkidTest : public testing::Test {
     for (WheelParams& wheel : p.wheel) wheel.stall_torque *= 4.0;
     return p;
   }
-
-  map::Map map_ = empty_map(400, 400);
-  std::unique_ptr<World> world_;
 };
 
 TEST_F(SkidTest, TurnsAsIfItsSidesWereFartherApart) {
@@ -113,5 +97,4 @@ TEST_F(SkidTest, AFanPressesItDown) {
   }
 }
 
-}  // namespace skid_test
-}  // namespace robosim::world
+}  // namespace robosim::world::skid_test

@@ -5,29 +5,16 @@
 #include <memory>
 #include <numbers>
 
-#include "maps.h"
+#include "one_body.h"
 #include "sim/world/step_constants.h"
-#include "sim/world/world.h"
 
-namespace robosim::world {
-namespace steer_test {
+namespace robosim::world::steer_test {
 
 constexpr double kSteeredWithin = 0.02;
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-class SteerTest : public testing::Test {
+class SteerTest : public OneBodyTest {
  protected:
-  Body& make(const BodyParams& params) {
-    world_ = std::make_unique<World>(map_);
-    return world_->body(world_->add_body(params, {{20.0, 20.0}, {1.0, 0.0}}));
-  }
-  void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds * 1000.0 + 0.5); ++i) world_->step();
-  }
-  static void drive(Body& body, double share) {
-    body.command(left, {share, 0.0});
-    body.command(right, {share, 0.0});
-  }
   static BodyParams car() {
     BodyParams p = default_body_params();
     p.steer_base_m = p.caster_m = 0.14;
@@ -35,9 +22,6 @@ class SteerTest : public testing::Test {
     p.differential = true;
     return p;
   }
-
-  map::Map map_ = empty_map(400, 400);
-  std::unique_ptr<World> world_;
 };
 
 TEST_F(SteerTest, TurnsOnTheRadiusOfTheBicycleModel) {
@@ -123,5 +107,4 @@ TEST_F(SteerTest, StandsWhateverItsServoDoes) {
   EXPECT_EQ(body.turn_rate(), 0.0);
 }
 
-}  // namespace steer_test
-}  // namespace robosim::world
+}  // namespace robosim::world::steer_test

@@ -2,16 +2,6 @@
 // result. The tests restore 100 random moments of each stock sketch, and of sketches for other chips. The
 // runs have noise, and a script with all possible actions on the robot. ROBOSIM_TEST_MOMENTS=1000 tries more
 // moments, in longer runs.
-//
-// Each test file is for one target. Before the include of this header, the file declares in an anonymous
-// namespace of robosim::run:
-//
-//   struct Target {
-//     using Executor = …;
-//     static constexpr const char *kName, *kFive, *kThree (robots with 5 and 3 sensors on the same chip);
-//   };
-#pragma once
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <stdlib.h>
@@ -28,9 +18,9 @@
 #include "tests/support/effort.h"
 #include "tests/support/require_target.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/targets/target.h"
 
-namespace robosim::run {
-namespace {
+namespace robosim::run::run_snapshots_test {
 
 using testing::ElementsAreArray;
 using testing::HasSubstr;
@@ -39,6 +29,7 @@ using testing::HasSubstr;
 constexpr std::size_t kToTheEnd = 10;
 
 struct Case {
+  const char* target;
   const char* sketch;
   const char* robot;
   const char* map;
@@ -83,6 +74,15 @@ at 600ms fault left_sensor noisy 0.2 for 200ms
 at 1400ms fault right_sensor stuck 1
 )";
 
+const std::string kPony = R"(
+at 100ms press scan 60ms
+at 130ms send radio 3
+at 980ms press scan 60ms
+at 1000ms send radio 0b1101
+at 1150ms fault radio noisy 0.3
+at 1160ms send radio 200
+)" + kThreeSensors;
+
 struct Told final : Listener {
   void byte_sent(std::uint8_t byte, SimTime t) override {
     lines.push_back(fmt::format("{} byte {}", t, byte));
@@ -125,21 +125,20 @@ int wanted_moments() {
   return text ? std::stoi(text) : 0;
 }
 
-class ChipSnapshots : public testing::Test {
+class RunOnChip : public testing::Test {
  protected:
-  void SetUp() override {
-    ROBOSIM_NEEDS_TARGET(Target::kName);
+  void use(const exec::Target& target, const char* sketch, const char* robot, const char* map) {
     test::use_shared_cache();
-  }
-  void use(const char* sketch, const char* robot, const char* map) {
+    target_ = &target;
     map_ = map::read_map(map::find_map(map));
     robot_ = robot::load_description(robot);
     std::filesystem::path folder = std::filesystem::path(ROBOSIM_EXAMPLES) / sketch;
     if (!exists(folder)) folder = std::filesystem::path(ROBOSIM_TEST_SKETCHES) / sketch;
     build::Request request{folder, *robot_.board};
-    request.target = Target::kName;
+    request.target = target.name;
     image_ = build::build(request).image;
   }
+  std::unique_ptr<exec::Executor> make_executor() { return target_->make_executor(*robot_.board, image_); }
   AgentSetup agent(exec::Executor& executor, const char* goal, const std::string& script,
                    Listener* listener = nullptr) {
     return {.robot = &robot_,
@@ -157,24 +156,28 @@ class ChipSnapshots : public testing::Test {
     return setup;
   }
 
+  const exec::Target* target_ = nullptr;
   map::Map map_;
   robot::Description robot_;
   std::filesystem::path image_;
 };
 
-class Snapshots : public ChipSnapshots, public testing::WithParamInterface<Case> {
+class Snapshots : public RunOnChip, public testing::WithParamInterface<Case> {
  protected:
   void SetUp() override {
-    ChipSnapshots::SetUp();
-    if (!IsSkipped()) use(GetParam().sketch, GetParam().robot, GetParam().map);
+    const Case& run = GetParam();
+    const exec::Target* const target = exec::find_target(run.target);
+    if (!target) GTEST_SKIP() << run.target << " was left out";
+    ROBOSIM_NEEDS_TARGET(run.target);
+    use(*target, run.sketch, run.robot, run.map);
   }
   static bool longer() { return wanted_moments() > 0; }
   static int moments() { return longer() ? wanted_moments() : test::rounds(100); }
   run::Setup setup(exec::Executor& executor, Listener* listener = nullptr) {
     const std::string script =
         kScript + GetParam().script + fmt::format(kObstacles, GetParam().ahead, GetParam().ahead);
-    run::Setup setup = ChipSnapshots::setup({agent(executor, "none", script, listener)},
-                                            longer() ? 10 * kSecond : 1600 * kMillisecond);
+    run::Setup setup = RunOnChip::setup({agent(executor, "none", script, listener)},
+                                        longer() ? 10 * kSecond : 1600 * kMillisecond);
     if (GetParam().is_driven) setup.controller = &hands_;
     return setup;
   }
@@ -183,9 +186,9 @@ class Snapshots : public ChipSnapshots, public testing::WithParamInterface<Case>
 };
 
 TEST_P(Snapshots, GoOnAsTheRunThatWasNotInterrupted) {
-  Target::Executor untouched(*robot_.board, image_), executor(*robot_.board, image_);
+  const auto untouched = make_executor(), executor = make_executor();
   Told told;
-  const run::Setup setup = this->setup(executor, &told);
+  const run::Setup setup = this->setup(*executor, &told);
 
   struct Moment {
     SimTime t;
@@ -208,7 +211,7 @@ TEST_P(Snapshots, GoOnAsTheRunThatWasNotInterrupted) {
     moments.back().result = text_of(simulation.end().front());
     simulation.restore(moments.back().snapshot);
   }
-  ASSERT_EQ(moments.back().result, text_of(simulate(this->setup(untouched)).front()));
+  ASSERT_EQ(moments.back().result, text_of(simulate(this->setup(*untouched)).front()));
   const std::vector<std::string> all = told.lines;
 
   std::vector<std::size_t> order(moments.size() - 1);
@@ -228,21 +231,41 @@ TEST_P(Snapshots, GoOnAsTheRunThatWasNotInterrupted) {
   }
 }
 
-const std::string kPony = R"(
-at 100ms press scan 60ms
-at 130ms send radio 3
-at 980ms press scan 60ms
-at 1000ms send radio 0b1101
-at 1150ms fault radio noisy 0.3
-at 1160ms send radio 200
-)" + kThreeSensors;
+INSTANTIATE_TEST_SUITE_P(
+    Stock, Snapshots,
+    testing::Values(Case{"avr", "PidFollower", "uno5", "oval", "13,14", kFiveSensors.c_str()},
+                    Case{"avr", "LeftPath", "uno3", "d", "6,10", kThreeSensors.c_str()},
+                    Case{"avr", "RightPath", "uno3", "a", "6,4", kThreeSensors.c_str()},
+                    Case{"avr", "AiNavigator", "uno5", "b", "6,10", kFiveSensors.c_str()},
+                    Case{"avr", "PonyNavigator", "pony", "city", "7,24", kPony.c_str()},
+                    Case{"avr", "MegaFollower", "mega5", "oval", "13,14", kFiveSensors.c_str()},
+                    Case{"avr", "LeonardoFollower", "leonardo5", "oval", "13,14", kFiveSensors.c_str()},
+                    Case{"stm32", "PidFollower", "bluepill5", "oval", "13,14", kFiveSensors.c_str()},
+                    Case{"stm32", "LeftPath", "bluepill3", "d", "6,10", kThreeSensors.c_str()},
+                    Case{"stm32", "RightPath", "bluepill3", "a", "6,4", kThreeSensors.c_str()},
+                    Case{"stm32", "AiNavigator", "bluepill5", "b", "6,10", kFiveSensors.c_str()},
+                    Case{"stm32", "PonyNavigator", "bluepony", "city", "7,24", kPony.c_str()}),
+    [](const auto& test) { return std::string(test.param.sketch) + "_" + test.param.target; });
 
-TEST_F(ChipSnapshots, AreOfAllRobotsAlsoOfThoseThatHaveTheirVerdict) {
-  use("PidFollower", Target::kFive, "oval");
-  Target::Executor first(*robot_.board, image_), second(*robot_.board, image_);
+INSTANTIATE_TEST_SUITE_P(
+    Driven, Snapshots,
+    testing::Values(Case{"avr", "PidFollower", "uno5", "oval", "13,14", "", true},
+                    Case{"avr", "MegaFollower", "mega5", "oval", "13,14", "", true},
+                    Case{"stm32", "PidFollower", "bluepill5", "oval", "13,14", "", true}),
+    [](const auto& test) { return std::string(test.param.sketch) + "_" + test.param.target; });
+
+class ChipSnapshots : public RunOnChip, public testing::WithParamInterface<exec::Target> {
+ protected:
+  void SetUp() override { ROBOSIM_NEEDS_TARGET(GetParam().name); }
+};
+INSTANTIATE_TEST_SUITE_P(, ChipSnapshots, testing::ValuesIn(exec::targets({"avr", "stm32"})), exec::name_of);
+
+TEST_P(ChipSnapshots, AreOfAllRobotsAlsoOfThoseThatHaveTheirVerdict) {
+  use(GetParam(), "PidFollower", GetParam().robot_of_five, "oval");
+  const auto first = make_executor(), second = make_executor();
   run::Setup setup =
-      this->setup({agent(first, "still", "at 200ms fault left dead\nat 200ms fault right dead"),
-                   agent(second, "none", "")},
+      this->setup({agent(*first, "still", "at 200ms fault left dead\nat 200ms fault right dead"),
+                   agent(*second, "none", "")},
                   2500 * kMillisecond);
   setup.agents[1].start = map::parse_start(map_, "20,2,W");
   Simulation simulation(setup);
@@ -265,18 +288,18 @@ TEST_F(ChipSnapshots, AreOfAllRobotsAlsoOfThoseThatHaveTheirVerdict) {
   }
 }
 
-TEST_F(ChipSnapshots, LeadToTheSameVerdictWhateverHappenedSince) {
+TEST_P(ChipSnapshots, LeadToTheSameVerdictWhateverHappenedSince) {
   struct Run {
     const char* script;
     SimTime first, second;  ///< times of snapshots
     const char* verdict;
   };
-  use("LeftPath", Target::kThree, "a");
+  use(GetParam(), "LeftPath", GetParam().robot_of_three, "a");
   for (const Run& run :
        {Run{"at 300ms place 18,5,N\nat 500ms place 4,4,E", 200, 400, "The goal tour was reached"},
         Run{"at 200ms fault left stuck\nat 200ms fault right stuck", 100, 2000, "The robot is stuck"}}) {
-    Target::Executor executor(*robot_.board, image_);
-    const run::Setup setup = this->setup({agent(executor, "tour", run.script)}, 5 * kSecond);
+    const auto executor = make_executor();
+    const run::Setup setup = this->setup({agent(*executor, "tour", run.script)}, 5 * kSecond);
     Simulation simulation(setup);
     std::vector<Simulation::Snapshot> snapshots;
     for (const SimTime t : {run.first, run.second}) {
@@ -296,14 +319,13 @@ TEST_F(ChipSnapshots, LeadToTheSameVerdictWhateverHappenedSince) {
   }
 }
 
-TEST_F(ChipSnapshots, AreNoOtherSimulations) {
-  use("PidFollower", Target::kFive, "oval");
-  Target::Executor first(*robot_.board, image_), second(*robot_.board, image_);
-  const run::Setup one = setup({agent(first, "none", "")}, kSecond);
-  const run::Setup two = setup({agent(second, "none", "")}, kSecond);
+TEST_P(ChipSnapshots, AreNoOtherSimulations) {
+  use(GetParam(), "PidFollower", GetParam().robot_of_five, "oval");
+  const auto first = make_executor(), second = make_executor();
+  const run::Setup one = setup({agent(*first, "none", "")}, kSecond);
+  const run::Setup two = setup({agent(*second, "none", "")}, kSecond);
   Simulation simulation(one), other(two);
   EXPECT_THROW(other.restore(simulation.save()), std::logic_error);
 }
 
-}  // namespace
-}  // namespace robosim::run
+}  // namespace robosim::run::run_snapshots_test

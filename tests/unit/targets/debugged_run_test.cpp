@@ -1,23 +1,9 @@
 // Tests a run under a debugger that can step backward. Checks where the run halts. Also checks that the run's
 // events, output and result equal those of a run without a debugger. gdb's packets are sent in advance.
-//
-// Each test file is for one target. Before the include of this header, the file declares in an anonymous
-// namespace of robosim::runner:
-//
-//   struct Target {
-//     using Executor = …;
-//     static constexpr const char *kName, *kRobot, *kPc (gdb's number of the program counter, hexadecimal),
-//         *kTicks (the handler of the core's clock), *kMillis (the variable that it increments);
-//     static std::uint32_t address_of(const std::filesystem::path& image, const BoardSpec&,
-//                                     const char* name);
-//   };
-#pragma once
-
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <stdlib.h>
 
-#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -29,9 +15,9 @@
 #include "tests/support/gdb_client.h"
 #include "tests/support/require_target.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/targets/target.h"
 
-namespace robosim::runner {
-namespace {
+namespace robosim::runner::debugged_run_test {
 
 using testing::HasSubstr;
 
@@ -79,16 +65,16 @@ struct Told final : run::Listener {
   std::vector<std::string> lines;
 };
 
-class DebuggedRunTest : public testing::Test {
+class DebuggedRunTest : public testing::TestWithParam<exec::Target> {
  protected:
   void SetUp() override {
-    ROBOSIM_NEEDS_TARGET(Target::kName);
+    ROBOSIM_NEEDS_TARGET(GetParam().name);
     test::use_shared_cache();
     const std::filesystem::path folder = folder_.path() / "Debugged";
     std::filesystem::create_directories(folder);
     write_file(folder / "Debugged.ino", kSketch);
     build::Request request{folder, *robot_.board};
-    request.target = Target::kName;
+    request.target = GetParam().name;
     image_ = build::build(request).image;
   }
 
@@ -112,7 +98,8 @@ class DebuggedRunTest : public testing::Test {
   void say(const std::string& packet) { packets_.push_back(packet); }
   /// Sends a gdb packet that resumes the run, then queries the program counter and the time at the next halt.
   void go(const std::string& order) {
-    for (const std::string& packet : {order, "p" + std::string(Target::kPc), std::string("qRcmd,74696d65")})
+    for (const std::string& packet :
+         {order, "p" + std::string(GetParam().program_counter), std::string("qRcmd,74696d65")})
       say(packet);
   }
   /// Runs the sketch with the packets of say() and go(). Compares the result with a run without a debugger.
@@ -120,14 +107,15 @@ class DebuggedRunTest : public testing::Test {
   std::vector<std::string> run() {
     Told alone, told;
     alone.hears_inputs = told.hears_inputs = hears_inputs_;
-    Target::Executor untouched(*robot_.board, image_), executor(*robot_.board, image_);
-    const judge::Outcome due = std::move(run::simulate(setup(untouched, alone)).front());
+    const auto untouched = GetParam().make_executor(*robot_.board, image_);
+    const auto executor = GetParam().make_executor(*robot_.board, image_);
+    const judge::Outcome due = std::move(run::simulate(setup(*untouched, alone)).front());
     const std::uint16_t port = test::free_port();
     exec::gdb::Server server(port, interrupted_);
     test::GdbClient gdb(port);
     for (const std::string& packet : packets_) gdb.say(packet);
-    executor.debug_with(server);
-    outcome_ = DebuggedRun(setup(executor, told), server).go();
+    executor->chip_access()->debug_with(server);
+    outcome_ = DebuggedRun(setup(*executor, told), server).go();
     if (!writes_) {
       EXPECT_EQ(text_of(outcome_), text_of(due));
       EXPECT_EQ(told.lines, alone.lines);
@@ -159,12 +147,14 @@ class DebuggedRunTest : public testing::Test {
     }
     return all;
   }
-  std::uint32_t address_of(const char* name) const { return Target::address_of(image_, *robot_.board, name); }
+  std::uint32_t address_of(const char* name) const {
+    return GetParam().address_of(image_, *robot_.board, name);
+  }
   std::string breakpoint(const char* name) const { return fmt::format("Z0,{:x},2", address_of(name)); }
   std::string none(const char* name) const { return fmt::format("z0,{:x},2", address_of(name)); }
 
   const map::Map map_ = map::read_map(map::find_map("oval"));
-  const robot::Description robot_ = robot::load_description(Target::kRobot);
+  const robot::Description robot_ = robot::load_description(GetParam().robot_of_five);
   const test::TemporaryFolder folder_;
   std::filesystem::path image_;
   std::string script_, goal_ = "none";
@@ -175,13 +165,16 @@ class DebuggedRunTest : public testing::Test {
   judge::Outcome outcome_;
 };
 
+INSTANTIATE_TEST_SUITE_P(, DebuggedRunTest, testing::ValuesIn(exec::targets({"avr", "stm32"})),
+                         exec::name_of);
+
 /// Expects that the halts after `places[turn]` equal the halts before `places[turn]`, in reverse order.
 void expect_mirrored(const std::vector<std::string>& places, std::size_t turn) {
   ASSERT_EQ(places.size(), 2 * turn + 1);
   for (std::size_t i = 0; i < turn; ++i) EXPECT_EQ(places[turn + 1 + i], places[turn - 1 - i]) << i;
 }
 
-TEST_F(DebuggedRunTest, StepsGoBackAsTheyWentForth) {
+TEST_P(DebuggedRunTest, StepsGoBackAsTheyWentForth) {
   constexpr int kSteps = 400;  // including steps in interrupt handlers
   say(breakpoint("_Z4passv"));
   go("c");
@@ -194,10 +187,10 @@ TEST_F(DebuggedRunTest, StepsGoBackAsTheyWentForth) {
   expect_mirrored(places, kSteps);
 }
 
-TEST_F(DebuggedRunTest, BreakpointsAreMetBackAsTheyWereForth) {
+TEST_P(DebuggedRunTest, BreakpointsAreMetBackAsTheyWereForth) {
   constexpr int kHalts = 70;  // enough to pass several snapshots
   say(breakpoint("_Z4passv"));
-  say(breakpoint(Target::kTicks));
+  say(breakpoint(GetParam().clock_handler));
   for (int i = 0; i <= kHalts; ++i) go("c");
   for (int i = 0; i < kHalts; ++i) go("bc");
   go("bc");
@@ -211,7 +204,7 @@ TEST_F(DebuggedRunTest, BreakpointsAreMetBackAsTheyWereForth) {
   expect_mirrored(places, kHalts);
 }
 
-TEST_F(DebuggedRunTest, AWatchpointHaltsBackInFrontOfWhoHasWritten) {
+TEST_P(DebuggedRunTest, AWatchpointHaltsBackInFrontOfWhoHasWritten) {
   const std::uint32_t passes = address_of("passes"), pass = address_of("_Z4passv");
   say(fmt::format("Z2,{:x},1", passes));
   for (int i = 0; i < 9; ++i) go("c");
@@ -232,7 +225,7 @@ TEST_F(DebuggedRunTest, AWatchpointHaltsBackInFrontOfWhoHasWritten) {
   EXPECT_TRUE(all.back().pc > pass && all.back().pc < pass + 20) << "halts after the instruction that writes";
 }
 
-TEST_F(DebuggedRunTest, ACrashIsGoneBackFrom) {
+TEST_P(DebuggedRunTest, ACrashIsGoneBackFrom) {
   script_ = "at 150ms send \"x\"";
   go("c");
   go("bs");
@@ -253,7 +246,7 @@ TEST_F(DebuggedRunTest, ACrashIsGoneBackFrom) {
   EXPECT_EQ(outcome_.verdict, judge::Verdict::crashed);
 }
 
-TEST_F(DebuggedRunTest, APowerCutIsGoneBackOver) {
+TEST_P(DebuggedRunTest, APowerCutIsGoneBackOver) {
   script_ = "at 100ms power off for 40ms\nat 200ms power off for 5ms";
   say(breakpoint("main"));
   for (int i = 0; i < 3; ++i) go("c");
@@ -271,11 +264,11 @@ TEST_F(DebuggedRunTest, APowerCutIsGoneBackOver) {
   EXPECT_EQ(all[5].why, "T05replaylog:begin;");
 }
 
-TEST_F(DebuggedRunTest, WhatIsToldIsToldOnceHoweverItGoesBackAndForth) {
+TEST_P(DebuggedRunTest, WhatIsToldIsToldOnceHoweverItGoesBackAndForth) {
   script_ = "at 60ms lift for 20ms\nat 130ms power off for 15ms\nat 210ms fault left weak 0.6 for 50ms";
   hears_inputs_ = true;
   say(breakpoint("_Z4passv"));
-  say(fmt::format("Z2,{:x},2", address_of(Target::kMillis)));
+  say(fmt::format("Z2,{:x},2", address_of(GetParam().clock_variable)));
   std::mt19937 random(3);
   for (int i = 0; i < 150; ++i) {
     constexpr const char* kOrders[] = {"c", "c", "c", "s", "bs", "bc"};
@@ -288,7 +281,7 @@ TEST_F(DebuggedRunTest, WhatIsToldIsToldOnceHoweverItGoesBackAndForth) {
   EXPECT_EQ(halts(run()).size(), 152u);
 }
 
-TEST_F(DebuggedRunTest, APastIsNotChangedAndAPresentThatIsHasNone) {
+TEST_P(DebuggedRunTest, APastIsNotChangedAndAPresentThatIsHasNone) {
   const std::string write = fmt::format("M{:x},2:0700", address_of("passes"));
   writes_ = true;
   say(breakpoint("_Z4passv"));
@@ -313,7 +306,7 @@ TEST_F(DebuggedRunTest, APastIsNotChangedAndAPresentThatIsHasNone) {
   EXPECT_EQ(kinds[kinds.size() - 2], "S05") << "stepping back works again after the next snapshot";
 }
 
-TEST_F(DebuggedRunTest, AnEndThatIsNoGoodHaltsOnceMore) {
+TEST_P(DebuggedRunTest, AnEndThatIsNoGoodHaltsOnceMore) {
   goal_ = "laps:1";
   go("c");
   go("bs");
@@ -330,9 +323,9 @@ TEST_F(DebuggedRunTest, AnEndThatIsNoGoodHaltsOnceMore) {
   EXPECT_EQ(outcome_.verdict, judge::Verdict::timeout);
 }
 
-TEST_F(DebuggedRunTest, ARunThatIsKilledInItsPastEndsWhereItHadComeTo) {
+TEST_P(DebuggedRunTest, ARunThatIsKilledInItsPastEndsWhereItHadComeTo) {
   writes_ = true;
-  say(breakpoint(Target::kTicks));
+  say(breakpoint(GetParam().clock_handler));
   for (int i = 0; i < 60; ++i) say("c");
   for (int i = 0; i < 50; ++i) say("bc");
   say("k");
@@ -341,5 +334,4 @@ TEST_F(DebuggedRunTest, ARunThatIsKilledInItsPastEndsWhereItHadComeTo) {
   EXPECT_GT(outcome_.time, 50 * kMillisecond);
 }
 
-}  // namespace
-}  // namespace robosim::runner
+}  // namespace robosim::runner::debugged_run_test
