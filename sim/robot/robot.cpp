@@ -316,8 +316,9 @@ bool Robot::straddles_line(double off_m) const {
   const double width = length(row);
   if (off_m > width) return false;
   const int steps = static_cast<int>(width / kStep) + 1;
+  const world::FloorProbe probe(kStep);
   for (int i = 0; i <= steps; ++i)
-    if (impl_->view.floor->on_line(impl_->body.pose().to_world(from + row * (1.0 * i / steps)), kStep) > 0.0)
+    if (impl_->view.floor->on_line(impl_->body.pose().to_world(from + row * (1.0 * i / steps)), probe) > 0.0)
       return true;
   return false;
 }

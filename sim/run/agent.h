@@ -132,7 +132,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
     std::string exceeded;                                             ///< the exceeded budget; "" = none
     Vec2 midpoint = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< m, midpoint of the line sensors
     double cross_track = 0.0;                                         ///< m, at `midpoint`
-    world::NearStripe line;                                           ///< stripe near `midpoint`
+    world::FloorProbe line;                                           ///< stripe near `midpoint`
     double cross_track_squares = 0.0;
     double cross_track_max = 0.0;
     std::int64_t cross_track_ticks = 0;

@@ -13,7 +13,7 @@ ResolvedMission::ResolvedMission(const Mission& mission, const map::Map& map, co
       goal(mission.goal ? *mission.goal : judge::default_goal(map, network)),
       progress(goal, map, stripes, network, start) {}
 
-PreparedMap::PreparedMap(const map::Map& map) : map_(map), stripes_(map, map.cell_m), world_(map) {}
+PreparedMap::PreparedMap(const map::Map& map) : map_(map), world_(map) {}
 
 void PreparedMap::prepare(std::size_t number, const Mission& mission) {
   // Computes the process's first hash now. The first hash detects vector extensions, which is slow in a
@@ -24,7 +24,7 @@ void PreparedMap::prepare(std::size_t number, const Mission& mission) {
   if (prepared.resolved_mission && prepared.mission == mission) return;
   prepared = {mission, std::nullopt};
   try {
-    prepared.resolved_mission.emplace(mission, map_, stripes_);
+    prepared.resolved_mission.emplace(mission, map_, stripes());
   } catch (const InputError&) {
   }
 }
@@ -32,7 +32,7 @@ void PreparedMap::prepare(std::size_t number, const Mission& mission) {
 ResolvedMission PreparedMap::resolve(std::size_t number, const Mission& mission) const {
   if (number < prepared_.size() && prepared_[number].resolved_mission && prepared_[number].mission == mission)
     return *prepared_[number].resolved_mission;
-  return ResolvedMission(mission, map_, stripes_);
+  return ResolvedMission(mission, map_, stripes());
 }
 
 }  // namespace robosim::run

@@ -43,7 +43,7 @@ class PreparedMap {
   /// Returns an agent's resolved mission. Throws InputError if the mission is impossible on the map.
   ResolvedMission resolve(std::size_t number, const Mission& mission) const;
 
-  const map::Stripes& stripes() const { return stripes_; }
+  const map::Stripes& stripes() const { return world_.floor().stripes(); }
   /// Returns the world. The world is in the map's initial state until a simulation uses it.
   world::World& world() { return world_; }
 
@@ -53,7 +53,6 @@ class PreparedMap {
     std::optional<ResolvedMission> resolved_mission;  ///< empty if the mission is invalid
   };
   const map::Map& map_;
-  const map::Stripes stripes_;
   world::World world_;
   std::vector<Prepared> prepared_;  ///< indexed by agent number
 };

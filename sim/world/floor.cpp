@@ -1,165 +1,103 @@
 #include "sim/world/floor.h"
 
+#include <numeric>
+
 namespace robosim::world {
-
-using map::Cell;
-
 namespace {
 
-bool is_painted(Cell c) { return c == Cell::line || c == Cell::obstacle; }
-
-// Largest footprint, m, for which a floor with round corners looks up only nearby stripes.
+// Largest footprint, m, for which a floor looks up only nearby stripes.
 constexpr double kUsualFootprint = 0.016;
 
 constexpr double kPatch = 0.010;  // m between the sample points of a floor's brightness
 
-// Numbers of kinds of cells (Floor::Kind). 0 is a cell without a line. Painted cells follow; each of their
-// four arms is 0 (none), 1 (whole) or 2 (shortened). Cells in a gap of the line are last; each arm is 0
-// (none) or 1 (whole).
-constexpr int kFirstPainted = 1, kFirstGap = 82;
+double widest_line(const map::Map& map) {
+  double widest = map.line_m;
+  for (const map::Paint& paint : map.course.paints) widest = std::max(widest, paint.width);
+  return widest;
+}
+
+// Lines with square corners run through the centres of cells, so they are at least half a cell away from
+// other cells. With a reach that is shorter by kAside, a cell lists only its own lines.
+constexpr double kAside = 1e-6;  // m
+bool is_square(const map::Map& map) { return map.corner_m == 0.0 && map.course.paths.empty(); }
+
+double reach_of(const map::Map& map) {
+  return is_square(map) ? 0.5 * map.cell_m : 0.5 * widest_line(map) + 0.5 * kUsualFootprint;
+}
+
+// Returns the distance from p to a straight stripe of a floor with square corners. Paint ends next to a gap
+// `beyond` the centre of its last cell; such an end is computed from this centre.
+double square_distance(const map::Stripe& s, Vec2 p, double cell, double beyond) {
+  const auto outside = [&](double a, double b, double at) {
+    const double first = (std::floor(a / cell) + 0.5) * cell, last = (std::floor(b / cell) + 0.5) * cell;
+    const double before = std::fabs(a - first) < 0.01 * cell ? a - at : first - at - beyond;
+    const double after = std::fabs(b - last) < 0.01 * cell ? at - b : at - last - beyond;
+    return std::max(std::max(before, after), 0.0);
+  };
+  const double dx = outside(s.a.x, s.b.x, p.x), dy = outside(s.a.y, s.b.y, p.y);
+  return std::sqrt(dx * dx + dy * dy);
+}
 
 }  // namespace
 
 Floor::Floor(const map::Map& map)
-    : width_(map.width),
+    : map_(map),
+      width_(map.width),
       height_(map.height),
-      columns_(map.width),
-      rows_(map.height),
       cell_(map.cell_m),
       per_cell_(1.0 / map.cell_m),
       half_line_(0.5 * map.line_m),
-      map_(&map),
+      widest_(widest_line(map)),
+      stripes_reach_(reach_of(map)),
+      stripes_(map, is_square(map) ? stripes_reach_ - kAside : stripes_reach_),
       light_line_(map.light_line),
       image_(map.image.get()),
       marks_(map),
       areas_(map),
-      lines_(map, marks_),
+      lines_(map),
       gloss_(map.gloss),
-      alike_(areas_.empty() && lines_.empty() && !image_ && gloss_ == 0.0),
-      plain_(alike_ && marks_.empty()),
-      marked_(false),
-      paints_only_(!lines_.empty() && areas_.empty()),
-      kinds_{} {
-  double widest = map.line_m;
-  for (const map::Paint& paint : map.course.paints) widest = std::max(widest, paint.width);
-  if (widest > map.line_m && !map.raster)
+      is_uniform_(areas_.empty() && lines_.empty() && !image_ && gloss_ == 0.0),
+      has_only_lines_(is_uniform_ && marks_.empty()) {
+  if (widest_ > map.line_m && !map.raster)
     for (const map::Paint& paint : map::paints_of(map)) widths_.push_back(std::max(paint.width, map.line_m));
-  if (map.corner_m > 0.0 || !map.course.paths.empty()) {
-    stripes_reach_ = 0.5 * widest + 0.5 * kUsualFootprint;
-    stripes_ = std::make_unique<map::Stripes>(map, stripes_reach_);
-    if (alike_ && !marks_.empty() && !map.raster) index_with_marks(map);
-  } else {
-    read_stripes(map);
-  }
-  if (map.raster) read_raster(map);
+  if (lines_.empty() && widths_.empty()) return;
+  all_stripes_.resize(stripes_.all().size());
+  std::iota(all_stripes_.begin(), all_stripes_.end(), 0u);
 }
 
-void Floor::index_with_marks(const map::Map& map) {
-  with_marks_ = std::make_unique<map::StripeIndex>(map, marks_.after(stripes_->all()),
-                                                   std::max(stripes_reach_, marks_.reach()));
-  marked_ = true;
-}
-
-// Reads stripes cell by cell, like map::Stripes. Next to a gap, shortens painted stripes by half the line's
-// width.
-void Floor::read_stripes(const map::Map& map) {
-  const double whole = 0.5 * cell_;
-  const double shortened = whole - std::min(half_line_, 0.45 * cell_);
-  const double lengths[] = {0.0, whole, shortened};
-  const auto arms = [&](int e, int s, int w, int n) {
-    return Arms{-lengths[w], lengths[e], -lengths[s], lengths[n]};
-  };
-  for (int code = 0; code < 81; ++code) {
-    const int e = code % 3, s = code / 3 % 3, w = code / 9 % 3, n = code / 27;
-    kinds_[kFirstPainted + code] = {arms(e > 0, s > 0, w > 0, n > 0), arms(e, s, w, n), true, true};
-  }
-  for (int code = 0; code < 16; ++code) {
-    kinds_[kFirstGap + code] = {arms(code & 1, code >> 1 & 1, code >> 2 & 1, code >> 3), {}, true, false};
-  }
-  cells_.resize(map.cells.size());
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
-      const map::CellAt at{x, y};
-      const Cell cell = map.at(at);
-      if (!map::is_line(cell)) continue;
-      int code = 0;
-      for (int d = 3; d >= 0; --d) {
-        const Cell beside = map.at(map::ahead(at, static_cast<map::Direction>(d)));
-        if (is_painted(cell)) {
-          code = 3 * code + (beside == Cell::gap ? 2 : map::is_line(beside));
-        } else {
-          code = 2 * code + map::is_line(beside);
-        }
-      }
-      const int kind = (is_painted(cell) ? kFirstPainted : kFirstGap) + code;
-      cells_[index(x, height_ - 1 - y)] = static_cast<std::uint8_t>(kind);
-    }
-  }
-}
-
-void Floor::read_raster(const map::Map& map) {
-  quads_.assign((static_cast<std::size_t>(width_) + 1) * (static_cast<std::size_t>(height_) + 1), 0);
-  for (int y = 0; y < height_; ++y) {
-    for (int x = 0; x < width_; ++x) {
-      if (!is_painted(map.at({x, y}))) continue;
-      const std::size_t stride = static_cast<std::size_t>(width_) + 1;
-      std::uint8_t* low =
-          &quads_[static_cast<std::size_t>(height_ - 1 - y) * stride + static_cast<std::size_t>(x)];
-      low[0] |= 8;
-      low[1] |= 4;
-      low[stride] |= 2;
-      low[stride + 1] |= 1;
-    }
-  }
-}
-
-double Floor::painted_darkness(double x, double y, double footprint_m) const {
-  if (!marked_ || footprint_m > kUsualFootprint) return other_darkness(x, y, footprint_m);
+[[gnu::noinline]] double Floor::painted_darkness(double x, double y, const FloorProbe& probe,
+                                                 Band band) const {
   const Vec2 p{x, y};
-  const double bare = light_line_ ? 1.0 : 0.0;
-  int column, row;
-  double east, north;
-  if (!locate(p, column, row, east, north)) return bare;
-  const auto near = with_marks_->near({column, height_ - 1 - row});
-  if (near.empty()) return bare;
-  const double footprint = std::max(footprint_m, 1e-9), reach = half_line_ + 0.5 * footprint;
-  const std::span<const map::Stripe> lines = stripes_->all();
-  double nearest = reach, on_mark = 0.0;
-  for (const std::uint32_t i : near) {
-    if (i >= lines.size())
-      on_mark = std::max(on_mark, marks_.share(i - lines.size(), p, footprint));
-    else if (lines[i].painted)
-      nearest = std::min(nearest, map::distance(lines[i], p));
-  }
-  const double painted = std::max(ramp(nearest, reach, footprint), on_mark);
-  return light_line_ ? 1.0 - painted : painted;
+  FloorProbe::Darkness& last = probe.last_darkness();
+  if (last.at.x == x && last.at.y == y && last.band == band && last.changes == patches_.changes())
+    return last.value;
+  double darkness = drawn_darkness(p, probe, band);
+  if (!patches_.empty())
+    darkness =
+        patches_.over(darkness, light_line_ ? 0.0 : 1.0, light_line_ ? 1.0 : 0.0, p, probe.footprint());
+  last = {p, band, patches_.changes(), darkness};
+  return darkness;
 }
 
-[[gnu::noinline]] double Floor::other_darkness(double x, double y, double footprint_m) const {
-  const Vec2 p{x, y};
-  return patched(drawn_darkness(p, footprint_m), p, footprint_m);
-}
-
-double Floor::darkness_of_paint(Vec2 p, double footprint) const {
-  if (image_ && areas_.empty() && gloss_ == 0.0) return image_->darkness(p, std::max(footprint, 1e-6));
-  return drawn_darkness(p, footprint, Band::infrared);
-}
-
-double Floor::drawn_darkness(Vec2 p, double footprint_m, Band band) const {
-  if (alike_) return drawn_darkness(p, footprint_m);
-  if (image_ && areas_.empty() && gloss_ == 0.0) return darkness_of_paint(p, footprint_m);
-  const double footprint = std::max(footprint_m, image_ ? 1e-6 : 1e-9);
+double Floor::drawn_darkness(Vec2 p, const FloorProbe& probe, Band band) const {
+  const double footprint = std::max(probe.footprint(), image_ ? 1e-6 : 1e-9);
   if (image_) {
-    const double bare = 1.0 - image_->darkness(p, footprint) + gloss_;
-    const double under = areas_.over(bare, false, band, p, footprint);
+    const double darkness = image_->darkness(p, footprint);
+    if (areas_.empty() && gloss_ == 0.0) return darkness;
+    const double under = areas_.over(1.0 - darkness + gloss_, false, band, p, footprint);
     return 1.0 - areas_.over(under, true, band, p, footprint);
   }
+  const auto painted_share = [&] {
+    const double line = line_share(p, probe);
+    return marks_.empty() ? line : std::max(line, marks_.coverage(p, footprint));
+  };
+  if (is_uniform_) return light_line_ ? 1.0 - painted_share() : painted_share();
   const double line = light_line_ ? 1.0 : 0.0;
   double back = areas_.over(1.0 - line + gloss_, false, band, p, footprint);
   if (lines_.empty())
-    back += painted_share(p, footprint_m) * (line + gloss_ - back);
+    back += painted_share() * (line + gloss_ - back);
   else
-    back = lines_.over(back, band, p, footprint, marks_);
+    back = lines_.over(back, band, p, footprint, touched_stripes(p, footprint), stripes_.all(), marks_);
   return 1.0 - areas_.over(back, true, band, p, footprint);
 }
 
@@ -179,124 +117,106 @@ double Floor::patch_brightness(Vec2 p) const {
   return std::max(1.0 + variation_ * (35.0 / 26.0) * (south * (1.0 - north) + above * north), 0.0);
 }
 
-double Floor::square_in(int column, int row, Vec2 p, bool painted_only) const {
-  double best = std::numeric_limits<double>::infinity();
-  if (stripes_) {
-    for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row})) {
-      const map::Stripe& stripe = stripes_->all()[i];
-      if (painted_only && !stripe.painted) continue;
-      const double away = map::distance(stripe, p);
-      best = std::min(best, away * away);
-    }
-    return best;
-  }
-  const Kind& kind = kinds_[cells_[index(column, row)]];
-  if (!(painted_only ? kind.is_painted : kind.is_line)) return best;
-  const Arms& arms = painted_only ? kind.painted : kind.line;
-  return arms.square(p.x - (column + 0.5) * cell_, p.y - (row + 0.5) * cell_);
-}
-
 // Searches ring by ring about the point's cell. Anything outside ring k is at least k cells away.
 double Floor::search(Vec2 p, bool painted_only) const {
   const auto cell_of = [this](double x, double most) {
     return static_cast<int>(
         std::floor(std::min(std::max(x * per_cell_, -kFarCells - 1.0), most + kFarCells)));
   };
-  const int column = cell_of(p.x, columns_), row = cell_of(p.y, rows_);
-  double best = std::numeric_limits<double>::infinity();
+  const int column = cell_of(p.x, width_), row = cell_of(p.y, height_);
+  const double beyond = 0.5 * cell_ - std::min(half_line_, 0.45 * cell_);
+  double best = kNoReach;
   for (int ring = 0; ring <= kFarCells; ++ring) {
     for (int r = std::max(row - ring, 0); r <= std::min(row + ring, height_ - 1); ++r) {
       const bool whole = r == row - ring || r == row + ring;
       for (int c = column - ring; c <= column + ring; c += whole || ring == 0 ? 1 : 2 * ring) {
-        if (c >= 0 && c < width_) best = std::min(best, square_in(c, r, p, painted_only));
+        for (const std::uint32_t i : stripes_of(c, r)) {
+          const map::Stripe& stripe = stripes_.all()[i];
+          if (!stripe.painted && painted_only) continue;
+          best = std::min(best, painted_only && is_square(map_) ? square_distance(stripe, p, cell_, beyond)
+                                                                : map::distance(stripe, p));
+        }
       }
     }
-    const double sure = ring > 0 ? ring * cell_ : stripes_ ? stripes_reach_ : 0.5 * cell_;
-    if (best <= sure * sure) break;
+    if (best <= (ring > 0 ? ring * cell_ : stripes_reach_)) break;
   }
-  return std::isfinite(best) ? std::sqrt(best) : far_m();
-}
-
-double Floor::coverage_round(Vec2 p, double footprint) const {
-  int column, row;
-  double x, y;
-  if (!locate(p, column, row, x, y)) return 0.0;
-  const auto near = stripes_->near({column, height_ - 1 - row});
-  if (near.empty()) return 0.0;
-  const double reach = half_line_ + 0.5 * footprint;
-  double nearest = reach;
-  for (const std::uint32_t i : near) {
-    const map::Stripe& stripe = stripes_->all()[i];
-    if (stripe.painted) nearest = std::min(nearest, map::distance(stripe, p));
-  }
-  return ramp(nearest, reach, footprint);
+  return best < kNoReach ? best : far_m();
 }
 
 // Finds the nearest stripe. The result is valid in the point's cell. If `reach` is smaller than
 // stripes_reach_, the result is also valid in a margin of stripes_reach_ - reach around the cell. Stripes
 // that the cell does not list are at least stripes_reach_ away from the cell. They are therefore at least
 // `reach` away from the margin. A cell at the map's edge has no margin.
-double Floor::seek(Vec2 p, bool painted_only, double reach, NearStripe& found) const {
+double Floor::seek(Vec2 p, bool painted_only, double reach, const FloorProbe& probe) const {
   constexpr double kRounding = 1e-9;  // m
-  found = {};
   int column, row;
-  double x, y;
-  if (!locate(p, column, row, x, y)) return stripes_reach_;
+  if (!locate(p, column, row)) {
+    probe.forget();
+    return stripes_reach_;
+  }
   const bool is_at_edge = column == 0 || row == 0 || column == width_ - 1 || row == height_ - 1;
   const double beyond = reach < stripes_reach_ && !is_at_edge ? std::min(stripes_reach_ - reach, cell_) : 0.0;
   const Vec2 centre = {(column + 0.5) * cell_, (row + 0.5) * cell_};
   const double way = 0.5 * cell_ + beyond - kRounding;
-  return found.seek({stripes_->all(),
-                     stripes_->near({column, height_ - 1 - row}),
+  return probe.seek({stripes_.all(),
+                     stripes_of(column, row),
                      {centre - Vec2{way, way}, centre + Vec2{way, way}},
                      painted_only,
                      reach},
                     p);
 }
 
-double Floor::sought_coverage(Vec2 p, double footprint_m, NearStripe& found) const {
-  const double footprint = std::max(footprint_m, 1e-9), reach = half_line_ + 0.5 * footprint;
-  if (reach > stripes_reach_) return drawn_coverage(p, footprint_m);
-  return ramp(std::min(reach, seek(p, true, reach, found)), reach, footprint);
-}
-
-double Floor::sought_distance(Vec2 p, NearStripe& found) const {
-  if (!stripes_) return distance_to_line(p);
-  const double nearest = seek(p, false, std::numeric_limits<double>::infinity(), found);
-  return nearest < stripes_reach_ ? std::sqrt(nearest * nearest) : search(p, false);
-}
-
-double Floor::on_wide_line(Vec2 p, double footprint) const {
-  double most = 0.0;
-  const auto look = [&](const map::Stripe& stripe) {
-    if (!stripe.painted) return;
-    const double width = widths_[stripe.paint];
-    most = std::max(most, std::min((0.5 * (width + footprint) - map::distance(stripe, p)) / footprint,
-                                   std::min(1.0, width / footprint)));
-  };
+double Floor::sought_line_share(Vec2 p, const FloorProbe& probe) const {
+  const double footprint = probe.footprint(), reach = half_line_ + 0.5 * footprint;
+  if (map_.raster) return raster_share(p, footprint);
   int column, row;
-  double x, y;
-  if (footprint > kUsualFootprint) {
-    for (const map::Stripe& stripe : stripes_->all()) look(stripe);
-  } else if (locate(p, column, row, x, y)) {
-    for (const std::uint32_t i : stripes_->near({column, height_ - 1 - row})) look(stripes_->all()[i]);
+  if (is_square(map_) && reach <= stripes_reach_ && locate(p, column, row)) {
+    const auto near = stripes_of(column, row);
+    const bool is_gap = map_.at({column, height_ - 1 - row}) == map::Cell::gap;
+    if (std::any_of(near.begin(), near.end(), [&](std::uint32_t i) { return !stripes_.all()[i].painted; }))
+      return ramp(is_gap ? search(p, true) : std::min(reach, search(p, true)), reach, footprint);
+  }
+  return ramp(reach > stripes_reach_ ? search(p, true) : std::min(reach, seek(p, true, reach, probe)), reach,
+              footprint);
+}
+
+// Returns the numbers of all stripes, of any width, that a footprint at p may touch.
+std::span<const std::uint32_t> Floor::touched_stripes(Vec2 p, double footprint) const {
+  int column, row;
+  if (0.5 * (widest_ + footprint) > stripes_reach_) return all_stripes_;
+  return locate(p, column, row) ? stripes_of(column, row) : std::span<const std::uint32_t>();
+}
+
+double Floor::wide_line_share(Vec2 p, double footprint) const {
+  double most = 0.0;
+  for (const std::uint32_t i : touched_stripes(p, footprint)) {
+    const map::Stripe& stripe = stripes_.all()[i];
+    const double width = widths_[stripe.paint];
+    if (stripe.painted)
+      most = std::max(most, std::min((0.5 * (width + footprint) - map::distance(stripe, p)) / footprint,
+                                     std::min(1.0, width / footprint)));
   }
   return most;
 }
 
-double Floor::coverage_raster(Vec2 p, double footprint) const {
+double Floor::raster_share(Vec2 p, double footprint) const {
+  const auto is_dark = [this](int column, int row) {
+    const map::Cell cell = map_.at({column, height_ - 1 - row});
+    return cell == map::Cell::line || cell == map::Cell::obstacle;
+  };
   const double wide = footprint * per_cell_;
   const double u = p.x * per_cell_ - 0.5 * wide + 1.0, v = p.y * per_cell_ - 0.5 * wide + 1.0;
   if (wide <= 1.0) {
-    if (!(u >= 0.0 && v >= 0.0 && u < columns_ + 1.0 && v < rows_ + 1.0)) return 0.0;
+    if (!(u >= 0.0 && v >= 0.0 && u < width_ + 1.0 && v < height_ + 1.0)) return 0.0;
     const int column = static_cast<int>(u), row = static_cast<int>(v);
-    const unsigned quad = quads_[static_cast<std::size_t>(row) * (static_cast<std::size_t>(width_) + 1) +
-                                 static_cast<std::size_t>(column)];
-    if (quad == 0 || quad == 15) return quad ? 1.0 : 0.0;
+    const bool south_west = is_dark(column - 1, row - 1), south_east = is_dark(column, row - 1);
+    const bool north_west = is_dark(column - 1, row), north_east = is_dark(column, row);
+    if (south_west == south_east && north_west == north_east && south_west == north_west)
+      return south_west ? 1.0 : 0.0;
     const double east = std::max(u - column + wide - 1.0, 0.0) / wide, west = 1.0 - east;
     const double north = std::max(v - row + wide - 1.0, 0.0) / wide, south = 1.0 - north;
-    return south * ((quad & 1 ? west : 0.0) + (quad & 2 ? east : 0.0)) +
-           north * ((quad & 4 ? west : 0.0) + (quad & 8 ? east : 0.0));
+    return south * ((south_west ? west : 0.0) + (south_east ? east : 0.0)) +
+           north * ((north_west ? west : 0.0) + (north_east ? east : 0.0));
   }
   // The footprint is wider than a cell: sums its overlaps with all cells. The map begins at u = v = 1.
   const auto first = [](double low) { return static_cast<int>(std::max(std::floor(low) - 1.0, 0.0)); };
@@ -307,9 +227,9 @@ double Floor::coverage_raster(Vec2 p, double footprint) const {
     return std::max(std::min(low + wide, cell + 2.0) - std::max(low, cell + 1.0), 0.0);
   };
   double dark = 0.0;
-  for (int row = first(v); row < last(v + wide, rows_); ++row) {
-    for (int column = first(u); column < last(u + wide, columns_); ++column) {
-      if (is_painted(map_->at({column, height_ - 1 - row}))) dark += overlap(u, column) * overlap(v, row);
+  for (int row = first(v); row < last(v + wide, height_); ++row) {
+    for (int column = first(u); column < last(u + wide, width_); ++column) {
+      if (is_dark(column, row)) dark += overlap(u, column) * overlap(v, row);
     }
   }
   return dark / (wide * wide);

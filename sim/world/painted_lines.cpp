@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 namespace robosim::world {
 namespace {
@@ -14,63 +13,38 @@ static_assert(map::Paint::kMost + 1 < 64);  // paints are bits of a word
 
 }  // namespace
 
-PaintedLines::PaintedLines(const map::Map& map, const PaintedMarks& marks)
-    : columns_(map.width), rows_(map.height), per_cell_(1.0 / map.cell_m), last_row_(map.height - 1) {
+PaintedLines::PaintedLines(const map::Map& map) {
   if ((map.course.paints.empty() && map.worn == 0.0) || map.image || map.raster) return;
   for (const map::Paint& paint : map::paints_of(map)) {
-    reach_ = std::max(reach_, 0.5 * (paint.width + kLookedUpFootprint));
     Paint& own = paints_.emplace_back(Paint{paint.width, paint.worn, {}});
     for (const Band band : {Band::infrared, Band::red, Band::green, Band::blue})
       own.back[static_cast<std::size_t>(band)] = sent_back(*paint.colour, band) + paint.gloss;
   }
-  stripes_ = std::make_unique<map::Stripes>(map, reach_);
-  const std::vector<map::Stripe> lines_and_marks = marks.after(stripes_->all());
-  index_ = map::StripeIndex(map, lines_and_marks, std::max(reach_, marks.reach()));
-  all_.resize(lines_and_marks.size());
-  std::iota(all_.begin(), all_.end(), 0u);
 }
 
-double PaintedLines::over_these(std::span<const std::uint32_t> near, double below, Band band, Vec2 p,
-                                double footprint, const PaintedMarks& marks) const {
-  // For each paint in `met`: the distance to the nearest stripe, later replaced by the covered share.
-  std::array<double, map::Paint::kMost + 1> shares;
+double PaintedLines::over(double below, Band band, Vec2 p, double footprint,
+                          std::span<const std::uint32_t> near, std::span<const map::Stripe> lines,
+                          const PaintedMarks& marks) const {
+  std::array<double, map::Paint::kMost + 1> shares;  // of each paint in `met`
   std::uint64_t met = 0;
-  const std::span<const map::Stripe> lines = stripes_->all();
-  auto at = near.begin();
-  for (; at != near.end() && *at < lines.size(); ++at) {
-    const map::Stripe& stripe = lines[*at];
-    if (!stripe.painted) continue;
-    const double away = map::distance(stripe, p);
-    if (away >= 0.5 * (paints_[stripe.paint].width + footprint)) continue;
-    const std::uint64_t bit = std::uint64_t{1} << stripe.paint;
-    shares[stripe.paint] = met & bit ? std::min(shares[stripe.paint], away) : away;
-    met |= bit;
-  }
-  const auto each_met = [&](auto visit) {
-    for (std::uint64_t rest = met; rest; rest &= rest - 1)
-      visit(static_cast<std::size_t>(std::countr_zero(rest)));
-  };
-  const auto share_of_line = [&](std::size_t i) {
-    const double width = paints_[i].width;
-    return std::min((0.5 * (width + footprint) - shares[i]) / footprint, std::min(1.0, width / footprint));
-  };
-  const auto lay = [&](std::size_t i, double share) {
+  const auto meet = [&](std::size_t paint, double share) {
     if (share <= 0.0) return;
-    const Paint& paint = paints_[i];
-    const double there = paint.worn > 0.0 ? share * left(p, paint.worn) : share;
-    below += there * (paint.back[static_cast<std::size_t>(band)] - below);
+    const std::uint64_t bit = std::uint64_t{1} << paint;
+    shares[paint] = met & bit ? std::max(shares[paint], share) : share;
+    met |= bit;
   };
-  if (at == near.end()) {
-    each_met([&](std::size_t i) { lay(i, share_of_line(i)); });
-  } else {
-    each_met([&](std::size_t i) { shares[i] = share_of_line(i); });
-    for (; at != near.end(); ++at) {
-      const std::size_t mark = *at - lines.size(), paint = marks.paint(mark);
-      const std::uint64_t bit = std::uint64_t{1} << paint;
-      shares[paint] = std::max(met & bit ? shares[paint] : 0.0, marks.share(mark, p, footprint));
-      met |= bit;
-    }
-    each_met([&](std::size_t i) { lay(i, shares[i]); });
+  for (const std::uint32_t i : near) {
+    const double width = paints_[lines[i].paint].width;
+    if (lines[i].painted)
+      meet(lines[i].paint, std::min((0.5 * (width + footprint) - map::distance(lines[i], p)) / footprint,
+                                    std::min(1.0, width / footprint)));
+  }
+  marks.visit_near(p, footprint, [&](std::size_t i) { meet(marks.paint(i), marks.share(i, p, footprint)); });
+  for (std::uint64_t rest = met; rest; rest &= rest - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+    const Paint& paint = paints_[i];
+    const double there = paint.worn > 0.0 ? shares[i] * left(p, paint.worn) : shares[i];
+    below += there * (paint.back[static_cast<std::size_t>(band)] - below);
   }
   return below;
 }

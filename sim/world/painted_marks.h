@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
+#include <cstdint>
 #include <vector>
 
 #include "sim/map/map.h"
-#include "sim/map/stripes.h"
 #include "sim/world/visibility_grid.h"
 
 namespace robosim::world {
@@ -25,13 +24,15 @@ class PaintedMarks {
     return within(own.x, marks_[mark].half_length, footprint) *
            within(own.y, marks_[mark].half_width, footprint);
   }
-  /// Returns `lines` followed by the marks' middle lines, for a common index.
-  std::vector<map::Stripe> after(std::span<const map::Stripe> lines) const;
-  /// Returns the greatest distance, m, from a mark's middle line at which a footprint can reach the mark.
-  double reach() const { return reach_; }
-  /// Returns whether a square of side `footprint` about p may reach a mark.
-  bool any_near(Vec2 p, double footprint) const {
-    return footprint > kLookedUpFootprint ? !marks_.empty() : !near_.at(p).empty();
+  /// Calls visit(mark) for all marks that a square of side `footprint` about p may reach; for none outside of
+  /// the map.
+  template <typename Visit>
+  void visit_near(Vec2 p, double footprint, Visit visit) const {
+    if (!(p.x >= 0.0 && p.y >= 0.0 && p.x < wide_ && p.y < high_)) return;
+    if (footprint > kLookedUpFootprint)
+      for (std::size_t i = 0; i < marks_.size(); ++i) visit(i);
+    else
+      for (const std::uint32_t i : near_.at(p)) visit(i);
   }
   /// Returns the largest share() of any mark.
   double coverage(Vec2 p, double footprint) const;
@@ -46,8 +47,6 @@ class PaintedMarks {
 
   const double wide_, high_;  // m; the floor's size
   std::vector<map::Mark> marks_;
-  std::vector<double> reaches_;  // m, from a mark's middle to its corners
-  double reach_ = 0.0;
   VisibilityGrid near_;
 };
 

@@ -39,7 +39,7 @@ void World::restore(const State& saved) {
   walls_.restore(saved.walls);
   ground_.restore(saved.ground);
   radio_.restore(saved.radio);
-  floor_.restore(saved.patches);
+  floor_.patches().restore(saved.patches);
   lighting_.restore(saved.lights);
 }
 

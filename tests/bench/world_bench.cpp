@@ -40,7 +40,7 @@ void drive_and_read(benchmark::State& state, double corner_m, int read_every) {
       tick = 0;
       for (int i = 0; i < kSensors; ++i) {
         const Vec2 at = body.pose_after(0.000112 * i).to_world({0.06, (i - 2) * 0.0095});
-        benchmark::DoNotOptimize(world.floor().coverage(at, 0.003));
+        benchmark::DoNotOptimize(world.floor().on_line(at, 0.003));
       }
     }
     body.command(world::left, {0.45, 0.55});
@@ -77,7 +77,7 @@ void coverage(benchmark::State& state, double corner_m, bool raster) {
   const world::Floor floor(map);
   const std::vector<Vec2> at = points();
   std::size_t i = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(floor.coverage(at[i++ & 4095], 0.003));
+  for (auto _ : state) benchmark::DoNotOptimize(floor.on_line(at[i++ & 4095], 0.003));
 }
 
 void floor_coverage_square(benchmark::State& state) { coverage(state, 0.0, false); }

@@ -46,13 +46,17 @@ ROBOSIM_LANES_FUNCTION void find_places(const SensorPoses& pose, const SensorBlo
   }
 }
 
-// Computes the results of Sensor::blackness() and AnalogSensor::output().
+// Computes the results of AnalogSensor::output().
 ROBOSIM_LANES_FUNCTION void find_volts(const SensorBlock& sensor, const Lanes& dark, const Lanes& brightness,
                                        const Lanes& gauss, Lanes& volts) {
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const double white = 1.0 - dark[i];
-    double blackness = 1.0 - sensor.light[i] * white * brightness[i] + sensor.shift[i];
-    blackness += sensor.noise[i] * (sensor.dark_noise[i] + sensor.beside_dark_noise[i] * white) * gauss[i];
+    const double blackness = robot::blackness({.light = sensor.light[i],
+                                               .white = 1.0 - dark[i],
+                                               .brightness = brightness[i],
+                                               .shift = sensor.shift[i],
+                                               .noise = sensor.noise[i],
+                                               .dark_noise = sensor.dark_noise[i],
+                                               .gauss = gauss[i]});
     const double v = (sensor.white[i] + sensor.span[i] * blackness) * sensor.share[i];
     const double least = v < 0.0 ? 0.0 : v;
     volts[i] = v > sensor.supply[i] ? sensor.supply[i] : least;
@@ -130,12 +134,11 @@ void Robots::add_sensors(const robot::Description& robot, std::uint64_t seed, Pr
     lags_[i] = lags_[i] || lag != 0.0;
     block.at_x[lane] = element->at.x;
     block.at_y[lane] = element->at.y;
-    block.footprint[lane] = figures.footprint;
+    block.probe[lane] = figures.footprint;
     block.light[lane] = figures.light * supply.led;
     block.shift[lane] = figures.shift;
     block.noise[lane] = figures.noise;
     block.dark_noise[lane] = figures.dark_noise;
-    block.beside_dark_noise[lane] = 1.0 - figures.dark_noise;
     block.white[lane] = sampler.draw(element->white, element->name, "white_volts");
     block.span[lane] = sampler.draw(element->black, element->name, "black_volts") - block.white[lane];
     block.supply[lane] = supply.volts;
@@ -179,8 +182,7 @@ void Robots::read(std::size_t number, SimTime t, std::span<double> volts) {
     Lanes brightness = Lanes::all(1.0);
     find_places(poses_[b], sensor, x, y);
     for (std::size_t i = 0; i < kLanes; ++i) gauss[i] = sensor.stream[i].gauss(sensor.samples);
-    for (std::size_t i = 0; i < count; ++i)
-      dark[i] = floor_.darkness({x[i], y[i]}, sensor.footprint[i], sensor.near[i]);
+    for (std::size_t i = 0; i < count; ++i) dark[i] = floor_.darkness({x[i], y[i]}, sensor.probe[i]);
     if (floor_.varies())
       for (std::size_t i = 0; i < count; ++i) brightness[i] = floor_.brightness({x[i], y[i]});
     find_volts(sensor, dark, brightness, gauss, out);

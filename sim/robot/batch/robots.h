@@ -31,18 +31,18 @@
 #include "sim/base/profile.h"
 #include "sim/robot/description.h"
 #include "sim/world/batch/bodies.h"
-#include "sim/world/near_stripe.h"
+#include "sim/world/floor_probe.h"
 
 namespace robosim::batch {
 
 /// One sensor of each robot of a block. For the values, see robot::ElementFigures and robot::AnalogInputs.
 struct SensorBlock {
-  Lanes at_x, at_y, footprint;  // m
-  Lanes light, shift, noise, dark_noise, beside_dark_noise;
+  Lanes at_x, at_y;  // m
+  Lanes light, shift, noise, dark_noise;
   Lanes white, span, supply, adc_noise;  // V
   Lanes share;                           // of the nominal supply
   Lanes lag;                             // ns
-  world::NearStripe near[kLanes];        // near each robot's footprint
+  world::FloorProbe probe[kLanes];
   NoiseStream stream[kLanes], adc[kLanes];
   std::uint64_t pin[kLanes] = {};
   std::uint64_t samples = 0;

@@ -261,52 +261,40 @@ Sensor::Sensor(const ReflectanceSpec& spec, const ReflectanceSpec::Element& elem
       widens_(spec.footprint.value == 0.0),
       healthy_{figures.light, figures.shift, figures.noise, figures.dark_noise},
       stream_(figures.stream),
-      state_{.at = home_, .now = healthy_} {
+      state_{.at = home_, .now = healthy_, .probe = footprint_} {
   context.snapshots.add(state_);
 }
 
-ROBOSIM_ALSO_FOR("avx") double Sensor::blackness(SimTime t) {
-  const Pose pose = context_.view.pose_at(t - lag_);
+inline BlacknessTerms Sensor::terms(const Pose& pose, double emitted, SimTime t) const {
+  const world::Floor& floor = *context_.view.floor;
+  const world::Lighting& lighting = context_.view.world->lighting();
   const Optics optics = this->optics(pose);
-  const double c = dark() ? 1.0 : darkness_at(pose.to_world(state_.at), optics.footprint);
-  const double white = 1.0 - c;
-  double b = 1.0 -
-             optics.light * context_.view.supply.led * emitter_.brightness(t) * white * brightness(pose) +
-             state_.now.shift;
-  if (context_.view.world->lighting().is_lit()) b -= room_light(pose, t);
-  if (state_.now.noise > 0.0)
-    b += state_.now.noise * (state_.now.dark_noise + (1.0 - state_.now.dark_noise) * white) *
-         stream_.gauss(state_.samples++);
-  return b;
+  const Vec2 at = pose.to_world(state_.at);
+  const double darkness = dark() ? 1.0
+                          : optics.footprint == state_.probe.footprint()
+                              ? floor.darkness(at, state_.probe)
+                              : floor.darkness(at, optics.footprint);
+  return {.light = optics.light * context_.view.supply.led * emitted,
+          .white = 1.0 - darkness,
+          .brightness = floor.brightness(at),
+          .shift = state_.now.shift,
+          .room_light = lighting.is_lit() && !state_.covered ? optics.exposure * lighting.at(at, t) : 0.0};
 }
 
-double Sensor::room_light(const Pose& pose, SimTime t) const {
-  return state_.covered
-             ? 0.0
-             : optics(pose).exposure * context_.view.world->lighting().at(pose.to_world(state_.at), t);
+ROBOSIM_ALSO_FOR("avx") double Sensor::blackness(SimTime t) {
+  BlacknessTerms terms = this->terms(context_.view.pose_at(t - lag_), emitter_.brightness(t), t);
+  if (state_.now.noise > 0.0) {
+    terms.noise = state_.now.noise;
+    terms.dark_noise = state_.now.dark_noise;
+    terms.gauss = stream_.gauss(state_.samples++);
+  }
+  return robot::blackness(terms);
 }
 
 double Sensor::shown() const {
-  if (stuck()) return clamp01(stuck_blackness());
-  const Vec2 at = context_.view.body->pose().to_world(state_.at);
-  const world::Floor& floor = *context_.view.floor;
-  const bool is_plain = !hilly_ && !dark() && !floor.varies() && !context_.view.world->lighting().is_lit();
-  if (is_plain && knows_line(at))
-    return clamp01(shown_of(state_.now.light, 1.0 - floor.darkness_of(state_.coverage)));
-  return shown_elsewhere();
-}
-
-double Sensor::shown_elsewhere() const {
-  const Pose& pose = context_.view.body->pose();
-  const Vec2 at = pose.to_world(state_.at);
-  const Optics optics = this->optics(pose);
-  const world::Floor& floor = *context_.view.floor;
-  const double darkness = dark()                      ? 1.0
-                          : !hilly_ && knows_line(at) ? floor.darkness_of(state_.coverage)
-                                                      : floor.darkness(at, optics.footprint);
-  const double shown = shown_of(optics.light, (1.0 - darkness) * floor.brightness(at));
-  return clamp01(context_.view.world->lighting().is_lit() ? shown - room_light(pose, context_.view.tick_start)
-                                                          : shown);
+  return clamp01(stuck() ? stuck_blackness()
+                         : robot::blackness(terms(context_.view.body->pose(), emitter_.brightness(),
+                                                  context_.view.tick_start)));
 }
 
 Sensor::Optics Sensor::optics_on_hills(const Pose& pose) const {

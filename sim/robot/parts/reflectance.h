@@ -32,8 +32,6 @@
 // A reading is computed only when firmware reads the sensor or listens for the sensor's edges.
 #pragma once
 
-#include <limits>
-
 #include "sim/base/noise.h"
 #include "sim/robot/part.h"
 #include "sim/robot/part_context.h"
@@ -43,6 +41,24 @@ namespace robosim::robot {
 
 std::shared_ptr<const PartSpec> read_reflectance(PartReader&);
 std::shared_ptr<const PartSpec> read_reflectance_array(PartReader&);
+
+/// The quantities in the formula for the blackness (see above).
+struct BlacknessTerms {
+  double light;             ///< e s: the emitter's brightness, times the share of light at this height, 0..1
+  double white;             ///< 1 - c: the share of the footprint that reflects light
+  double brightness = 1.0;  ///< v, relative to the floor's mean
+  double shift = 0.0;       ///< -ambient
+  double room_light = 0.0;  ///< x L
+  double noise = 0.0;       ///< standard deviation of the blackness over white
+  double dark_noise = 1.0;  ///< share of the noise that remains over black, 0..1
+  double gauss = 0.0;       ///< g
+};
+
+/// Returns the blackness: 0 for white, 1 for black; beyond both with noise or stray light.
+inline double blackness(const BlacknessTerms& q) {
+  const double n = q.dark_noise + (1.0 - q.dark_noise) * q.white;
+  return 1.0 - q.light * q.white * q.brightness + q.shift - q.room_light + q.noise * n * q.gauss;
+}
 
 /// Returns the light that a sensor at `height` (m) receives from a white floor, as a fraction of the maximum.
 /// From typical@2 on, the curve is that of a TCRT5000.
@@ -130,18 +146,9 @@ class Sensor : public Breakable {
   Vec2 at() const { return state_.at; }
   void cover(bool covered) { state_.covered = covered; }
   /// Returns the share of the footprint on the line at the start of the tick.
-  double coverage() {
-    if (context_.view.body->lifted()) return 0.0;
-    const Vec2 p = context_.view.body->pose().to_world(state_.at);
-    if (is_new(p, state_.line_sought))
-      state_.coverage = context_.view.floor->on_line(p, footprint_, state_.near);
-    return state_.coverage;
-  }
-  /// Returns the dark share of the footprint.
-  double darkness() const {
-    if (dark()) return 1.0;
-    const Pose& pose = context_.view.body->pose();
-    return context_.view.floor->darkness(pose.to_world(state_.at), optics(pose).footprint);
+  double coverage() const {
+    const world::Body& body = *context_.view.body;
+    return body.lifted() ? 0.0 : context_.view.floor->on_line(body.pose().to_world(state_.at), state_.probe);
   }
   /// Returns the value for display: 0 white .. 1 black.
   double shown() const;
@@ -167,41 +174,8 @@ class Sensor : public Breakable {
          const Emitter&);
   /// Returns whether no light returns: a finger covers the sensor, or the robot is held up in the air.
   bool dark() const { return state_.covered || context_.view.body->lifted(); }
-  double brightness(const Pose& pose) const {
-    return context_.view.floor->brightness(pose.to_world(state_.at));
-  }
-  /// Returns the darkness of the floor at `p`. Computes the darkness only once while the robot stands still.
-  double darkness_at(Vec2 p, double footprint) {
-    if (!is_new(p, state_.looked_at)) return state_.darkness;
-    const world::Floor& floor = *context_.view.floor;
-    return state_.darkness =
-               hilly_ ? floor.darkness(p, footprint) : floor.darkness(p, footprint, state_.near);
-  }
-  /// The key of a cached value: its place on the floor, and the number of floor changes when it was computed.
-  struct FloorCacheKey {
-    Vec2 at = {std::numeric_limits<double>::quiet_NaN(), 0.0};
-    int changes = 0;
-  };
-  bool is_as_before(Vec2 p, const FloorCacheKey& last) const {
-    return p.x == last.at.x && p.y == last.at.y && context_.view.floor->patches().changes() == last.changes;
-  }
-  bool is_new(Vec2 p, FloorCacheKey& last) const {
-    if (is_as_before(p, last)) return false;
-    last = {p, context_.view.floor->patches().changes()};
-    return true;
-  }
-  /// Returns whether only lines are dark on this floor, and the coverage at `p` is cached. This is true for
-  /// most samples.
-  bool knows_line(Vec2 p) const {
-    return context_.view.floor->has_lines_only() && is_as_before(p, state_.line_sought);
-  }
-  /// Returns the value for display. `white` is the share of the footprint that reflects light, times the
-  /// floor's brightness.
-  double shown_of(double light, double white) const {
-    return 1.0 - light * context_.view.supply.led * emitter_.brightness() * white + state_.now.shift;
-  }
-  /// Computes the result of shown() in the general case. shown() itself has a faster path for the usual case.
-  double shown_elsewhere() const;
+  /// Returns the terms of the blackness without noise. `emitted` is the emitter's brightness.
+  BlacknessTerms terms(const Pose&, double emitted, SimTime) const;
   /// The effects of the sensor's height: the mounting height or, on hills, the local height.
   struct Optics {
     double light, footprint, exposure;
@@ -210,8 +184,6 @@ class Sensor : public Breakable {
     return hilly_ ? optics_on_hills(pose) : Optics{state_.now.light, footprint_, exposure_};
   }
   Optics optics_on_hills(const Pose&) const;
-  /// Returns the amount that room light subtracts from the blackness.
-  double room_light(const Pose&, SimTime) const;
   void swap_with(Sensor*);
 
   struct Figures {
@@ -224,11 +196,7 @@ class Sensor : public Breakable {
     double stuck = -1.0;
     std::uint64_t samples = 0;
     bool covered = false;
-    FloorCacheKey looked_at;  ///< key of `darkness`
-    double darkness = 0.0;
-    FloorCacheKey line_sought;  ///< key of `coverage`
-    double coverage = 0.0;
-    world::NearStripe near;  ///< cache for the footprint, on a plane floor
+    world::FloorProbe probe;
   };
 
   const std::string& name_;

@@ -32,6 +32,7 @@ std::unique_ptr<Part> Tcs34725Spec::make(PartContext& context) const {
 
 Tcs34725Part::Tcs34725Part(const Tcs34725Spec& spec, PartContext& context)
     : RegisterDevice(spec.address, state_.cursor), spec_(spec), context_(context) {
+  state_.probe = spec.footprint;
   state_.registers[kAtime] = 0xFF;
   state_.registers[kId] = kTcsIdentity;
   context.snapshots.add(state_);
@@ -69,7 +70,7 @@ void Tcs34725Part::measure(SimTime t) {
   const double gain = kGains[state_.registers[kControl] & 3];
   std::array<double, 4> share{};  // clear, red, green, blue
   for (std::size_t i = 1; i < share.size(); ++i) {
-    const double dark = context_.view.floor->darkness(place, spec_.footprint, kBands[i - 1]);
+    const double dark = context_.view.floor->darkness(place, state_.probe, kBands[i - 1]);
     share[i] = kOfColour[i - 1] * kOfWhite * (1.0 - dark * (1.0 - kOfLine));
     share[0] += share[i];
   }

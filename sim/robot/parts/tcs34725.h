@@ -50,6 +50,7 @@ class Tcs34725Part final : public Part, public RegisterDevice {
     Cursor cursor;
     SimTime ready_at = kNever;
     double clear = 0.0;
+    world::FloorProbe probe;
   };
 
   const Tcs34725Spec& spec_;

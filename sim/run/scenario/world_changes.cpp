@@ -100,7 +100,7 @@ std::vector<std::size_t> WorldChanges::lights_of(const std::string& text) const 
 /// Returns half the width of the strip that an action changes.
 double WorldChanges::half_width(const Action& action) const {
   if (action.verb == door) return kDoorRadius;
-  return 0.5 * world_.floor().line_width() + (action.verb == erase ? kErased_m : 0.0);
+  return 0.5 * map_.line_m + (action.verb == erase ? kErased_m : 0.0);
 }
 
 result::ScriptActed WorldChanges::told(const char* verb, const Action& action) const {

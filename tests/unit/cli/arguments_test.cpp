@@ -98,7 +98,7 @@ TEST(Arguments, OtherCommandsTakeTheirWords) {
   const auto generate = parsed<GenerateArguments>({"map", "generate", "--family", "tree", "--stations", "12",
                                                    "--count", "3", "--seed", "7", "--out", "maps"});
   EXPECT_EQ(generate.family, "tree");
-  EXPECT_EQ(generate.stations, 12);
+  EXPECT_EQ(generate.size, 12);
   EXPECT_EQ(generate.count, 3u);
   EXPECT_EQ(generate.seed, 7u);
   EXPECT_EQ(generate.out, "maps");

@@ -5,10 +5,27 @@
 #include <cmath>
 
 #include "sim/base/error.h"
+#include "sim/robot/parts/reflectance.h"
 #include "tests/unit/robot/bench_robot.h"
 
 namespace robosim::robot {
 namespace reflectance_test {
+
+TEST(Blackness, IsOneMinusTheLightThatReturns) {
+  EXPECT_DOUBLE_EQ(blackness({.light = 1.0, .white = 1.0}), 0.0);
+  EXPECT_DOUBLE_EQ(blackness({.light = 1.0, .white = 0.0}), 1.0);
+  EXPECT_DOUBLE_EQ(blackness({.light = 0.5, .white = 0.8, .brightness = 1.1}), 0.56);
+  EXPECT_DOUBLE_EQ(blackness({.light = 0.5, .white = 0.8, .shift = -0.1, .room_light = 0.3}), 0.2);
+}
+
+TEST(Blackness, HasLessNoiseOverBlack) {
+  EXPECT_DOUBLE_EQ(blackness({.light = 1.0, .white = 1.0, .noise = 0.1, .dark_noise = 0.4, .gauss = 2.0}),
+                   0.2);
+  EXPECT_DOUBLE_EQ(blackness({.light = 1.0, .white = 0.0, .noise = 0.1, .dark_noise = 0.4, .gauss = 2.0}),
+                   1.08);
+  EXPECT_DOUBLE_EQ(blackness({.light = 1.0, .white = 0.5, .noise = 0.1, .dark_noise = 0.4, .gauss = -1.0}),
+                   0.43);
+}
 
 TEST(AnalogReflectance, GoesFromWhiteToBlackOverOneFootprint) {
   BenchRobot bench(reflectance_sensor("white_volts = \"0.5 V\"\nblack_volts = \"4.5 V\"\n"));

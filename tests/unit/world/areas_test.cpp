@@ -32,8 +32,8 @@ area = [
   EXPECT_NEAR(back(0.8, 0.5), 1.25, 1e-12);    // the silver over the line
   EXPECT_NEAR(back(0.8, 0.6), 1.25, 1e-12);
   // Areas do not change the coverage by the line.
-  EXPECT_EQ(floor.coverage({0.8, 0.5}, kSpot), 1.0);
-  EXPECT_EQ(floor.coverage({0.48, 0.53}, kSpot), 0.0);
+  EXPECT_EQ(floor.on_line({0.8, 0.5}, kSpot), 1.0);
+  EXPECT_EQ(floor.on_line({0.48, 0.53}, kSpot), 0.0);
 }
 
 TEST(Areas, HaveAColourForWhoeverTellsColoursApart) {

@@ -55,7 +55,7 @@ TEST(Determinism, TheBitsOfAMixedRunArePinned) {
       bits.add(body->pose().heading.x);
       bits.add(body->wheel_angle(left));
       bits.add(body->energy());
-      bits.add(world.floor().coverage(sensor, 0.003));
+      bits.add(world.floor().on_line(sensor, 0.003));
       bits.add(world.floor().distance_to_line(sensor));
     }
   }

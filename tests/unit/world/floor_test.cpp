@@ -85,7 +85,7 @@ void expect_exact(const map::Map& map, Random& random) {
       // Without a footprint, coverage jumps at the stripe's border.
       if (f == 0.0 && std::fabs(d - map.line_m / 2) < 1e-8) continue;
       const double most = std::min(map.line_m / footprint, 1.0);
-      ASSERT_NEAR(floor.coverage(p, f), std::max(std::min(share, most), 0.0), 1e-9)
+      ASSERT_NEAR(floor.on_line(p, f), std::max(std::min(share, most), 0.0), 1e-9)
           << p.x << ", " << p.y << " f " << f;
     }
   }
@@ -117,7 +117,7 @@ TEST(Floor, WhoRemembersTheNearestStripeFindsTheSame) {
     const Floor floor(map);
     const double footprint = 0.002 + 0.003 * (i % 6), width = map.width * map.cell_m,
                  height = map.height * map.cell_m;
-    NearStripe of_line, of_footprint;
+    const FloorProbe of_line, of_footprint(footprint);
     Vec2 p{0.5 * width, 0.5 * height}, step;
     for (int k = 0; k < 20000; ++k) {
       if (k % 50 == 0) {
@@ -128,9 +128,8 @@ TEST(Floor, WhoRemembersTheNearestStripeFindsTheSame) {
       if (k % 500 == 0 || p.x < -0.1 || p.y < -0.1 || p.x > width + 0.1 || p.y > height + 0.1)
         p = {random() * width, random() * height};
       ASSERT_EQ(floor.distance_to_line(p, of_line), floor.distance_to_line(p)) << p.x << ", " << p.y;
-      ASSERT_EQ(floor.darkness(p, footprint, of_footprint), floor.darkness(p, footprint))
-          << p.x << ", " << p.y;
-      ASSERT_EQ(floor.on_line(p, footprint, of_footprint), floor.on_line(p, footprint));
+      ASSERT_EQ(floor.darkness(p, of_footprint), floor.darkness(p, footprint)) << p.x << ", " << p.y;
+      ASSERT_EQ(floor.on_line(p, of_footprint), floor.on_line(p, footprint));
     }
   }
 }
@@ -138,8 +137,8 @@ TEST(Floor, WhoRemembersTheNearestStripeFindsTheSame) {
 TEST(Floor, AnEmptyFloorIsWhiteAndFarFromAnyLine) {
   const map::Map map = empty_map(30, 30);
   const Floor floor(map);
-  EXPECT_EQ(floor.coverage({1.5, 1.5}, 0.003), 0.0);
-  EXPECT_EQ(floor.coverage({-5.0, 99.0}, 0.003), 0.0);
+  EXPECT_EQ(floor.on_line({1.5, 1.5}, 0.003), 0.0);
+  EXPECT_EQ(floor.on_line({-5.0, 99.0}, 0.003), 0.0);
   EXPECT_GE(floor.distance_to_line({1.5, 1.5}), floor.far_m());
   EXPECT_GE(floor.distance_to_line({-1e9, 1e9}), floor.far_m());
 }
@@ -158,7 +157,7 @@ TEST(Floor, CoverageIsWithin26ThousandthsOfTheShareOfADiscOfThatArea) {
   for (const double f : {0.001, 0.003, 0.006, 0.012}) {
     for (int i = -300; i <= 300; ++i) {
       const double x = i / 300.0 * f;
-      worst = std::max(worst, std::fabs(floor.coverage({0.25, 0.15 + 0.010 - x}, f) -
+      worst = std::max(worst, std::fabs(floor.on_line({0.25, 0.15 + 0.010 - x}, f) -
                                         disc_share(x, f / std::sqrt(3.14159265358979323846))));
     }
   }
@@ -173,7 +172,7 @@ TEST(Floor, AFootprintWiderThanTheLineSeesBothItsEdges) {
     for (int i = -40; i <= 40; ++i) {
       const double x = i * 0.001;
       const double below = std::max(x - f / 2, -map.line_m / 2), above = std::min(x + f / 2, map.line_m / 2);
-      EXPECT_NEAR(floor.coverage({0.25, 0.15 + x}, f), std::max(above - below, 0.0) / f, 1e-9) << f << x;
+      EXPECT_NEAR(floor.on_line({0.25, 0.15 + x}, f), std::max(above - below, 0.0) / f, 1e-9) << f << x;
     }
   }
 }
@@ -223,7 +222,7 @@ TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
           dark += std::max(w, 0.0) * std::max(h, 0.0);
         }
       }
-      ASSERT_NEAR(floor.coverage(p, f), dark / (f * f), 1e-9) << p.x << ", " << p.y << " f " << f;
+      ASSERT_NEAR(floor.on_line(p, f), dark / (f * f), 1e-9) << p.x << ", " << p.y << " f " << f;
     }
   }
 }
@@ -253,7 +252,7 @@ TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
           share +=
               is_marked(Vec2{x, y} + Vec2{(i + 0.5) / 60 - 0.5, (j + 0.5) / 60 - 0.5} * kFootprint) / 3600.0;
       ASSERT_NEAR(floor.darkness({x, y}, kFootprint), share, 0.018) << x << " " << y;
-      EXPECT_EQ(floor.coverage({x, y}, kFootprint), 0.0) << "a mark is no line";
+      EXPECT_EQ(floor.on_line({x, y}, kFootprint), 0.0) << "a mark is no line";
       counted += share > 0.0;
     }
   EXPECT_GT(counted, 100);
@@ -292,7 +291,7 @@ TEST(Marks, AreSeenFromEverywhereBesideLinesOfOneKindOrOfSeveral) {
       const Vec2 own = mark.middle.to_body(p);
       on_mark = std::max(on_mark, share(own.x, mark.half_length, f) * share(own.y, mark.half_width, f));
     }
-    const double line = floor.coverage(p, f);
+    const double line = floor.on_line(p, f);
     ASSERT_EQ(floor.darkness(p, f), std::max(line, on_mark)) << p.x << ", " << p.y << " f " << f;
     if (line == 0.0) {
       ASSERT_NEAR(with_grey.darkness(p, f), on_mark, 1e-12) << p.x << ", " << p.y << " f " << f;
@@ -311,7 +310,7 @@ TEST(Floor, OfALightLineIsDarkBesideIt) {
   const Floor on_light(light), on_dark(dark);
   for (double y = 0.45; y < 0.55; y += 0.001) {
     EXPECT_DOUBLE_EQ(on_light.darkness({0.5, y}, 0.006), 1.0 - on_dark.darkness({0.5, y}, 0.006));
-    EXPECT_EQ(on_light.coverage({0.5, y}, 0.006), on_dark.coverage({0.5, y}, 0.006));
+    EXPECT_EQ(on_light.on_line({0.5, y}, 0.006), on_dark.on_line({0.5, y}, 0.006));
   }
   EXPECT_EQ(on_light.darkness({0.5, 0.5}, 0.006), 0.0);
   EXPECT_EQ(on_light.darkness({0.5, 0.2}, 0.006), 1.0);

@@ -26,7 +26,7 @@ TEST(PictureFloor, SensorsSeeWhatIsDrawnAsTheyWouldSeeItPainted) {
     for (const double footprint : {0.0005, 0.002, 0.008, 0.030}) {
       const Vec2 p{0.1, y};
       EXPECT_NEAR(a.darkness(p, footprint), b.darkness(p, footprint), 1e-9) << y;
-      EXPECT_EQ(a.coverage(p, footprint), b.coverage(p, footprint));
+      EXPECT_EQ(a.on_line(p, footprint), b.on_line(p, footprint));
       EXPECT_EQ(a.distance_to_line(p), b.distance_to_line(p));
     }
 }

@@ -1,4 +1,4 @@
-#include "sim/world/near_stripe.h"
+#include "sim/world/floor_probe.h"
 
 #include <algorithm>
 #include <utility>
@@ -55,12 +55,12 @@ void FloorBox::keep(Vec2 p, double way) {
   high = {std::min(high.x, p.x + way), std::min(high.y, p.y + way)};
 }
 
-double NearStripe::distance_of_two(std::span<const map::Stripe> all, Vec2 p) const {
+double FloorProbe::distance_of_two(std::span<const map::Stripe> all, Vec2 p) const {
   const double first = map::distance(all[first_], p);
   return first_ == second_ ? first : std::min(first, map::distance(all[second_], p));
 }
 
-double NearStripe::seek(const Around& around, Vec2 p) {
+double FloorProbe::seek(const Around& around, Vec2 p) const {
   double nearest = kNoStripe, next = kNoStripe, third = kNoStripe;
   FloorBox clear = around.box;
   bool is_clear = around.reach < kNoStripe;
@@ -101,7 +101,7 @@ double NearStripe::seek(const Around& around, Vec2 p) {
 }
 
 // Selects a simpler formula for the distance to the only stripe that matters in the box.
-void NearStripe::beside(const map::Stripe& stripe, Vec2 p) {
+void FloorProbe::beside(const map::Stripe& stripe, Vec2 p) const {
   at_ = stripe.radius > 0.0 ? stripe.centre : stripe.a;
   radius_ = stripe.radius;
   if (is_level(stripe) && p.x > stripe.a.x && p.x < stripe.b.x) {

@@ -1,13 +1,16 @@
-// Caches the lines near a place, for maps with round corners. Most repeated queries of a floor then cost one
-// subtraction. The cache covers the map's own lines, which do not change.
+// Looks at the floor with one footprint, and caches what it has found. Most repeated questions then cost one
+// subtraction.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "sim/base/vec.h"
 #include "sim/map/stripes.h"
+#include "sim/world/painted_areas.h"
 
 namespace robosim::world {
 
@@ -21,10 +24,15 @@ struct FloorBox {
   void keep(Vec2 p, double way);
 };
 
-/// The stripe nearest to a place, and a box around the place. Inside the box, this stripe stays the nearest.
-class NearStripe {
+/// A footprint, the stripe nearest to it, and a box around the place of the last search. Inside the box, this
+/// stripe stays the nearest. The cache is part of a const probe, because it never changes an answer.
+class FloorProbe {
  public:
-  /// Returns whether the cached result is valid at p. Before the first search, it is not valid anywhere.
+  /// `footprint_m` is the side of a square footprint, or of the square that has the same area as a disc.
+  FloorProbe(double footprint_m = 0.0) : footprint_(std::max(footprint_m, 1e-9)) {}
+  double footprint() const { return footprint_; }
+
+  /// Returns whether the cached stripe is valid at p. Before the first search, it is not valid anywhere.
   bool holds(Vec2 p) const { return box_.holds(p); }
   /// Returns whether the footprint of the search reaches no stripe. Requires holds(p).
   bool is_clear() const { return kind_ == Kind::clear; }
@@ -46,8 +54,19 @@ class NearStripe {
     double reach;  ///< m: stripes that are farther away do not matter
   };
   /// Returns the distance from p, which is in the box, to the nearest stripe, m, or kNoStripe.
-  double seek(const Around&, Vec2 p);
+  double seek(const Around&, Vec2 p) const;
+  /// Clears the box.
+  void forget() const { box_ = {}; }
   static constexpr double kNoStripe = 1e9;
+
+  /// The last darkness of a floor with more than lines, and everything that it depends on.
+  struct Darkness {
+    Vec2 at = {std::numeric_limits<double>::quiet_NaN(), 0.0};
+    Band band = Band::infrared;
+    int changes = 0;  ///< RuntimePaint::changes()
+    double value = 0.0;
+  };
+  Darkness& last_darkness() const { return darkness_; }
 
  private:
   enum class Kind : std::uint8_t {
@@ -58,13 +77,15 @@ class NearStripe {
     two       // the nearer of two stripes, which may be the same
   };
   double distance_of_two(std::span<const map::Stripe> all, Vec2 p) const;
-  void beside(const map::Stripe&, Vec2 p);
+  void beside(const map::Stripe&, Vec2 p) const;
 
-  FloorBox box_;
-  Vec2 at_;              // point on the segment, or the arc's centre
-  double radius_ = 0.0;  // m
-  std::uint32_t first_ = 0, second_ = 0;
-  Kind kind_ = Kind::two;
+  double footprint_;  // m
+  mutable FloorBox box_;
+  mutable Vec2 at_;              // point on the segment, or the arc's centre
+  mutable double radius_ = 0.0;  // m
+  mutable std::uint32_t first_ = 0, second_ = 0;
+  mutable Kind kind_ = Kind::two;
+  mutable Darkness darkness_;
 };
 
 }  // namespace robosim::world
