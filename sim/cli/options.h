@@ -51,8 +51,8 @@ class Options {
 
 // Explanations of options that many commands have.
 constexpr const char* kProfileHelp =
-    "simulate ideal (no noise) or typical hardware (default: typical); typical@1 is the typical hardware of "
-    "versions before 2";
+    "simulate ideal hardware (no noise), or typical hardware as estimated (typical@1, the default) or as "
+    "measured (typical@2)";
 constexpr const char* kEnvironmentHelp =
     "use this environment of platformio.ini, or this profile of sketch.yaml";
 constexpr const char* kUntrustedHelp =

@@ -39,13 +39,13 @@ int number_of(const Paint& paint, const Paint& usual, Course& course, const Plac
   while (i < course.paints.size() && course.paints[i] != paint) ++i;
   if (i == Paint::kMost)
     throw InputError(place, fmt::format("too many kinds of line: expected at most {} that differ from the "
-                                        "map's usual line in width, colour, worn or gloss",
+                                        "map's usual line in the keys width, colour, worn or gloss",
                                         Paint::kMost));
   if (i == course.paints.size()) course.paints.push_back(paint);
   return static_cast<int>(i) + 1;
 }
 
-// Reads the keys of a paint; `paint` has the defaults. For marks, skips `width`, the mark's own width.
+// Reads the keys of a paint; `paint` has the defaults. Skips the key `width` of a mark, which is its size.
 Paint read_paint(TableReader& table, bool of_line, Paint paint) {
   if (of_line) paint.width = table.quantity("width", Dimension::length, paint.width, kLeastWidth, kMostWidth);
   if (const ConfigValue* const colour = table.find("colour")) paint.colour = read_colour(*colour);
@@ -79,7 +79,7 @@ void read_piece(const ConfigValue& value, const Paint& usual, const Paint& of_pa
   const bool is_corner = path.pieces().back().length == 0.0;
   if (paint != of_path && (is_gap || is_corner))
     throw InputError(value.place,
-                     fmt::format("{} is not painted; it cannot have a width, colour, worn or gloss",
+                     fmt::format("{} is not painted: the keys width, colour, worn and gloss are not allowed",
                                  is_gap ? "a gap" : "a corner"));
   path.paint_last(number_of(paint, usual, course, value.place));
   if (path.length() > Path::kMost)
@@ -146,7 +146,7 @@ void read_race(const ConfigValue& value, double line_m, Course& course) {
   race.signal = table.quantity("signal", Dimension::time, 0.0, 1e-3, kLatestSignal);
   table.finish();
   if (signal && !is_drag_race)
-    throw InputError(signal->place, "signal requires braking, the key of a drag race");
+    throw InputError(signal->place, "the key signal requires the key braking, for a drag race");
   if (race.goal == race.start)
     throw InputError(goal.place, "the goal line is the start line: expected two different places");
   if (is_drag_race && (race.goal < race.start || race.goal + race.braking > path.length()))

@@ -64,7 +64,7 @@ TEST(AiNavigatorsMap, IsRightOrMissingWhereverThePowerFailsWhileItIsWritten) {
     const std::string all = without_cr(result->serial);
     const std::string text = all.substr(all.rfind("ready\n"));
     SCOPED_TRACE(text);
-    ASSERT_NE(all.rfind("ready\n"), 0u) << "the sketch starts only once";
+    ASSERT_NE(all.rfind("ready\n"), 0u) << "the sketch has not started again";
     EXPECT_THAT(text, EndsWith("arrived at 2\ndestination?\n"));
     const bool whole_record = cut.write > record || (cut.write == record && cut.byte == "new");
     if (!whole_record) {

@@ -113,7 +113,8 @@ class Timer final : public Peripheral {
   bool inverts(int channel, bool complement) const;
   Pulse pulse_of(int channel) const;
   void trigger(Cycle at);
-  /// Returns whether TRGO rises at an update event: TRGO is the OCxREF of a channel in PWM mode 1.
+  /// Returns whether TRGO rises at an update event. This is so if TRGO is the OCxREF of a channel in PWM
+  /// mode 1.
   bool rises_at_update() const;
   void edge_of_input(int input, bool level, Cycle at);
 

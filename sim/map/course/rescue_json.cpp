@@ -106,7 +106,8 @@ class RescueReader {
     if (!json.contains(name) || json[name].is_null()) return 0;
     for (const auto& [word, side] : {std::pair{"left", 'L'}, {"top", 'T'}, {"right", 'R'}, {"bottom", 'B'}})
       if (json[name] == word) return side;
-    refuse(fmt::format("tile {},{}: {}: expected left, top, right or bottom", at.x, at.y, name));
+    refuse(fmt::format("tile {},{}: invalid value of the key {}: expected left, top, right or bottom", at.x,
+                       at.y, name));
   }
 
   void add(const Json& item) {

@@ -2,7 +2,8 @@
 // steps are not functions, because a jump to a label cannot leave its function.
 //
 //   i, code        the current instruction, and the instruction at address 0
-//   left, end      cycles until `end`, which is the horizon; the current cycle is end - left
+//   end            the cycle at which the loop returns
+//   left           number of cycles from the current cycle to `end`
 //   r, flags, sp   the registers
 #pragma once
 

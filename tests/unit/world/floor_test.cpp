@@ -32,7 +32,7 @@ map::Map random_map(Random& random, bool raster, double corner) {
   return map;
 }
 
-// Returns a map with few long lines and bends, as on a real floor.
+// Returns a map like a real floor: it has few lines, which are long and bend.
 map::Map bends(double corner) {
   map::Map map = map_of({"                ", " .............. ", " .            . ", " .  .....     . ",
                          " .  .   .  oo... ", " .  .   .  .    ", " .  .   ....    ", " .  .           ",
@@ -227,7 +227,7 @@ TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
   }
 }
 
-// The reference counts the marked points of a fine grid over the footprint.
+// The reference is the number of marked points of a fine grid over the footprint.
 TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
   const map::Map map = map::parse_map(
       "+++\nsize = [\"1 m\", \"1 m\"]\nline = \"1 mm\"\n[[path]]\nfrom = [\"100 mm\", \"500 mm\"]\n"
