@@ -50,7 +50,7 @@ std::string whole_result() {
   RunResult r;
   r.verdict = "crashed";
   r.crash = Crash{"division by zero", {"loop", "A.ino", 7}, {{"f", "B.ino", 1}}, "PC 0x1", "c"};
-  r.resources = Resources{1, 2, 3, 4, 5.0, 6.0, 0.5, 0.25};
+  r.resources = Resources{1, 2, 3, 4, 5, 6.0, 7.0, 0.5, 0.25};
   r.metrics.laps_s = {1.0};
   r.metrics.stations = {"1"};
   r.events = {{1.0, "e"}};
