@@ -51,7 +51,7 @@ const Target kHost = {
              // Like Arduino's AVR core:
              "-ffunction-sections", "-fdata-sections",
              // A private copy of an image must share no symbol with other copies, and use nothing of the C++
-             // library. It must also not contain names of this machine, or defaults that differ between
+             // library. It must also not contain paths of this machine, or defaults that differ between
              // distributions.
              "-fno-gnu-unique", "-fno-stack-protector", "-gno-record-gcc-switches",
              "-fno-canonical-system-headers", "-fdiagnostics-color=never", "-pipe", "-nostdinc"},
@@ -146,8 +146,8 @@ const Target kAvr = {
     .sanitizer = {.undefined = {"-fno-lto",
                                 "-fsanitize=bounds,float-cast-overflow,integer-divide-by-zero,"
                                 "shift,signed-integer-overflow"},
-                  // Also applies to the core. Otherwise the core's weak functions, such as initVariant(),
-                  // override a library's functions.
+                  // The core is compiled without LTO, too. Otherwise its weak functions, such as
+                  // initVariant(), override a library's functions.
                   .addresses = {"-fno-lto"},
                   .definitions = {},
                   .link = {"-Wl,-u,__ubsan_handle_add_overflow", "-Wl,--defsym=__stack=0xF8FF",
@@ -157,8 +157,7 @@ const Target kAvr = {
     .core_level = "-Os",
     .definitions = {"-DARDUINO_ARCH_AVR"},
     .prefix_map = "-fdebug-prefix-map",
-    // avr-gcc 14 passes -demangle to avr-ld, but not --demangle. Without the option, avr-ld prints mangled
-    // names.
+    // Makes avr-ld print demangled names. avr-gcc 14 does not pass on the spelling --demangle.
     .link = {"-Os", "-gdwarf-4", "-gno-record-gcc-switches", "-flto", "-fuse-linker-plugin",
              "-Wl,--gc-sections", "-Wl,-demangle"},
     .link_files = {},

@@ -25,8 +25,8 @@ Track track_of(const Recording& recording, std::size_t robot = 0);
 /// that begin with # are skipped. Throws InputError with file and line.
 Track track_of_table(std::string_view text, const std::string& file);
 
-/// Reads the track of each robot from a .rec, a page or a table. `bytes`, if not null, receives the content
-/// that a page can show: a .rec or a table.
+/// Reads the track of each robot from a .rec, a table, or a recorded page (.html). `bytes`, if not null,
+/// receives the .rec or the table, which may be the one inside the page.
 std::vector<Track> read_tracks(const std::filesystem::path& file, std::string* bytes = nullptr);
 
 /// The distance between two robots at equal times, while both positions are known.
