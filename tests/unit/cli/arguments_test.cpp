@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{{"map", "generate", "--family", "tree", "--stations", "5", "--squares", "5"},
                 "--squares is for tracks"},
         Refused{{"map", "generate", "--family", "bush", "--stations", "5"},
-                "--family: expected tree, cycles or grid, got “bush”"},
+                "--family: expected tree, cycles, grid or track, got “bush”"},
         Refused{{"map", "generate", "--family", "tree", "--stations", "1"},
                 "--stations: expected a whole number from 2 to 1000000, got “1”"},
         Refused{{"map", "generate", "--family", "tree", "--stations", "5", "--count", "0"}, "--count"},
