@@ -24,6 +24,7 @@ std::string track_text(int squares, std::uint64_t seed) {
   };
   random_worlds::TrackLimits limits;
   limits.squares = squares;
+  limits.apart = 10;  // so that the sensors are on a straight at the start, in the middle of a side
   return "+++\ncell = \"40 mm\"\ncorner = \"80 mm\"\ngoal = \"laps:1\"\n+++\n" +
          random_worlds::lay_out(limits, draw).grid();
 }
