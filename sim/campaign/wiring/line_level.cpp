@@ -354,12 +354,11 @@ class LevelReader {
       const bool is_stated = i + 1 < words.size() && words[i + 1] == "eq";
       const bool is_index =
           i > 0 && !is_stated && says({words[i - 1]}, {"sens", "ir", "chan", "kanal", "cas", "step", "s"});
-      // A bound, as in "> 0: the line is on the right", is not a level.
-      const auto compares = [&](std::size_t before) {
-        return i >= before && (words[i - before] == "gt" || words[i - before] == "lt");
-      };
-      const bool is_bound = compares(1) || (i > 0 && words[i - 1] == "eq" && compares(2));
-      const int one_level = is_index || is_bound ? 0 : level_of_word(words[i]);
+      // A comparison with 0, as in "> 0: the line is on the right", is about a difference, not a level.
+      const bool is_comparison = words[i] == "gt" || words[i] == "lt";
+      const std::size_t bound = i + (i + 1 < words.size() && words[i + 1] == "eq" ? 2 : 1);
+      if (is_comparison && bound < words.size() && words[bound] == "0") return;
+      const int one_level = is_index ? 0 : level_of_word(words[i]);
       const int one_meaning = has_colour          ? colour_of({words[i]})
                               : is_line(words[i]) ? line_of({i > 0 ? words[i - 1] : "", words[i]}) * line_
                                                   : 0;
