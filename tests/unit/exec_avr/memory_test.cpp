@@ -38,7 +38,8 @@ void loop() {})");
 
 TEST_F(MemoryTest, MemoryOfTheHeapIsNotFree) {
   const auto with = [&](const char* code) {
-    return used(std::string("char* p;\nvoid setup() { ") + code + " if (p) p[0] = 1; }\nvoid loop() {}")
+    return used(std::string("char* volatile p;\nvoid setup() { ") + code +
+                " if (p) p[0] = 1; }\nvoid loop() {}")
         .free_bytes_min;
   };
   const auto without = with("p = (char*)malloc(10);"), with_heap = with("p = (char*)malloc(1010);");
