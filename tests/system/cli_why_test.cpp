@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/base/file.h"
 #include "tests/system/command.h"
 #include "tests/system/system_test.h"
 
@@ -141,6 +142,19 @@ class CliWhy : public ::testing::Test {
   }
   Folder folder_;
 };
+
+// A recording of this run (--record run.vcd) has these voltages. The search goes back to earlier readings.
+TEST_F(CliWhy, ShowsTheReadingsOfTheTimeThatItPrints) {
+  ASSERT_EQ(robosim_command({"new", "Fast"}, folder_.path()).status, 0);
+  std::string sketch = read_file(folder_.path() / "Fast/Fast.ino");
+  const std::string slow = "BASE_SPEED = 110";
+  sketch.replace(sketch.find(slow), slow.size(), "BASE_SPEED = 200");
+  folder_.write("Fast/Fast.ino", sketch);
+  const Ended why = robosim_command({"why", "Fast"}, folder_.path());
+  EXPECT_THAT(why.out, HasSubstr("5.022 s  ← read S4 (A3) 0.40 V, S3 (A2) 0.34 V, S2 (A1) 0.33 V, "
+                                 "S1 (A0) 0.36 V, S5 (A4) 0.79 V\n"))
+      << why.err;
+}
 
 TEST_F(CliWhy, NamesTheLinesFromTheMotorsToTheReading) {
   const Ended why = robosim_command({"why", "./Once", "--map", "oval", "--all"}, folder_.path());
