@@ -43,7 +43,7 @@ struct EepromControl {
 /// A write: the new value, and its duration in ns; 0 = EEPM is reserved, and nothing is written.
 struct EepromWrite {
   uint8_t value;
-  SimTime takes;
+  SimTime takes;  ///< ns
 };
 constexpr EepromWrite eeprom_write(uint8_t control, uint8_t old, uint8_t data) {
   return (control & kEepm) == 0x00   ? EepromWrite{data, kEepromWriteTime}

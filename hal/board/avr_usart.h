@@ -29,6 +29,7 @@ constexpr int64_t usart_frame(uint8_t status, uint8_t control, uint8_t format, u
          (divider + 1);
 }
 
+/// The receive buffer of two frames, and the frame that waits in the shift register.
 struct UsartReceiver {
   uint16_t frames[3] = {0, 0, 0};
   uint8_t count = 0;

@@ -20,7 +20,8 @@ constexpr int kLongestPower = std::size(kNames) - 1;
 
 double seconds_of(int power) { return kShortest_s * static_cast<double>(1 << power); }
 
-std::string mended(int power) {
+/// Suggests a fix for a timeout of this power.
+std::string advice_for(int power) {
   return power < kLongestPower
              ? fmt::format(
                    "Use the next longer timeout, wdt_enable({}), or call wdt_reset() within "
@@ -104,7 +105,7 @@ std::vector<Detected> WatchdogMargin::found(SimTime) const {
       "the timeout; its clock may be 10 % faster on another or a warmer chip, so that the watchdog may reset "
       "that chip",
       1e3 * waits_s, 1e3 * passed_s, 100.0 * passed_s / waits_s);
-  seen.mend = mended(longest_power_);
+  seen.mend = advice_for(longest_power_);
   return all;
 }
 

@@ -75,7 +75,7 @@ void expectTrips(Dice& dice, Floor& floor, Walker& walker, const Network& networ
       EXPECT_EQ(navigator.here(), to);
     } else {
       EXPECT_EQ(end, NavState::no_way);
-      // The robot stores only real obstacles. So if the robot finds no path, there is none.
+      // Each obstacle on the robot's map is real. So its map and the floor agree that there is no path.
       nav::FixedPath<200> path;
       nav::FixedWork<200> work;
       EXPECT_EQ(nav::bfs(network, navigator.here(), uint8_t(to), path, work), nav::Plan::no_way);
