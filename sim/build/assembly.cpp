@@ -15,8 +15,8 @@ std::string_view trim(std::string_view text) {
   return text.substr(from, text.find_last_not_of(kSpace) - from + 1);
 }
 
-// Returns true for a line without an instruction: an empty line, a directive, or a comment (including the
-// marks around an asm()).
+// Returns true for a line without an instruction: an empty line, a directive, or a comment. gcc's marks
+// before and after an asm(), such as #APP, are also comments.
 bool says_nothing(std::string_view line) {
   return line.empty() || line[0] == '.' || line[0] == '#' || line[0] == '@' || line.substr(0, 2) == "//";
 }
@@ -43,8 +43,8 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
-/// Returns the place in `// 7 "Boot.ino" 1` or `@ 7 "Boot.ino" 1`, without the comment's mark. Returns an
-/// empty text for any other line.
+/// Returns the source location in `// 7 "Boot.ino" 1` or `@ 7 "Boot.ino" 1`, without the leading `//` or `@`.
+/// Returns an empty text for any other line.
 std::string_view place_of_asm(std::string_view line) {
   const std::size_t sign = line.substr(0, 3) == "// " ? 2 : line.substr(0, 2) == "@ " ? 1 : 0;
   if (sign == 0 || line.size() < sign + 6) return {};

@@ -9,13 +9,16 @@
 
 #include "sim/base/archive.h"
 #include "sim/base/file.h"
+#include "sim/build/arithmetic_warnings.h"
 #include "sim/build/assembly.h"
 #include "sim/build/cache.h"
 #include "sim/build/clock_warnings.h"
 #include "sim/build/compile.h"
+#include "sim/build/condition_warnings.h"
 #include "sim/build/core.h"
 #include "sim/build/elf_facts.h"
 #include "sim/build/image_cache.h"
+#include "sim/build/indentation_warnings.h"
 #include "sim/build/libraries.h"
 #include "sim/build/messages.h"
 #include "sim/build/narrow_ints.h"
@@ -34,7 +37,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The size of a preprocessed sketch for which warnings are searched. Larger ones would take too much memory.
+/// Maximum size of a preprocessed sketch that is checked for mistakes. Larger sketches need too much memory.
 constexpr std::size_t kMostChecked_bytes = std::size_t{4} << 20;
 
 /// The state of one build.
@@ -132,9 +135,9 @@ class Build {
     }
   }
 
-  /// Throws an error, or a RetryReason if the program may compile with another kind of registers or with
-  /// 16-bit ints. Libraries, and programs that store a register's address, may need another kind of
-  /// registers.
+  /// Throws an error. Throws a RetryReason if the program may compile with another kind of registers (enum
+  /// Registers), or with 16-bit ints. Libraries, and programs that store a register's address, may need
+  /// another kind of registers.
   void fail_or_try_again(const std::string& messages) const {
     const bool objects = !toolchain_.target.memory.empty() && toolchain_.registers == Registers::objects;
     if (objects && messages.find(kRegisterClass) != std::string::npos) throw RetryReason{Registers::memory};
@@ -192,6 +195,9 @@ class Build {
     own_lines_ = own_lines(text, sketch_.inos);
     if (toolchain_.warnings != Warnings::none && text.size() <= kMostChecked_bytes) {
       add_message(pin_warnings(own_lines_, toolchain_.board));
+      add_message(arithmetic_warnings(own_lines_));
+      add_message(condition_warnings(own_lines_));
+      add_message(indentation_warnings(whole));
       std::vector<std::string> own_files = sketch_.inos;
       own_files.insert(own_files.end(), sketch_.headers.begin(), sketch_.headers.end());
       add_message(clock_warnings(text, own_files, toolchain_.board));
@@ -202,7 +208,7 @@ class Build {
         add_message(serial_warning(own_lines_, text, toolchain_.board));
     }
     write_file(unit.input, add_prototypes(joined, text, sketch_.inos, work_.scratch()));
-    ::malloc_trim(0);  // the checks of a large sketch leave much free memory, and compilers need it
+    ::malloc_trim(0);  // returns memory to the system: the checks of a large sketch free much memory
     return unit;
   }
 
@@ -212,11 +218,11 @@ class Build {
     std::string key;
     std::size_t slot;            ///< index in objects_
     fs::path compiled, object;   ///< compiler's output and final object; equal unless through_assembly()
-    bool keeps_address = false;  ///< the unit stores a register's address, which Registers::objects lack
+    bool keeps_address = false;  ///< the unit stores a register's address, which `objects` do not have
   };
 
   /// Returns the warnings of the static checks about each unit that has been compiled. The checks run after
-  /// the compilers, because all of them together may take too much memory.
+  /// the compilers, because checks and compilers together may take too much memory.
   std::vector<std::string> warnings_of_checks(const std::vector<Job>& jobs,
                                               const std::vector<CommandResult>& results) {
     std::vector<std::string> warnings(jobs.size());
@@ -376,7 +382,7 @@ class Build {
   int count_ = 0;
 };
 
-/// Builds the program with the first kind of registers that lets it compile. Returns the build, and sets
+/// Builds the program with the first kind of registers with which it compiles. Returns the build, and sets
 /// `image` to the path of the image.
 std::unique_ptr<Build> build_image(const Sketch& sketch, Toolchain& toolchain, const Cache& cache,
                                    const LibraryFinder& finder, const GenuineCore& core, fs::path& image) {

@@ -42,7 +42,7 @@ bool has_detour(std::string_view path) {
 }
 
 /// Returns whether only the system's administrator, or the user who installed Robosim, can write to the file.
-/// The paths of the cache's own folders of links begin with `stages`.
+/// The paths of those folders of the cache that hold links to installed files start with `stages`.
 bool is_installed(const fs::path& path, const std::string& stages) {
   static const std::array<std::string, 3> folders = {"/usr/", (data_folder() / "hal" / "").string(),
                                                      (data_folder() / "firmware" / "").string()};
@@ -225,7 +225,7 @@ std::optional<Entry> Cache::find(const std::string& key) const {
     if (kind == "end") complete = true;
   }
   if (!complete || entry.result.empty()) return std::nullopt;
-  // Marks both files as in use, so that they are not removed as old.
+  // Marks the entry's file and the result as recently used, so that they are not removed as old.
   std::error_code none;
   const auto now = fs::file_time_type::clock::now();
   fs::last_write_time(file, now, none);
@@ -278,7 +278,7 @@ WorkFolder::WorkFolder(const Cache& cache) {
     if (!fs::create_directory(path_)) continue;
     held_ = hold(path_, LOCK_SH);
     std::error_code error;
-    if (fs::exists(path_, error)) return;  // otherwise another process removed it first
+    if (fs::exists(path_, error)) return;  // if it is missing, another process has removed it
   }
 }
 

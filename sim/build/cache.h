@@ -2,9 +2,8 @@
 // The entry also records the list of names in every folder that was searched. The entry is valid while these
 // files and lists are unchanged. The files' times do not matter.
 //
-// SHA-256 is used for keys, for the hash in a result's name, and for files that other users can write.
-// XXH3 takes a tenth of the time. It is used for files of Robosim and of the system, and to detect incomplete
-// results.
+// SHA-256 is used for keys, for the hash in a result's name, and for files that other users can write. XXH3
+// is ten times faster. It is used for files of Robosim and of the system, and to detect incomplete results.
 //
 // Concurrent processes are safe: files appear by rename, and a result's name contains its content's hash.
 #pragma once
@@ -23,7 +22,7 @@ namespace robosim::build {
 
 struct Inputs {
   std::vector<std::filesystem::path> files;
-  std::vector<std::filesystem::path> folders;  ///< the entry also records that a folder is missing
+  std::vector<std::filesystem::path> folders;  ///< a folder may be missing; the entry then records this
 };
 
 struct Entry {

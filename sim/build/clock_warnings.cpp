@@ -16,7 +16,8 @@ namespace robosim::build {
 namespace {
 
 constexpr int kClockBits = 32;
-/// Limits a search. Otherwise the search could take quadratic time.
+/// Maximum number of words that a search in an expression examines. Without a limit, the searches could take
+/// quadratic time.
 constexpr std::size_t kMostOfExpression = 100;
 constexpr std::size_t kNone = Declarations::kNone;
 
@@ -44,7 +45,7 @@ class ClockCheck {
  public:
   ClockCheck(const std::vector<Token>& words, int int_bits)
       : words_(words), names_(words, int_bits), times_(names_.all().size()) {
-    constexpr int kMostSteps = 5;  // since = now; before = since; ...
+    constexpr int kMostSteps = 5;  // one for each assignment in a chain: since = now; before = since; ...
     for (int step = 0; step < kMostSteps && mark_times(); ++step) continue;
   }
 
@@ -77,7 +78,8 @@ class ClockCheck {
     return before != "." && !(at > 1 && (is_pair(at - 2, '-', '>') || is_pair(at - 2, ':', ':')));
   }
 
-  /// Returns the index after the call of a clock at `at`, or `at` if no such call begins there.
+  /// Returns the index after the call of a clock, millis() or micros(), that begins at `at`. Returns `at` if
+  /// no such call begins there.
   std::size_t read_clock(std::size_t at) const {
     const bool calls =
         (text(at) == "millis" || text(at) == "micros") && text(at + 1) == "(" && text(at + 2) == ")";
@@ -105,8 +107,8 @@ class ClockCheck {
   }
   bool is_name_at(std::size_t at) const { return !text(at).empty() && is_name(text(at)); }
 
-  /// Returns the index of the operand's declaration if all declarations of its name have types that `accepts`
-  /// accepts; otherwise kNone.
+  /// Returns the index of the operand's declaration if `accepts` returns true for the types of all
+  /// declarations of its name. Otherwise returns kNone.
   std::size_t declared(const Operand& operand, bool accepts(const ArithmeticType&)) const {
     if (!names_.all_of(text(operand.name), accepts)) return kNone;
     return names_.resolve(operand.name, operand.is_member);
@@ -119,7 +121,7 @@ class ClockCheck {
 
   // Finding the variables that hold times
 
-  /// Marks the variables that are set to a time. Returns whether it has marked more of them.
+  /// Marks the variables that are set to a time. Returns whether any variable was newly marked.
   bool mark_times() {
     bool more = false;
     const auto mark = [&](const Operand& operand, TimeUnit unit) {
@@ -362,7 +364,8 @@ std::string clock_warnings(const std::string& preprocessed, const std::vector<st
   const std::vector<Token> words = tokens_of(own);
   const std::vector<Found> found = ClockCheck(words, int_bits_of(board)).warnings();
   if (found.empty()) return "";
-  // A library's class may have a member with the same name and another type.
+  // Skips warnings about doubtful names: a library's class may have a member with this name, but with another
+  // type.
   const std::vector<Token> all = tokens_of(preprocessed);
   const Declarations names(all, int_bits_of(board));
   std::set<std::string_view> in_doubt;

@@ -2,10 +2,10 @@
 // time since power-on no longer fits the variable:
 //
 //   uint16_t since = 0;
-//   if (millis() - since >= 5000) since = millis();   // after 65.536 s, `since` gets too small: always true
+//   if (millis() - since >= 5000) since = millis();   // after 65.536 s always true: `since` is too small
 //
 // The check does not know the sketch's own templates, macros and types. It ignores a name whose declarations
-// have different types, and a time that it cannot follow.
+// have different types. It also ignores a time that it cannot trace to a variable.
 #pragma once
 
 #include <string>

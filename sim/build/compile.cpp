@@ -35,10 +35,15 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
     case Warnings::standard: {
       if (unit.kind == Unit::Kind::library) return {"-w"};  // users of a library cannot fix its warnings
       // These warnings are off by default. without_style_warnings() keeps only those about likely mistakes.
-      std::vector<std::string> words = {"-Wparentheses", "-Wempty-body"};
-      // avr-gcc 5 has no warning for a forgotten break. Any comment in place of the `break` silences gcc's
-      // warning.
-      if (toolchain.target.native) words.emplace_back("-Wimplicit-fallthrough=1");
+      std::vector<std::string> words = {"-Wparentheses",     "-Wempty-body",
+                                        "-Wtype-limits",     "-Wlogical-op",
+                                        "-Wbool-compare",    "-Wlogical-not-parentheses",
+                                        "-Wunused-value",    "-Wshadow",
+                                        "-Wunused-variable", "-Wunused-but-set-variable"};
+      // avr-gcc 5 lacks these warnings. The warning about a forgotten `break` is silent if a comment replaces
+      // the `break`.
+      if (toolchain.target.native)
+        append(words, {"-Wimplicit-fallthrough=1", "-Wtautological-compare", "-Wduplicated-cond"});
       if (toolchain.sanitize) append(words, toolchain.target.sanitizer.warnings);
       return words;
     }
@@ -50,7 +55,8 @@ std::vector<std::string> warning_flags(const Toolchain& toolchain, const Unit& u
   return {};
 }
 
-/// Defines a macro that maps a pin's number to `of(pin)`. `otherwise` is the result for most pins.
+/// Defines a macro that maps a pin's number to `of(pin)`. The macro lists only pins whose result differs from
+/// `otherwise`.
 template <typename Of>
 std::string pin_macro(const char* name, const BoardSpec& board, const char* otherwise, Of of) {
   std::string text = otherwise;
@@ -89,7 +95,8 @@ std::vector<std::string> host_definitions(const BoardSpec& board) {
   }
   words.push_back(
       pin_macro("ROBOSIM_HAS_PWM", board, "0", [](const PinSpec& pin) { return pin.pwm ? "1" : "0"; }));
-  // If the chip's own bus pins are unknown, uses the bus pins of the board's host model.
+  // If the chip's own bus pins are unknown, uses those of the AVR board that the host simulates
+  // (host_model()).
   const BoardSpec& buses = board.chip->spi.address ? board : model;
   const auto pin_of = [&](const char* name, const char* chip_name) {
     words.push_back(fmt::format("-DROBOSIM_PIN_{}={}", name, find_pin(buses, chip_name)));
@@ -119,7 +126,8 @@ std::vector<std::string> definitions(const Toolchain& toolchain) {
   return words;
 }
 
-/// Adds options that remove the names of this machine's folders from the output. The last matching map wins.
+/// Adds options that remove the names of this machine's folders from the output. The last matching option
+/// wins.
 void add_prefix_maps(std::vector<std::string>& words, const Toolchain& toolchain, const Core::Names& places) {
   const auto map = [&](const fs::path& from, const std::string& to) {
     words.push_back(fmt::format("{}={}={}", toolchain.target.prefix_map, from.string(), to));
@@ -153,7 +161,8 @@ void add_checks(std::vector<std::string>& words, const Toolchain& toolchain, con
   const Sanitizer& sanitizer = toolchain.target.sanitizer;
   if (unit.kind != Unit::Kind::core) {
     append(words, sanitizer.undefined);
-    // gcc can instrument memory accesses for only one purpose.
+    // gcc can instrument memory accesses for only one purpose. If registers are not objects, that purpose is
+    // to watch the registers' memory.
     if (toolchain.registers == Registers::objects) append(words, sanitizer.addresses);
   } else if (fs::path(unit.source).parent_path() == toolchain.core.serving) {
     append(words, sanitizer.definitions);
@@ -171,7 +180,8 @@ void add_counting(std::vector<std::string>& words, const Toolchain& toolchain, c
 /// Adds macros and the folders of headers.
 void add_headers(std::vector<std::string>& words, const Toolchain& toolchain, const Unit& unit) {
   append(words, definitions(toolchain));
-  // gcc loads a precompiled header, Foo.h.gch, only if Foo.h is the first header that a source includes.
+  // Prevents gcc from loading a precompiled header, Foo.h.gch. gcc loads it only if Foo.h is the first header
+  // that a source includes.
   append(words, {"-include", (data_folder() / "hal/arduino/first_include.h").string()});
   for (const auto* folders : {&toolchain.core.includes, &unit.includes})
     for (const fs::path& folder : *folders) words.push_back("-I" + folder.string());
@@ -333,7 +343,8 @@ Command link_command(const Toolchain& toolchain, const std::vector<fs::path>& ob
   append(words, toolchain.core.machine);
   if (toolchain.target.chip) {
     add_prefix_maps(words, toolchain, places);  // for debug information of link-time optimisation
-    // Since gcc 10, names begin with the relative path from the linker's folder to the compiler's folder.
+    // Since gcc 10, file names in this information begin with the relative path from the linker's folder to
+    // the compiler's folder.
     std::error_code error;
     for (const auto& [folder, name] : places) {
       const std::string way = fs::canonical(folder, error).lexically_relative(fs::canonical(work)).string();

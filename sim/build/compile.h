@@ -54,7 +54,7 @@ std::string notes_name(const Unit& unit);
 Command compile_command(const Toolchain& toolchain, const Unit& unit, const std::filesystem::path& object);
 Command assemble_command(const Toolchain& toolchain, const std::filesystem::path& assembly,
                          const std::filesystem::path& object);
-/// Returns a command for the compiler's messages about the unit. `options` must prevent any other output.
+/// Returns a command that prints the compiler's messages about the unit. `options` must prevent other output.
 Command check_command(const Toolchain& toolchain, const Unit& unit, const std::vector<std::string>& options,
                       const std::filesystem::path& scratch);
 /// Returns a command that only preprocesses the unit, to `output`.

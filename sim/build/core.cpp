@@ -61,7 +61,8 @@ std::string run_checked(const Toolchain& toolchain, std::vector<Command> command
   return output;
 }
 
-// Makes defined symbols weak. An undefined symbol must still be found, or the link fails.
+// Makes defined symbols weak. Undefined symbols stay strong, so that the link fails if such a symbol is
+// missing.
 void weaken(const Toolchain& toolchain, const fs::path& object) {
   const fs::path work = object.parent_path();
   const auto tool = [&](const char* name) {

@@ -40,8 +40,8 @@ std::vector<std::string> own_files(const Sketch& sketch) {
   std::vector<std::string> names;
   for (const auto* group : {&sketch.inos, &sketch.sources, &sketch.headers})
     names.insert(names.end(), group->begin(), group->end());
-  // A tracefile has one line for each name. A name that contains a line end could therefore add another file
-  // of this machine to the page.
+  // lcov's tracefile has one line for each name. A name that contains a line end could therefore make genhtml
+  // show another file of this machine.
   std::erase_if(names, [](const std::string& name) { return in_one_line(name) != name; });
   return names;
 }
@@ -115,7 +115,7 @@ Number number(std::string_view& text) {
   return value;
 }
 
-/// Reads an emulated chip's counts: "LINE COUNT FILE".
+/// Reads an emulated chip's counts. Each line is "LINE COUNT FILE".
 Coverage read_line_counts(const Sketch& sketch, const std::vector<ArchivedFile>& counters) {
   const std::vector<std::string> own = own_files(sketch);
   Coverage coverage;
@@ -241,7 +241,7 @@ Coverage add_to_folder(const fs::path& folder, const Request& request, const Ima
   const fs::path runs = folder / "runs";
   fs::create_directories(runs);
   const FolderLock lock(folder);
-  // Begins a file name that identifies the sketch, its version and its run.
+  // The first part of a file's name, which identifies the sketch, its version and its run.
   const std::string sketch =
       fmt::format("{}-{}-", image.name, short_hash(read_sketch(request.sketch).folder.string()));
   const std::string version = sketch + image.sketch_sha256.substr(0, 8);

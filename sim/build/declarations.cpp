@@ -21,7 +21,7 @@ constexpr std::array kNamedTypes = {
     NamedType{"float", {32, true, true}},      NamedType{"double", {32, true, true}},
 };
 constexpr std::array<std::string_view, 6> kBaseWords = {"unsigned", "signed", "short", "int", "char", "long"};
-/// Limits a search. Otherwise the search could take quadratic time.
+/// Maximum number of words that a search examines. Without a limit, the searches could take quadratic time.
 constexpr std::size_t kMostWords = 400;
 constexpr int kMostQualifiers = 8;
 
@@ -149,7 +149,7 @@ std::size_t Declarations::read_declarators(std::size_t at, const ArithmeticType&
       is_pointer |= text(at) == "*";
     if (!names_type(at) || !may_follow_name(text(at + 1))) return at;
     const std::string_view next = text(at + 1);
-    // A bit-field may have any width. Parentheses may contain parameters of a function.
+    // The type is unknown for a bit-field, whose width is not read, and for a function.
     const bool is_time = next == "(" && (text(at + 2) == "millis" || text(at + 2) == "micros");
     const bool is_known = !is_pointer && next != ":" && (next != "(" || is_time);
     add(at, is_known ? type : ArithmeticType{}, open);
@@ -182,7 +182,7 @@ void Declarations::read_declarations() {
       continue;
     }
     if (!names_type(i) || contains(kQualifiers, word)) continue;
-    // Reads a type of another kind, with or without template arguments.
+    // Reads a type that is not arithmetic, with or without template arguments.
     std::size_t end = i + 1;
     if (text(end) == "<") {
       while (may_be_template_argument(text(end + 1)) && end - i < kMostWords) ++end;

@@ -44,7 +44,7 @@ class Declarations {
   std::size_t resolve(std::size_t at, bool is_member) const;
   /// Reads a type at `at`. Returns the index after the type, or `at` if no arithmetic type begins there.
   std::size_t read_type(std::size_t at, ArithmeticType& type) const;
-  /// Returns whether the name has declarations, and all of them have types that `accepts` accepts.
+  /// Returns whether the name has declarations, and `accepts` returns true for the types of all of them.
   template <typename Accepts>
   bool all_of(std::string_view name, Accepts accepts) const {
     const auto [begin, end] = by_name_.equal_range(name);

@@ -6,7 +6,7 @@
 //   AVR        all bits 1; 1 if dividend < 0        the dividend   libgcc, config/avr/lib1funcs.S: shift and
 //                                                                  subtract, then the sign
 //   Cortex-M3  0                                    the dividend   DDI 0403E, A7.7.127 (SDIV), CCR.DIV_0_TRP;
-//                                                                  its library for 64 bits gives other values
+//                                                                  64-bit library functions give other values
 //
 // On both chips, the most negative number divided by -1 gives the same number again. A 32-bit ARM host has no
 // division instruction, so its library function is wrapped (hal/host/division.cpp).
@@ -30,8 +30,8 @@ QuotientByZero quotient_by_zero(const BoardSpec& board);
 
 /// Returns lines that replace a division in gcc's assembly and give the chip's result if the divisor is zero.
 /// Returns an empty text if the line is not a division of x86-64 (AT&T syntax) or arm64. `number` is part of
-/// the labels and must differ between the divisions of a file. The operands remain as gcc wrote them. No line
-/// depends on how the assembler expands a macro.
+/// the labels and must differ between the divisions of a file. The operands remain as gcc wrote them. The
+/// lines contain no assembler macros, because versions of the assembler expand macros differently.
 std::string division_of_chip(std::string_view line, QuotientByZero quotient, int number);
 
 }  // namespace robosim::build

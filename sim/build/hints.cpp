@@ -110,7 +110,7 @@ std::string class_hint(const std::string& name) {
 }
 
 /// Returns a hint for an error of a sketch that was written for another version of a library. Each message in
-/// the list names a class of the library, so the sketch includes the library.
+/// the list names a class of the library, so a sketch with this error includes the library.
 std::string version_hint(const std::string& first) {
   struct Versioned {
     const char* says;  ///< part of the compiler's message

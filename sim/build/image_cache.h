@@ -22,7 +22,7 @@ std::string image_key(const Toolchain& toolchain, const Sketch& sketch,
 /// notes, are not cached.
 bool is_cached(const Toolchain& toolchain, const Unit& unit);
 std::string unit_key(const Toolchain& toolchain, const Unit& unit);
-/// Returns the key of gcov's notes on an image.
+/// Returns the key of gcov's notes (.gcno) on an image.
 std::string notes_key(const Entry& entry);
 
 /// Returns the image of an entry. Makes the target's products if the cache does not have them.

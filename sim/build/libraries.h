@@ -8,9 +8,9 @@
 namespace robosim::build {
 
 /// A library in one of Arduino's two layouts: with `src/` (sources at any depth), or flat (sources in its
-/// root and in `utility/`). A folder with `src/` has the first layout if it has a library.properties, or no
-/// header in its root. PlatformIO allows libraries without library.properties; their headers may also be in
-/// `include/`.
+/// root and in `utility/`). A folder with `src/` has the first layout if it has a library.properties, or if
+/// its root has no header. PlatformIO allows libraries without library.properties; their headers may also be
+/// in `include/`.
 struct Library {
   std::string name;     ///< as in library.properties, otherwise the folder's name
   bool named = false;   ///< library.properties contains the name

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Limits the length of a line and of all lines, because std::regex needs stack for each character.
+// Limits the length of a line and of all lines together, because std::regex needs stack for each character.
 constexpr std::size_t kLongestLine = 2000, kMostText = 200'000;
 
 /// Returns whether a line begins like a message of the compiler or linker; other lines may be text from the
@@ -211,7 +211,8 @@ std::string without_folders(const Toolchain& toolchain, const fs::path& sketch, 
 
 std::string readable(const Toolchain& toolchain, const fs::path& sketch, const std::string& messages) {
   std::string output = without_folders(toolchain, sketch, cut(messages));
-  // Removes the linker's name, and lines without a place in a source, which are not useful.
+  // Removes the linker's name. Also removes lines that name no place in a source, because these are not
+  // useful.
   static const std::regex linker(R"((^|\n)[^\n ]*/ld(\.bfd)?: )");
   output = std::regex_replace(output, linker, "$1");
   static const std::regex noise(
@@ -313,10 +314,18 @@ std::string folded(const std::string& output) {
   const std::string text = output.ends_with('\n') ? output : output + '\n';
   const std::ptrdiff_t lines = std::count(text.begin(), text.end(), '\n');
   if (lines <= kShownLines + 1) return output;
-  std::size_t end = 0;
-  for (std::ptrdiff_t line = 0; line < kShownLines; ++line) end = text.find('\n', end) + 1;
-  return text.substr(0, end) +
-         fmt::format("… {} more lines; robosim build prints all of them", lines - kShownLines);
+  std::string shown;
+  std::ptrdiff_t messages = 0, count = 0;
+  for (std::size_t at = 0, end; at < text.size() && count < kShownLines; at = end + 1) {
+    end = text.find('\n', at);
+    const std::string_view line = std::string_view(text).substr(at, end - at);
+    const bool is_message = line.find(": warning: ") != line.npos || line.find("error: ") != line.npos;
+    messages += is_message;
+    if (messages > 1 && !is_message) continue;
+    shown.append(line).append(1, '\n');
+    ++count;
+  }
+  return shown + fmt::format("… {} more lines; robosim build prints all of them", lines - count);
 }
 
 void fail(const Toolchain& toolchain, const std::string& messages, std::string hint) {
@@ -328,7 +337,8 @@ void fail(const Toolchain& toolchain, const std::string& messages, std::string h
       throw CompileError("the compiler was stopped: expected at most 16 MB of messages, got more");
     static const std::regex assembler(R"(([^\n:]+):(\d+): Error: ([^\n]*))");
     if (!toolchain.target.chip && std::regex_search(messages, match, assembler)) {
-      // gcc notes no place for an asm() outside functions. The file is then the compiler's assembly.
+      // gcc records no source location for an asm() outside functions. The assembler's message then names the
+      // file of the compiler's assembly.
       const std::string file = match[1];
       const Place place = file.ends_with(".s") ? Place() : Place{file, number_in(match[2])};
       throw CompileError(
@@ -354,7 +364,7 @@ void fail_link(const Toolchain& toolchain, const GenuineCore& core, const Sketch
   if (toolchain.target.chip) check_room(toolchain, sketch, output);
   for (const Object& object : objects)
     replace_all(output, object.path.string() + " (symbol from plugin)", object.name);
-  // Removes the name of the function, which the linker gives without a line number.
+  // If the linker knows no line number, it names the function instead. Removes that name.
   static const std::regex in_function(R"((: [Ii]n function [^\n]*\n\(|:\()[.]text[^)]*\): )");
   output = std::regex_replace(output, in_function, ": ");
   // Puts the first definition on its own line, as GNU ld before 2.35 does.

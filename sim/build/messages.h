@@ -19,17 +19,18 @@ void check_machine(const std::string& tool, const std::string& output);
 /// Returns the header that a failed compilation did not find; empty if it failed for another reason.
 std::string missing_header(const std::string& output, Place* place);
 
-/// Throws CompileError if `header`, which the compiler did not find, is a link, or if its name is absolute or
-/// contains "..". Does not check whether such a file exists.
+/// Throws CompileError if the compiler may have missed `header` only because of the sandbox: `header` is a
+/// link, or its name is absolute or contains "..". Does not check whether the file exists.
 void check_seen(const std::filesystem::path& sketch, const Place& place, const std::string& header);
 
-/// Throws the error for a header that no library in the finder's folders provides: MissingLibrary, or another
-/// CompileError if no library can provide the header, or if it exists with other capital letters.
+/// Throws the error for a header that no library in the finder's folders provides. The error is
+/// MissingLibrary if another library may provide the header. The error is another CompileError if no library
+/// can provide it, or if the header exists with other capital letters.
 [[noreturn]] void fail_without_library(const Toolchain& toolchain, const GenuineCore& core,
                                        const LibraryFinder& finder, const std::filesystem::path& sketch,
                                        const Place& place, const std::string& header);
 
-/// Removes names of this machine's folders from a text, so that users recognise the places.
+/// Removes names of this machine's folders from a text, so that users recognise their files.
 std::string without_folders(const Toolchain& toolchain, const std::filesystem::path& sketch,
                             std::string text);
 /// Removes the folders' names from the compiler's messages. Indents lines that do not begin like messages of
@@ -53,8 +54,8 @@ bool is_about_library(const std::string& messages, const std::vector<Library>& l
                             const std::vector<Object>& objects, const std::string& own_lines,
                             std::string output);
 
-/// Throws an internal error if an assembler rejects only Robosim's changes to the compiler's assembly. Writes
-/// the changed assembly to `saved`.
+/// Throws an internal error: an assembler rejects the compiler's assembly only after Robosim's changes.
+/// Writes the changed assembly to `saved`.
 [[noreturn]] void fail_for_changes(const Toolchain& toolchain, const std::filesystem::path& saved,
                                    const std::string& assembly, const std::string& messages);
 

@@ -1,6 +1,6 @@
 // Makes a sketch compile for the host if the sketch passes `int values[6];` to a `uint16_t*` parameter.
-// avr-gcc, whose int has 16 bits, only warns about this call. For the host, the call is an error, and a
-// conversion would give wrong values.
+// avr-gcc, whose int has 16 bits, only warns about this call. For the host, the call is an error. A cast
+// would compile, but give wrong values.
 #pragma once
 
 #include <string>

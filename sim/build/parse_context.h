@@ -1,5 +1,5 @@
-// Provides the options with which another parser, such as clang's, reads a sketch as the sketch's own
-// compiler does.
+// Provides options for another parser, such as clang's. With these options, it reads a sketch as the
+// sketch's own compiler does.
 #pragma once
 
 #include <filesystem>

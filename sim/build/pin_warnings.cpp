@@ -86,9 +86,9 @@ std::optional<int> value_of(std::string_view word, const std::map<std::string_vi
   return std::nullopt;
 }
 
-/// Returns the pin in the macro digitalPinToInterrupt(pin), whose expansion begins at `at`. All cores compare
-/// the pin with numbers, and end in -1: `((pin) == 2 ? 0 : ((pin) == 3 ? 1 : -1))`. Returns an empty text for
-/// other expressions.
+/// Returns the pin in the macro digitalPinToInterrupt(pin), whose expansion begins at `at`. In all cores, the
+/// expansion compares the pin with numbers, and ends with -1: `((pin) == 2 ? 0 : ((pin) == 3 ? 1 : -1))`.
+/// Returns an empty text for other expressions.
 std::string_view pin_of_expansion(const std::vector<Token>& words, std::size_t at) {
   std::size_t end = at;
   for (int open = 0; end < words.size() && (open > 0 || words[end].text != ","); ++end) {

@@ -1,4 +1,4 @@
-// Warns about pins that a board does not have, or that lack a function that a sketch uses. The chip itself
+// Warns about pins that a board does not have, or that lack a required function, such as PWM. The chip itself
 // does not report these mistakes.
 #pragma once
 
@@ -19,7 +19,7 @@ std::string pin_warnings(const std::string& own_lines, const BoardSpec& board);
 std::string serial_warning(const std::string& own_lines, const std::string& all, const BoardSpec& board);
 
 /// Returns a warning if the sketch waits without a limit for a computer at the board's own USB port. A robot
-/// that drives without a cable then never starts. Returns an empty text for other boards.
+/// that drives without a cable then never starts. Returns an empty text for boards without such a port.
 std::string usb_warning(const std::string& own_lines, const BoardSpec& board);
 
 /// Returns the names of the pins with an external interrupt.

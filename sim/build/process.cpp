@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kLook_ms = 1000;  ///< period of checks on the programs
+constexpr int kLook_ms = 1000;  ///< period of the checks for idle programs
 
 std::vector<std::string> clean_environment() {
   static constexpr const char* kDropped[] = {"LC_",

@@ -51,14 +51,14 @@ bool lacks_memory(const CommandResult& result);
 /// A sandboxed program gets only $PATH from the user's environment; $HOME and $TMPDIR are the scratch folder.
 /// Other programs get the user's environment without the variables that affect compilers, such as $CPATH.
 ///
-/// Throws InputError for an argument that begins with '@', because compilers read more arguments from a file
-/// of that name. Throws Interrupted if SIGINT or SIGTERM has ended a program.
+/// Throws InputError for an argument that begins with '@', because compilers would read more arguments from
+/// the file that it names. Throws Interrupted if SIGINT or SIGTERM has ended a program.
 std::vector<CommandResult> run(const std::vector<Command>& commands);
 CommandResult run(const Command& command);
 /// Runs each command in its own sandbox. The command can read the files in `read`, and no other command can
-/// write to its scratch folder. Programs that run at the same time share kCompileBytes. A program that needs
-/// more than its share runs again, alone. After a program has exceeded its processor time or the size of the
-/// output, no other program is started.
+/// write to its scratch folder. Programs that run at the same time share kCompileBytes of memory. A program
+/// that needs more than its share runs again, alone. After a program has exceeded the limit of processor
+/// time or of output, no other program is started.
 std::vector<CommandResult> run_within(const std::vector<std::filesystem::path>& read,
                                       std::vector<Command> commands);
 

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMostShared = 1000, kMostSource_bytes = std::size_t{4} << 20;
-/// Limits the names in #include directives, in all files together. Files after the limit are not shared.
+/// Limits the number of names in #include directives, in all files together. Files after the limit are not
+/// shared.
 constexpr std::size_t kMostNames = 20'000;
 
 bool is_below(const fs::path& path, const fs::path& folder) {

@@ -10,9 +10,9 @@
 namespace robosim::build {
 
 /// Returns the folder within which a sketch may share code: the sketch's checkout (the nearest folder above
-/// with a .git), or else its parent folder. If the sketch's own folder has a .git, returns its parent folder.
-/// The user's home, and folders above it, do not count as checkouts. Without a checkout, if the parent folder
-/// is the user's home or above, returns the sketch's own folder.
+/// with a .git), or else its parent folder. If the sketch's own folder has a .git, returns the folder above
+/// it. The user's home, and folders above it, do not count as checkouts. Without a checkout, if the parent
+/// folder is the user's home or above, returns the sketch's own folder.
 std::filesystem::path reach_of(const std::filesystem::path& sketch_folder);
 
 /// Returns the canonical paths of shared files: sources and headers within `reach`, but outside the sketch's

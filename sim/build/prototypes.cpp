@@ -23,8 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Limit of characters from the beginning of a function's line to the end of its parameters. Without the
-/// limit, each function of a large sketch could be searched for in the whole text.
+/// The largest distance, in characters, from the beginning of a function's line to the end of its parameters.
+/// Without this limit, the search for one function could read the whole text of a large sketch.
 constexpr std::size_t kLongestList = 64 * 1024;
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -137,7 +137,8 @@ std::vector<std::pair<std::size_t, std::size_t>> c_blocks(std::string source) {
   for (CodeScanner scan(source, 0); !scan.done(); scan.step()) {
     if (source.compare(scan.at(), 6, "extern") == 0) extern_at = scan.at();
     if (scan.peek() == '{') {
-      // Uses `extern` for this brace only. Otherwise each brace would copy all text before it.
+      // Uses each `extern` for one brace only. Otherwise each later brace would copy all text since that
+      // `extern`.
       const std::size_t from = std::exchange(extern_at, std::string::npos);
       std::string head = from == std::string::npos ? "" : source.substr(from, scan.at() - from);
       head.erase(std::remove_if(head.begin(), head.end(), [](unsigned char c) { return std::isspace(c); }),

@@ -72,15 +72,16 @@ class CompileError : public InputError {
   }
 };
 
-/// Thrown if no library provides a header that the sketch includes. The library may be in a folder that was
-/// not given.
+/// Thrown if no library provides a header that the sketch includes. A library with this header may be in a
+/// folder that the caller did not name.
 class MissingLibrary : public CompileError {
  public:
   using CompileError::CompileError;
 };
 
-/// Returns the first 20 lines of a compiler's output. A further line counts the lines that are left out, and
-/// names the command that prints them. Returns an output of at most 21 lines unchanged.
+/// Shortens a compiler's output of more than 21 lines to 20 lines: the first message with its source, and the
+/// first line of each other message. A further line states the number of skipped lines, and names the command
+/// that prints them.
 std::string folded(const std::string& output);
 
 /// Builds a sketch. Throws InputError (such as for a missing sketch), MissingLibrary, CompileError, or

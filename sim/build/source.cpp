@@ -107,7 +107,7 @@ std::vector<std::string> inos_in(const fs::path& folder) {
   return names;
 }
 
-/// Returns a hint if a folder contains sketches in subfolders, as archives and hand-ins do; otherwise "".
+/// Returns a hint if a folder contains sketches in subfolders, as archives often do; otherwise "".
 std::string nested_sketch_hint(const fs::path& folder) try {
   std::set<std::string> nested;
   for (const auto& entry : fs::directory_iterator(folder))
@@ -207,7 +207,8 @@ void check_within_project(const fs::path& project, const fs::path& folder) {
                     reach.string(), folder.string()));
 }
 
-/// Reads a project by PlatformIO's rules: its folder of sources. The .ino file with setup() comes first.
+/// Reads a project by PlatformIO's rules: the files of its source folder. The .ino file with setup() comes
+/// first.
 Sketch read_project(const fs::path& folder, const ProjectRules& rules) {
   std::error_code error;
   const fs::path sources = fs::canonical(rules.sources, error);

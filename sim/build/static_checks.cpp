@@ -22,19 +22,13 @@ struct StaticCheck::Kind {
   bool (*is_for)(const Toolchain& build);
   /// Returns the messages of this kind in the output of any compiler.
   std::vector<std::string> (*messages)(const std::string& output);
-  /// Returns the same text for messages that report the same mistake.
+  /// Returns a key that is equal for all messages about one mistake.
   std::string (*subject)(const std::string& message);
   /// Returns the message for users.
   std::string (*text)(const std::string& message, const BoardSpec& board);
 };
 
 namespace {
-
-/// Returns "My.ino:4:" of "My.ino:4:11: warning: ...".
-std::string line_of(const std::string& message) {
-  const std::size_t colon = message.find(':');
-  return message.substr(0, message.find(':', colon + 1) + 1);
-}
 
 bool overflows_only_on_chip(const Toolchain& build) {
   return !build.target.chip && build.warnings != Warnings::none &&
@@ -67,13 +61,12 @@ std::string text_of_unset(const std::string& message, const BoardSpec&) {
   const std::size_t begin = message.find(kBegin) + kBegin.size();
   const std::size_t end = std::min(message.find('\n'), message.size());
   return message.substr(0, begin) +
-         fmt::format("'{}' may be used before it has a value: give it one where it is declared",
-                     variable_of(message)) +
+         fmt::format("'{}' {}: give it one where it is declared", variable_of(message), kUnset) +
          message.substr(end);
 }
 
-/// With the limit of branches (analyzer-bb-explosion-factor), the analyser takes less time for a large sketch
-/// than the compiler.
+/// A limit of branches (analyzer-bb-explosion-factor) makes the analyser faster than the compiler, even for a
+/// large sketch.
 const std::array<StaticCheck::Kind, 2> kKinds = {
     {{"avr", {"-fsyntax-only"}, overflows_only_on_chip, width_warnings, line_of, text_of_width},
      {"host",

@@ -1,14 +1,15 @@
-// Checks the sources of a sketch by further runs of compilers, which produce no program. Their warnings are
-// shown with those of the build:
+// Checks the sources of a sketch with further compilers, which produce no program. Their warnings are shown
+// with those of the build. There are two checks:
 //
-//   - The AVR's compiler checks a sketch for the host if its board has an AVR. An AVR's int has 16 bits.
-//     Therefore only this compiler reports that 4 * 10000 overflows.
+//   - The AVR's compiler checks a sketch that is built for the host, if the sketch's board has an AVR. An
+//     AVR's int has 16 bits. Therefore only this compiler reports that 4 * 10000 overflows.
 //   - The static analyser of the host's g++ checks a sketch that is built with --sanitize. It reports local
 //     variables that may be used before they have a value. It knows which branches exclude each other.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/build/compile.h"
@@ -16,6 +17,9 @@
 #include "sim/build/toolchain.h"
 
 namespace robosim::build {
+
+/// A part of each warning about a variable that may be unset.
+inline constexpr std::string_view kUnset = "may be used before it has a value";
 
 class StaticCheck {
  public:
@@ -27,7 +31,7 @@ class StaticCheck {
   /// because its compiler may reject code that is accepted by the build's compiler.
   Command command(const Unit& unit, const std::filesystem::path& scratch) const;
 
-  /// Returns the messages in the command's output that are of this kind, and about the sketch's own files.
+  /// Returns the messages of this check in the command's output that concern the sketch's own files.
   /// Skips mistakes that the build's compiler has reported in `build_messages`.
   std::string warnings(const Sketch& sketch, const std::string& output,
                        const std::string& build_messages) const;

@@ -59,22 +59,23 @@ const Target kHost = {
                  "-nostdinc++", "-Wno-error=narrowing", "-Wno-builtin-declaration-mismatch"},
     .c_code = {"-std=gnu11", "-Wno-builtin-declaration-mismatch"},
     // A function that lacks its `return` statement still returns, as with avr-gcc. Without `unreachable`, gcc
-    // would assume that the function's end is never reached, and continue with the code after the function.
-    // At -Os or more, which a sketch can request, gcc would also insert a trap after a division by zero.
+    // would assume that the function's end is never reached, and continue with the code after the function. A
+    // sketch can request -Os or -O2. gcc would then also insert a trap after a division by zero, which the
+    // last option prevents.
     .own = {"-fsanitize-coverage=trace-pc", "-fsanitize=integer-divide-by-zero,unreachable",
             "-fno-isolate-erroneous-paths-dereference"},
     // A sketch's time is counted in blocks of its code, so its optimisation level must never change. The
     // costs of the core's functions are in a table.
     .own_level = "-O1",
-    // Each access to shared memory becomes a call, which hal/host/register_memory.cpp handles.
+    // Each access to memory that threads could share becomes a call into hal/host/register_memory.cpp.
     .memory = {"-DROBOSIM_REGISTER_MEMORY", "-fsanitize=thread", "--param=tsan-distinguish-volatile=1",
                "--param=tsan-instrument-func-entry-exit=0"},
     .as_avr = {"-D__AVR__", "-DARDUINO_ARCH_AVR", "-U__INT_WIDTH__", "-D__INT_WIDTH__=16"},
     .sanitizer =
-        {// gcc defines << for negative numbers and for bits that are shifted out, so only the distance is
-         // checked. Uninitialised variables become visible: gcc fills them with bytes FE. Since gcc 13,
-         // tree-ccp would replace a filled variable by the value that another path assigns. Neither a warning
-         // nor a run would then reveal the missing value.
+        {// gcc defines << for negative numbers and for bits that are shifted out, so only the shift's
+         // distance is checked. Uninitialised variables become visible: gcc fills them with bytes FE. Since
+         // gcc 13, tree-ccp would replace a filled variable by the value that another path assigns. Neither a
+         // warning nor a run would then reveal the missing value.
          .undefined = {"-fno-wrapv", "-ftrivial-auto-var-init=pattern", "-fno-tree-ccp",
                        "-fsanitize=alignment,bool,bounds,enum,float-cast-overflow,integer-divide-by-zero,"
                        "nonnull-attribute,null,pointer-overflow,return,shift-exponent,"
@@ -118,9 +119,10 @@ const Target kHost = {
     .products = {},
 };
 
-// Equals Arduino's platform.txt of core 1.8.7, except for debug information. Debug information is DWARF
-// (avr-gcc's default is stabs) without names of this machine. The code is the same, byte for byte. Without
-// DECIMAL_DIG, the core's WString.cpp does not compile against avr-libc 2.0.
+// The options equal those in platform.txt of Arduino's core 1.8.7, except for debug information. Debug
+// information is DWARF (avr-gcc's default is stabs) without names of this machine. The code is the same as
+// Arduino's, byte for byte. Without DECIMAL_DIG, the core's WString.cpp does not compile against avr-libc
+// 2.0.
 const Target kAvr = {
     .name = "avr",
     .image_ending = ".elf",

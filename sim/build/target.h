@@ -21,7 +21,7 @@ struct Product {
   std::vector<std::string> arguments;
 };
 
-/// Additional options for checks; empty = the target has no checks.
+/// Additional options for the run-time checks of --sanitize; empty = the target has no checks.
 struct Sanitizer {
   std::vector<std::string> undefined;    ///< checks of the sketch and its libraries
   std::vector<std::string> addresses;    ///< also for the core, except the code that the checks call
@@ -47,7 +47,7 @@ struct Target {
   Program archiver;  ///< null = the core is one object file
   bool native;       ///< compiles for the machine that Robosim itself runs on
   bool chip;         ///< the image is for the board's chip, otherwise for a runner
-  /// The folder in hal that completes hal/arduino to a core. Null = the whole genuine core, with its
+  /// The folder in hal that forms the core together with hal/arduino. Null = the whole genuine core, with its
   /// libraries.
   const char* hal;
 

@@ -178,8 +178,11 @@ std::map<std::string_view, int> constants_in(const std::vector<Token>& words) {
     if (!is_name(name)) continue;
     const std::string_view next = words[i + 1].text;
     const bool compares = next == "=" && words[i + 2].text == "=";
-    const bool counts =
-        (next == "+" || next == "-") && (words[i + 2].text == next || words[i + 2].text == "=");
+    const bool is_operator = next.size() == 1 && std::string_view("+-*/%&|^").find(next[0]) != next.npos;
+    const bool shifts = (next == "<" || next == ">") && words[i + 2].text == next && i + 3 < words.size() &&
+                        words[i + 3].text == "=";
+    const bool counts = (is_operator && words[i + 2].text == "=") || shifts ||
+                        ((next == "+" || next == "-") && words[i + 2].text == next);
     const bool counted = i > 1 && (words[i - 1].text == "+" || words[i - 1].text == "-") &&
                          words[i - 2].text == words[i - 1].text;
     const bool shared = i > 0 && words[i - 1].text == "&";

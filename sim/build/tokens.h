@@ -54,7 +54,7 @@ struct LineMarker {
 /// Reads `# 12 "Blink.ino" 2` or `#line 12 "Blink.ino"`; empty for other lines.
 std::optional<LineMarker> line_marker(std::string_view line);
 
-/// Returns the value of a number from 0 to 255.
+/// Returns the value of a number from 0 to 255; nothing for other text.
 std::optional<int> number_of(std::string_view text);
 
 /// Returns whether the text is a name or a keyword.

@@ -35,7 +35,8 @@ CompilerFacts ask(const Compiler& compiler, const std::filesystem::path& cache);
 /// Returns the name and version of the assembler that the compiler uses: "as 2.44".
 std::string assembler_name(const Compiler& compiler);
 
-/// The folders of the genuine core's sources and avr-libc's headers. find_core() throws ToolMissing.
+/// The folders of the genuine core's sources and avr-libc's headers. find_core() throws ToolMissing if one of
+/// them is missing.
 struct GenuineCore {
   std::filesystem::path sources;    ///< cores/arduino
   std::filesystem::path variants;   ///< the boards' pins
@@ -50,7 +51,7 @@ struct Core {
   std::filesystem::path root;                   ///< folder that the compiler works in
   std::string place;                            ///< the name of `root` in debug information
   std::vector<std::filesystem::path> sources;   ///< folders, in the order of linking
-  std::filesystem::path serving;                ///< the folder without checks, because checks call its code
+  std::filesystem::path serving;                ///< folder compiled without checks, because checks call it
   std::vector<std::filesystem::path> includes;  ///< for -I
   std::vector<std::filesystem::path> system_includes;
   std::vector<std::filesystem::path> includes_with_checks;  ///< before system headers, for images with checks

@@ -68,7 +68,8 @@ std::string vector_name(const Vectors& vectors, int number) {
   while (std::getline(header, line)) {
     constexpr std::size_t kLongest = 500;  // std::regex needs stack for each character
     std::smatch match;
-    // An ATtiny85's header also defines the names TIM0_OVF_vect, and so on.
+    // An ATtiny85's header has two names for a vector, such as TIM0_OVF_vect and TIMER0_OVF_vect. Prefers the
+    // second.
     if (line.size() < kLongest && std::regex_match(line, match, definition) &&
         (found.empty() || match[1].str().starts_with("TIMER")))
       found = match[1];

@@ -9,7 +9,7 @@
 
 namespace robosim::build {
 
-/// The chip whose vectors a program names, and avr-libc's folder include/avr.
+/// The chip whose interrupt vectors a program uses, and avr-libc's folder include/avr.
 struct Vectors {
   const ChipSpec& chip;
   const std::filesystem::path& avr_libc;
@@ -20,14 +20,14 @@ struct Vectors {
 std::string vector_name(const Vectors& vectors, int number);
 
 /// Returns a sentence about the first vector that the linker reports as defined twice: its name, its two
-/// owners, and what to do. Returns an empty text if there is no such vector. avr-gcc's linker names no lines;
-/// the hint finds them in `own_lines`, the sketch's preprocessed lines (prototypes.h).
+/// owners, and what to do. Returns an empty text if there is no such vector. avr-gcc's linker reports no line
+/// numbers; this function finds them in `own_lines`, the sketch's preprocessed lines (prototypes.h).
 std::string vector_hint(const std::string& messages, const std::string& own_lines, const BoardSpec& board,
                         const Vectors& vectors);
 
 /// Returns warnings in a compiler's format, one per line, about handlers that the AVR core also defines:
-/// ISR(INT0_vect) with attachInterrupt(), and ISR(TIMER2_COMPA_vect) with tone(). The sketch does not link
-/// for the chip, but it does for the host, whose core needs no handlers.
+/// ISR(INT0_vect) with attachInterrupt(), and ISR(TIMER2_COMPA_vect) with tone(). Such a sketch links
+/// for the host, whose core needs no handlers, but not for the chip.
 std::string core_handler_warnings(const std::string& own_lines, const BoardSpec& board,
                                   const std::filesystem::path& avr_libc);
 

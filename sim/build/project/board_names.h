@@ -19,7 +19,7 @@ const BoardSpec* board_with_chip(const std::string& chip, const std::string& fqb
 /// Returns the board with PlatformIO's id ("nanoatmega328"), or null.
 const BoardSpec* board_of_platformio(const std::string& id);
 
-/// Return all boards in the tools' notation: "arduino:avr:uno, …" and "uno, …".
+/// Return all boards in the notation of arduino-cli ("arduino:avr:uno, …") and of PlatformIO ("uno, …").
 std::string all_fqbns();
 std::string all_platformio_ids();
 

@@ -208,8 +208,7 @@ bool is_macro(const std::string& text) {
          (end == text.end() || *end == '=' || *end == '(') && text.find('\n') == std::string::npos;
 }
 
-/// Accepts only options about the sketch's content, because other options could name programs and files of
-/// this machine.
+/// Uses only -D, -U and -I, because other options could name programs and files of this machine.
 void take_flags(Project& project, const std::string& text, const fs::path& folder) {
   std::vector<std::string> left_out;
   const std::vector<std::string> words = words_of(text);

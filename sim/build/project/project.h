@@ -39,7 +39,7 @@ struct Project {
 /// read, and for an unknown environment.
 Project read_project(const std::filesystem::path& folder, const std::string& environment = {});
 
-/// Returns the project of a finished image: the board for which arduino-cli or PlatformIO has built it.
+/// Returns the project file of a finished image, and the board for which arduino-cli or PlatformIO built it.
 Project project_of_image(const std::filesystem::path& image);
 
 /// Returns the folder of the sketch from which arduino-cli or PlatformIO has built an image. The path is

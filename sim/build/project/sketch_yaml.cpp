@@ -35,7 +35,8 @@ void take_libraries(Project& project, const YamlValue& list) {
   }
 }
 
-/// Adds libraries that arduino-cli has downloaded for the profiles of all sketches: NAME_VERSION_HASH/NAME.
+/// Adds the wanted libraries that arduino-cli has downloaded. arduino-cli stores the libraries of all
+/// profiles in folders NAME_VERSION_HASH/NAME.
 void add_fetched(Project& project) {
   const char* const home = std::getenv("HOME");
   if (!home) return;

@@ -1,5 +1,5 @@
 // Reads YAML files of other tools with libyaml. Values are read from libyaml's document, without a
-// conversion. Anchors that refer to each other a million times therefore cost nothing.
+// conversion. A file whose aliases would expand to a million values therefore costs nothing.
 #pragma once
 
 #include <filesystem>

@@ -16,7 +16,7 @@ std::string on(const char* board, const std::string& code) {
 }
 std::string in(const std::string& code) { return on("uno", code); }
 
-/// Returns a sketch whose variable `since` has this type, and is set to `millis()`.
+/// Returns a sketch whose loop() sets `since`, a variable of this type, to millis(), and then executes `use`.
 std::string since_is(const std::string& type, const std::string& use) {
   return type + " since = 0;\nvoid loop() {\nsince = millis();\n" + use + "\n}";
 }

@@ -196,8 +196,8 @@ TEST_F(HostileTest, NoCompilerChangesWhatItIsGivenFromTheCacheOrReadsMore) {
 }
 
 TEST_F(HostileTest, FlagsThatReadAlikeAreNotTheSameKey) {
-  // Equal cache keys would also harm other sketches: all sketches share the core, whose cache key has the
-  // same form.
+  // Equal cache keys would also harm other sketches: all sketches share the compiled Arduino core, whose
+  // cache key has the same form.
   write("Pupil/Pupil.ino",
         "#ifdef B\nint b;\n#endif\nvoid setup() {\n#ifdef B\n  B();\n#endif\n}\nvoid loop() {}\n");
   Request request{folder_ / "Pupil", *find_board("uno")};
@@ -234,7 +234,7 @@ TEST_F(HostileTest, ANumberInAMessageMayBeTooLargeForOne) {
         "#line 1 \"a\\nb.c:99999999999999999999:1: fatal error: y.h: No such file or directory\"\nint x = ;",
         "asm(\".error \\\"b.c:99999999999999999999: Error: x\\\"\");"}) {
     write("Pupil/Pupil.ino", std::string(line) + "\n" + kEmptySketch);
-    EXPECT_NE(error_of("Pupil"), "no error") << line;  // throws InputError only
+    EXPECT_NE(error_of("Pupil"), "no error") << line;  // another exception fails the test
   }
 }
 

@@ -87,7 +87,8 @@ TEST(PinWarnings, SayThatAPinIsAnalogOnly) {
   EXPECT_EQ(on("nano", "analogRead(A6); analogRead(7);"), "");
 }
 
-/// Returns digitalPinToInterrupt(pin) as the cores of an Uno and a Mega expand it.
+/// These functions return the expression to which the Arduino core's macro digitalPinToInterrupt(pin)
+/// expands, for an Uno and for a Mega.
 std::string uno_interrupt(const std::string& pin) {
   return "((" + pin + ") == 2 ? 0 : ((" + pin + ") == 3 ? 1 : -1))";
 }

@@ -1,4 +1,4 @@
-// Runs the compiled sketches of the folder `sketches` with the host executor.
+// Runs compiled sketches with the host executor: those of the folder `sketches`, and code in the tests.
 #include <gmock/gmock.h>
 
 #include "tests/unit/build/run_fixture.h"

@@ -17,7 +17,7 @@ const std::filesystem::path& avr_libc() {
   return folder;
 }
 
-/// Returns the hint on the linker's message about two definitions in these places.
+/// Returns the hint on the linker's message that both `first` and `second` define `vector`.
 std::string hint(const char* vector, const std::string& second, const std::string& first,
                  const char* name = "uno") {
   const BoardSpec& board = *find_board(name);

@@ -39,9 +39,40 @@ TEST_F(Slips, RightCodeIsNotWarnedOf) {
             "");
 }
 
+TEST_F(Slips, ConditionsThatAreAlwaysTrueOrFalseAreShown) {
+  const std::string said = said_of(
+      "byte b = x;\nif (b < 0) f();\nif (b > 255) f();\nif (x < 3 && x > 5) f();\nif (x != 3 || x != 5) "
+      "f();\n"
+      "if (!x == 2) f();\nif ((x & 4) == 1) f();\nif (x > 3) f(); else if (x > 3) f();\nif (b != -1) f();");
+  for (int line = 7; line <= 14; ++line)
+    EXPECT_THAT(said, ContainsRegex("My.ino:" + std::to_string(line) + ":[0-9]+: warning"));
+}
+
+TEST_F(Slips, StatementsWithoutEffectAndOutsideOfTheirIfAreShown) {
+  const std::string said = said_of("x == 3;\nx + 1;\nif (y)\n  x = 1;\n  y = 2;\nf;");
+  for (int line : {6, 7, 11})
+    EXPECT_THAT(said, ContainsRegex("My.ino:" + std::to_string(line) + ":[0-9]+: warning"));
+  EXPECT_THAT(said, HasSubstr("My.ino:10: warning: this line does not belong to the 'if' of line 8"));
+}
+
+TEST_F(Slips, AnIgnoredResultOfAMacroIsShownOnceWithWhatToWrite) {
+  const std::string said = said_of("constrain(x, 0, 255);\nabs(y);\nz = abs(y);");
+  EXPECT_THAT(said,
+              HasSubstr("My.ino:6: warning: constrain() changes nothing here, but returns a result: write x "
+                        "= constrain(x, …)\n"));
+  EXPECT_THAT(said, HasSubstr("My.ino:7: warning: abs() changes nothing here"));
+  EXPECT_THAT(said, Not(HasSubstr("conditional expression")));
+  EXPECT_THAT(said, Not(HasSubstr("My.ino:8")));
+}
+
+TEST_F(Slips, ConditionsThatAMacroMakesAlwaysTrueAreNotShown) {
+  EXPECT_EQ(said_of("byte b = x;\ny = constrain(b, 0, 255);\nz = max(b, 0);\nif (bitRead(b, 1) == 1) f();"),
+            "");
+}
+
 TEST_F(Slips, ASlipBehindRightCodeKeepsItsPlaceAndWhatElseIsSaidIsKept) {
   const std::string said = said_of("x = y & 4 | 1; if (x = 1) f(); x = 'ab';");
-  EXPECT_THAT(said, AllOf(HasSubstr("In function"), HasSubstr("assignment"), Not(HasSubstr("arithmetic"))));
+  EXPECT_THAT(said, AllOf(HasSubstr("In function"), HasSubstr("'=' assigns"), Not(HasSubstr("arithmetic"))));
   EXPECT_THAT(said, HasSubstr("multi-character"));
 }
 

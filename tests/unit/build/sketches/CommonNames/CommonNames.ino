@@ -1,4 +1,4 @@
-// Defines names that a PC's C library has and avr-libc does not. A sketch for an Uno may define all of them.
+// Defines names that a PC's C library has, but avr-libc lacks. A sketch for an Uno may define all of them.
 #include <avr/wdt.h>
 
 int open, close, send, connect, accept, bind, listen, kill, fork, pipe, sync, nice, brk, gamma, j0, j1, jn, yn, y1, rindex,

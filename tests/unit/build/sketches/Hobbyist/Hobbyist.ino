@@ -1,5 +1,5 @@
-// Follows a line in hobbyists' style: short global names, String, a static object whose constructor sets up
-// pins, and a motor library from a libraries folder.
+// Follows a line as a hobbyist's sketch does. Uses short global names, String, a static object whose
+// constructor sets up pins, and a motor library from a libraries folder.
 #include <RobotMotor.h>
 
 #define KP 0.08

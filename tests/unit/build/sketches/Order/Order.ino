@@ -1,4 +1,4 @@
-// Uses functions before they are defined, with parameters whose prototypes are hard to generate.
+// Uses functions before they are defined. Their prototypes are hard to generate.
 enum Direction { LEFT, STRAIGHT, RIGHT };
 
 struct Reading {
