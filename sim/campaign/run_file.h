@@ -1,5 +1,5 @@
-// A file with a line for each finished run of a campaign. However the campaign ends, its complete lines
-// remain, and the campaign can be resumed.
+// A file with a line for each finished run of a campaign. However the campaign ends, the file's complete
+// lines remain, and the campaign can be resumed.
 #pragma once
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-// A part of a campaign whose runs are distributed over several machines: --shard 2/8, and --merge for the
+// One machine's part of a campaign, if several machines share the runs: --shard 2/8, and --merge for the
 // results.
 #pragma once
 

@@ -41,7 +41,7 @@ struct WhyArguments {
 struct ReplayArguments {
   std::string file;
   double speed = 1.0;               ///< see RunArguments
-  std::string over;                 ///< file of a run to which the distance is measured; empty = none
+  std::string over;                 ///< file of another run, with which this run is compared; empty = none
   std::vector<std::string> record;  ///< files to write the recording to, in other formats
 };
 
@@ -111,7 +111,7 @@ struct ImportArguments {
   std::string file;
   std::string out;       ///< a file; empty = standard output
   double pixel_m = 0.0;  ///< side of a picture's pixel; 0 = not given
-  double walls_m = 0.0;  ///< cell pitch of a maze with walls; 0 = lines
+  double walls_m = 0.0;  ///< cell pitch of a maze with walls; 0 = the course has lines
 };
 
 /// `robosim map print`
@@ -141,9 +141,9 @@ struct RobotArguments {
 struct WireArguments {
   std::string sketch;
   std::string environment;
-  std::string board;         ///< empty = the project's board, otherwise a board that suits the sketch
+  std::string board;         ///< empty = the project's board, or else a board that suits the sketch
   std::string map = "oval";  ///< map on which the draft is tried
-  std::string target;        ///< empty = host
+  std::string target;        ///< empty = host, or avr if the sketch compiles only there
   std::vector<std::string> libraries;
   std::string out;  ///< a file; empty = standard output
 };
@@ -168,7 +168,7 @@ struct ClassicArguments {
   double speed = 1.0;           ///< seconds per move
   std::uint64_t steps = 0;      ///< maximum number of moves; 0 = the default in classic_command.cpp
   std::vector<std::string> to;  ///< destinations: stations by number or name, or "all"
-  std::string planner;          ///< name of a route planner; empty = AiNavigator's choice
+  std::string planner;          ///< name of a route planner; empty = the firmware's default (AiNavigator)
   double miss = 0.0;            ///< probability from 0 to 1 that a cell is not seen
   double slip = 0.0;
   std::uint64_t seed = 1;

@@ -1,4 +1,4 @@
-// Reports the preparation of a launch on standard error.
+// Reports the preparation of a run (sim/launch) on standard error.
 #pragma once
 
 #include "sim/launch/launch.h"

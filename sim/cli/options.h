@@ -13,7 +13,7 @@ namespace robosim::cli {
 /// Reads all options as text. The commands check the values afterwards, so that messages are uniform.
 class Options {
  public:
-  /// Sets the command's name, `summary` and `details`, with the meanings of CommandHelp.
+  /// Sets the command's name, `summary` and `details` (see CommandHelp).
   Options(const std::string& command, const std::string& summary, const std::string& details = "");
 
   /// Adds a positional argument. `name` is written as in the usage: "MAP" if required, "[MAP]" if optional.

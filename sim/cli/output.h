@@ -1,4 +1,4 @@
-// Writes to standard output and to standard error. Reports only errors of standard output.
+// Writes to standard output and to standard error. Reports a failed write only for standard output.
 #pragma once
 
 #include <string_view>
@@ -7,8 +7,8 @@
 
 namespace robosim::cli {
 
-/// Writes and flushes. On a terminal, passes the text through for_terminal() first. Throws InputError if a
-/// write fails (full disk).
+/// Writes and flushes. On a terminal, passes the text through for_terminal() first, which escapes control
+/// characters. Throws InputError if a write fails (full disk).
 void print(std::string_view text);
 
 /// Writes to standard error, through for_terminal(). Ignores a failed write, so that the exit status stays

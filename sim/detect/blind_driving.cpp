@@ -11,7 +11,7 @@ namespace {
 constexpr double kSamePower = 0.02;
 // The number of ticks that a sketch may need to convert a reading to motor commands.
 constexpr int kTicksToSteer = 3;
-// If a sketch reads its sensors in fewer ticks of a run, the sketch does not steer along the line.
+// A sketch steers along the line only if it reads its sensors in at least this number of ticks.
 constexpr int kFewLooks = 2;
 constexpr std::size_t kMostPlaces = 8;
 
@@ -47,8 +47,10 @@ void BlindDriving::look(const Steering& now) {
   } else {
     stretch.planned |=
         std::abs(now.left - stretch.left) > kSamePower || std::abs(now.right - stretch.right) > kSamePower;
-    const bool is_too_long =
-        stretch.saw_line && !stretch.planned && !now.sees_line && now.distance_m - stretch.from_m > most_m_;
+    const bool is_driven =
+        std::abs(now.left) > kSamePower || std::abs(now.right) > kSamePower;  // it does not coast
+    const bool is_too_long = stretch.saw_line && is_driven && !stretch.planned && !now.sees_line &&
+                             now.distance_m - stretch.from_m > most_m_;
     if (is_too_long && !stretch.is_too_long) {
       stretch.busy = executor_.activity();
       // A call that did not last for most of the stretch is not the reason.

@@ -4,6 +4,7 @@
 #include "sim/detect/doubtful_actions.h"
 #include "sim/detect/driven_input.h"
 #include "sim/detect/eeprom_wear.h"
+#include "sim/detect/floating_input.h"
 #include "sim/detect/forgotten_output.h"
 #include "sim/detect/motors_left_on.h"
 #include "sim/detect/overwritten_record.h"
@@ -33,6 +34,7 @@ Detectors::Detectors(const robot::Robot& robot, exec::Executor& executor, double
                  &add<SlowSerial>(), &add<SlowControl>()};
   add<ForgottenOutput>(robot.wiring());
   add<DrivenInput>(robot.wiring());
+  add<FloatingInput>(robot.wiring());
   add<DoubtfulActionsOnHost>();
   add<EepromWear>();
   add<TornRecord>();

@@ -96,7 +96,11 @@ void DoubtfulActions::wrote(int64_t number, int64_t value, SimTime t, const Wher
         fmt::format(
             "analogWrite({}, {}) acted like analogWrite({}, {}), since it takes 0 to 255; it was called",
             number, value, number, effect),
-        "Limit the value: constrain(value, 0, 255).", {t, where()});
+        value < 0
+            ? "A sign has no effect here: write abs(value), and set the direction by the driver's other "
+              "pins; or limit the value: constrain(value, 0, 255)."
+            : "Limit the value: constrain(value, 0, 255).",
+        {t, where()});
     return;
   }
   if (pin.pwm || value == 0 || value == kHighest || add_occurrence("lost_pwm", number)) return;
@@ -122,8 +126,9 @@ void DoubtfulActions::attached(int64_t number, SimTime t, const Where& where) {
   add(result::detector("no_interrupt"), number,
       fmt::format("attachInterrupt() had no effect, since it got the interrupt number {}; it was called",
                   got),
-      fmt::format("Use a pin with an external interrupt, {}, and write digitalPinToInterrupt(pin).",
-                  pins_of(*board_, " or ", [](const PinSpec& pin) { return pin.interrupt >= 0; })),
+      is_pin ? fmt::format("For pin {}, write attachInterrupt(digitalPinToInterrupt({}), …).", number, number)
+             : fmt::format("Use a pin with an external interrupt, {}, and write digitalPinToInterrupt(pin).",
+                           pins_of(*board_, " or ", [](const PinSpec& pin) { return pin.interrupt >= 0; })),
       {t, where()});
 }
 

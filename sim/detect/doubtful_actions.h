@@ -20,10 +20,10 @@
 // long_delay: delay((long)(next - millis()));
 //   A negative number becomes a delay of 24 to 49 days.
 //
-// Conditions for timers: a timer leaves its PWM modes while an output has PWM. Or the sketch writes a duty
-// cycle (OCRnx of a connected output) to a timer outside of PWM modes. The timer then stays outside of PWM
-// modes for at least 10 ms. Shorter times occur while a sketch sets up a timer. Duty cycles that are written
-// while the timer is stopped are not reported.
+// For a timer, lost_pwm is reported in two cases. Either the timer leaves its PWM modes while an output has
+// PWM. Or the sketch writes a duty cycle (OCRnx of a connected output) to a timer outside of PWM modes. In
+// both cases, the timer stays outside of PWM modes for at least 10 ms. Shorter times occur while a sketch
+// sets up a timer. Duty cycles that are written while the timer is stopped are not reported.
 //
 // slow_source: see slow_source.h.
 //

@@ -11,8 +11,8 @@ constexpr SimTime kLong = 100 * kMillisecond;
 
 bool gives_a_level(const robot::WiredPin& wired) {
   return wired.type == "button" || wired.type == "bumper" || wired.type == "encoder" ||
-         wired.type == "ir-receiver" ||
-         (wired.type == "reflectance-array" && !wired.role.starts_with("emitter"));
+         wired.type == "ir-receiver" || wired.type == "ir-switch" || wired.role == "txd" ||
+         wired.role == "echo" || (wired.type == "reflectance-array" && !wired.role.starts_with("emitter"));
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ std::vector<exec::Detected> DrivenInput::found(SimTime now) const {
   const bool several = driven.size() > 1;
   return {{result::detector("driven_input"),
            fmt::format(
-               "pin{} {} {}, but the part there gives a level to read, and the two drive against each other; "
+               "pin{} {} {}, but the part on it outputs a level, too, and the two drive against each other; "
                "it was set",
                several ? "s" : "", pins, several ? "are outputs" : "is an output"),
            "Set the pin to INPUT. If the part is at another pin, correct the robot file (“robosim wire” "

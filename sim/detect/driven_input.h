@@ -7,8 +7,9 @@
 // absolute maximum is 40 mA for each pin (ATmega328P, DS40002061B, 28.1).
 //
 // A finding is a pin that was an output for 0.1 s or more without a break. Pins through which a sketch
-// charges a sensor are outputs for microseconds only. Only pins of these parts are examined: button, bumper,
-// encoder, infrared receiver, and the sensors of a reflectance array.
+// charges a sensor are outputs for microseconds only. Only these pins are examined: those of buttons,
+// bumpers, encoders, infrared receivers, switches and the sensors of a reflectance array; a serial module's
+// TXD, and an ultrasonic sensor's echo.
 //
 // To fix a finding, call pinMode(pin, INPUT) or pinMode(pin, INPUT_PULLUP), or wire the part to another pin.
 #pragma once

@@ -11,7 +11,7 @@ namespace robosim::detect {
 
 class FirmwareDetector : public exec::Detector {
  public:
-  /// Called when the firmware has started again after the script had switched the power off.
+  /// Called when the firmware has started again after its chip had lost power.
   virtual void powered_on() {}
 };
 

@@ -16,7 +16,8 @@ class FloorReads {
   /// be wired to a pin of the board.
   bool are_known() const { return !pins_.empty(); }
   /// Returns the time of the firmware's last read of a floor sensor; -1 if the firmware has read no sensor.
-  /// If an interrupt waits for a sensor's edges, the sensor counts as read at `now`.
+  /// If an interrupt waits for a sensor's edges, the sensor counts as read at `now`. This rule excludes pins
+  /// whose edges a timer can capture.
   SimTime last(SimTime now) const;
 
  private:

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLeftOn_m = 0.5;
 constexpr double kUnchanged = 0.02;
-// If a sketch reads its sensors in fewer ticks of a run, the sketch does not steer along the line.
+// A sketch steers along the line only if it reads its sensors in at least this number of ticks.
 constexpr int kHardlyEver = 2;
 
 }  // namespace

@@ -4,9 +4,9 @@
 //
 // The fault shows only when the robot loses its line. For example, someone touches a wheel, or the floor is
 // dirty. In a finding, the wheels have turned a metre since a sensor last saw the line (verdict `lost`). For
-// at least the last half metre, the motor commands were unchanged and no floor sensor was read. The sketch
-// must not be waiting in a call, because BlindDriving reports such waits. To fix a finding, stop or brake the
-// motors wherever the sketch stops steering.
+// at least the last half metre, the motors ran with unchanged commands, and no floor sensor was read. The
+// sketch must not be waiting in a call, because BlindDriving reports such waits. To fix a finding, stop or
+// brake the motors wherever the sketch stops steering.
 //
 // Not detected: sensors on a shift register; sensors that are read by interrupt handlers; a robot that
 // meets a line by chance.

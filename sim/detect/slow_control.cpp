@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kOtherCommand = 0.005;
 constexpr SimTime kLeastInterval = 20 * kMillisecond, kJitter = 2 * kMillisecond;
-// The motors of a robot change one after the other, each at the end of a period of its PWM.
+// Changes within this time count as one, because the motors change one after the other: each at the end of a
+// period of its PWM.
 constexpr SimTime kOneChange = 4 * kMillisecond;
 constexpr double kJitterShare = 0.05, kLeastWay_m = 0.02, kGoodWay_m = 0.005;
 constexpr int kLeastRow = 4, kLeastReads = 4, kManyLosses = 3;

@@ -8,10 +8,10 @@
 // and all times that the sketch counts in passes depend on Serial. Without Serial, or on a narrower line, the
 // robot drives differently.
 //
-// A waiting stretch lasts at least 15 ms, in which the robot drives without reading a floor sensor. In this
-// time, a call of Serial waits. A finding is a sketch with at least ten waiting stretches that take 30 % of
-// its driving time. Sketches that occasionally print much, or drive without a line, are not reported. To fix
-// a finding, print fewer bytes, print less often (if (millis() - told_at > 500)), or use a faster
+// A waiting stretch is a period of at least 15 ms. In this period, the robot drives without reading a floor
+// sensor, and a call of Serial waits. A finding is a sketch with at least ten waiting stretches, in sum 30 %
+// of its driving time. Sketches that occasionally print much, or drive without a line, are not reported. To
+// fix a finding, print fewer bytes, print less often (if (millis() - told_at > 500)), or use a faster
 // Serial.begin().
 #pragma once
 

@@ -10,7 +10,7 @@
 namespace robosim::detect {
 namespace {
 
-constexpr double kNoticed = 8.0 / 1024.0;  // error of a finding, as a share of the supply voltage
+constexpr double kNoticed = 8.0 / 1024.0;  // minimum error of a finding, as a share of the supply
 constexpr std::int64_t kManyTimes = 3;
 
 }  // namespace

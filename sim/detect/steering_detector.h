@@ -25,7 +25,7 @@ class SteeringDetector : public FirmwareDetector {
   virtual void look(const Steering& now) = 0;
 };
 
-/// Returns the current call if it calls a function that can wait; otherwise an empty text.
+/// Returns the sketch's current call if the called function can wait; otherwise an empty text.
 std::string waiting_call(const exec::Activity& activity);
 
 /// The fix for a sketch that waits while it prints.

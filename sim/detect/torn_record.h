@@ -4,21 +4,21 @@
 //                          // (FF 00) to 256 (00 01), the EEPROM contains 0 (00 00) after the first byte. If
 //                          // the power is cut at this moment, setup() later reads 0
 //
-// A finding is a number of two to four bytes, written by one source line, with these properties:
+// A finding is a value of two to four bytes, written by one source line, with these properties:
 //
-//   - one write of the number changed at least two of its bytes, and the old bytes were not all erased (FF).
-//     A power cut between these bytes leaves neither the old nor the new number;
+//   - one write of the value changed at least two of its bytes, and the old bytes were not all erased (FF).
+//     A power cut between these bytes leaves neither the old nor the new value;
 //   - another write changed only one byte. This proves that no byte is a checksum, because a checksum would
 //     have changed, too;
 //   - nothing else was written just before or after, such as a mark that names the valid record.
 //
 // The finding contains the period in which a power cut would tear the record. It also contains a script line
 // that cuts the power in this period (docs/reference/scripts.md). To fix a finding, store a checksum after
-// the number, and check it when the number is read. Alternatively, write two records in turn, each with a
+// the value, and check it when the value is read. Alternatively, write two records in turn, each with a
 // sequence number and a checksum, so that the older record survives.
 //
-// Not detected: larger records; numbers whose bytes all change each time, such as floats. The detector does
-// not know whether the sketch reads the number, or checks its range when the number is read.
+// Not detected: larger records; values whose bytes all change each time, such as floats. The detector does
+// not know whether the sketch reads the value, or checks its range when the value is read.
 #pragma once
 
 #include <cstdint>

@@ -38,6 +38,8 @@ Decisive decisive_moment(const Evidence& e) {
       if (!e.moved) return {e.t, "the robot has not moved, and the sketch was here", true, true, e.t};
       if (!e.judge->drives(e.t))
         return {e.judge->last_driven(), kMotorsStayOff, true, true, e.judge->last_driven()};
+      if (spins(e))
+        return {e.judge->turns_since(e.judge->place()), "the robot spins from here on", true, false};
       if (e.t - e.judge->drives_here_since() >= kInOnePlaceAfter)
         return {e.judge->drives_here_since(),
                 "the robot stayed in one place from here on, with its motors driven", true, false};
@@ -47,6 +49,9 @@ Decisive decisive_moment(const Evidence& e) {
                   : "the robot's motors were driven until less than a second before its time was up",
               true, false};
     case Verdict::reached:
+      if (const auto& left = e.judge->line_first_left(); left && was_off_line(e))
+        return {left->at, "the robot left the line for the first time", true, false};
+      break;
     case Verdict::over_budget:
     case Verdict::interrupted:
       break;

@@ -10,10 +10,10 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kGone = 0.01;     // m from the start; at this distance, the robot has left the start
-constexpr double kPenalty = 5.0;   // s
-constexpr double kAcross = 0.02;   // m between points of a line across the lane
-constexpr double kHalfLane = 0.2;  // m
+constexpr double kGone = 0.01;     // in metres: distance at which the robot has left the start
+constexpr double kPenalty = 5.0;   // in seconds, for each overrun or touch
+constexpr double kAcross = 0.02;   // in metres: distance between the checked points of a line across the lane
+constexpr double kHalfLane = 0.2;  // in metres
 constexpr SimTime kStandsBehind = 500 * kMillisecond;
 
 // Returns whether the outline has reached a line across the lane.

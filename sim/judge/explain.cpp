@@ -44,7 +44,7 @@ std::string pin_name(const Evidence& e, Pin pin) {
 bool is_at(const exec::Activity& a, std::string_view function) { return a.call.rfind(function, 0) == 0; }
 
 // Returns the pin for which the sketch seems to wait: the only input that it has read lately. A sketch may
-// read one input while the robot drives. If the robot has moved or drives, the sketch therefore counts as
+// follow the line with a single input. If the robot has moved or drives, the sketch therefore counts as
 // waiting only in digitalRead() or pulseIn().
 Pin awaited_pin(const Evidence& e) {
   if (is_at(e.activity, "pulseIn"))
@@ -59,9 +59,10 @@ bool drives_long(const Evidence& e, const Judge::Stay& stay) {
   return drives(e) && e.t - e.judge->drives_since(stay) >= kInOnePlaceAfter;
 }
 
-// Returns the robot's mean turn rate while it drives within a stay, rad/s; above 0 = anticlockwise.
+// Returns the robot's mean turn rate, in rad/s, since it began to turn in one direction during a stay; above
+// 0 = anticlockwise.
 double turn_rate(const Evidence& e, const Judge::Stay& stay) {
-  return e.judge->turned_during(stay) / (1e-9 * static_cast<double>(e.t - e.judge->drives_since(stay)));
+  return e.judge->turned_during(stay) / (1e-9 * static_cast<double>(e.t - e.judge->turns_since(stay)));
 }
 
 // Returns whether a robot still turns in the direction in which it has turned during a stay. This excludes a
@@ -72,13 +73,8 @@ bool still_turns(const Evidence& e, const Judge::Stay& stay) {
   return std::abs(rate) >= kSlowest && (e.right_command - e.left_command) * rate > 0.0;
 }
 
-bool spins(const Evidence& e) {
-  const Judge::Stay& stay = e.judge->place();
-  return drives_long(e, stay) && std::abs(e.judge->turned_during(stay)) >= kTwoTurns && still_turns(e, stay);
-}
-
-// Returns whether the robot circles. If a sensor has seen the line within the duration of a turn, the robot
-// just follows a small loop.
+// Returns whether the robot circles. A robot whose sensors have seen the line during the last turn just
+// follows a small loop.
 bool circles(const Evidence& e) {
   constexpr double kTurn = kTwoTurns / 2.0;
   const Judge::Stay& stay = e.judge->surroundings();
@@ -107,8 +103,11 @@ std::string waiting(const Evidence& e) {
     const std::string call = by_call    ? fmt::format(" with digitalRead({})", number_or_name(e, pin))
                              : by_pulse ? " with pulseIn()"
                                         : "";
-    return fmt::format("; the sketch keeps reading {}{}{}, and finds it {}", pin_name(e, pin), call,
-                       by_call || by_pulse ? place_of(a.where) : "", e.pin_level ? "HIGH" : "LOW");
+    // The place where the sketch was last need not be the place where it reads the pin.
+    const std::string place = place_of(a.where);
+    return fmt::format("; the sketch keeps reading {}{}{}, and finds it {}{}", pin_name(e, pin), call,
+                       by_pulse ? place : "", e.pin_level ? "HIGH" : "LOW",
+                       by_call && !place.empty() ? "; it was last" + place : "");
   }
   if (drives_long(e, e.judge->place()) || circles(e)) return "";
   if (a.call.empty()) return a.where.file.empty() ? "" : "; the sketch was" + place_of(a.where);
@@ -128,13 +127,15 @@ std::string whereabouts(const Evidence& e) {
   const Judge::Stay& here = e.judge->place();
   const bool spin = spins(e), circle = !spin && circles(e);
   const Judge::Stay& stay = circle ? e.judge->surroundings() : here;
-  const SimTime since =
-      drives(e) ? e.judge->drives_since(stay) : std::max(here.since, e.judge->last_driven());
+  const SimTime since = spin || circle ? e.judge->turns_since(stay)
+                        : drives(e)    ? e.judge->drives_since(stay)
+                                       : std::max(here.since, e.judge->last_driven());
   // A robot that spins or circles may see the line in each turn.
   std::string text = (spin || circle) && e.judge->line_last_seen() && e.judge->line_last_seen()->at > since
                          ? ""
                          : left_line(e, e.t);
-  if (!e.moved || e.t - since < kInOnePlaceAfter) return text.empty() ? "" : "; the robot " + text;
+  if (!e.moved || (!spin && !circle && e.t - since < kInOnePlaceAfter))
+    return text.empty() ? "" : "; the robot " + text;
   const char* const direction = e.judge->turned_during(stay) > 0.0 ? "anticlockwise" : "clockwise";
   const std::string how = spin        ? fmt::format("has been spinning {} near", direction)
                           : circle    ? fmt::format("has been circling {} within 1 m of", direction)
@@ -152,6 +153,10 @@ std::string advice(const Evidence& e) {
       (check == "add_overflow" || check == "sub_overflow" || check == "mul_overflow") &&
       e.crash->reason.find("does not fit an int,") != std::string::npos;
   if (e.int_bits > 16 || !is_int_too_large) return "";
+  if (check != "mul_overflow")
+    return "On the chip, an int has 16 bits: declare the variables as long, or limit the result, for example "
+           "with "
+           "constrain().";
   return "On the chip, an int has 16 bits: make one of the numbers long, as in 1000L * analogRead(A1).";
 }
 
@@ -228,20 +233,31 @@ std::string but_collided(const Evidence& e) {
   return fmt::format(", but with {} collision{}", e.collisions, e.collisions == 1 ? "" : "s");
 }
 
-/// Returns a remark if the robot has gone round the loop without following its line.
+/// Returns the remark that the robot was off the line; empty unless was_off_line().
 std::string but_off_line(const Evidence& e) {
-  constexpr int kLeastShare = 4;  // a quarter of the time; gaps take less
-  if (e.goal->kind != Goal::Kind::laps || kLeastShare * e.off_line < e.t) return "";
-  return fmt::format(", but the robot was off the line for {}", seconds(e.off_line));
+  if (!was_off_line(e)) return "";
+  const std::optional<Judge::Seen>& left = e.judge->line_first_left();
+  return fmt::format(
+      ", but the robot was off the line for {}{}", seconds(e.off_line),
+      left ? fmt::format(", first from {} near {}", seconds(left->at), cell_of(*e.map, left->position)) : "");
 }
 
 }  // namespace
 
+bool was_off_line(const Evidence& e) {
+  constexpr int kLeastShare = 4;  // a quarter of the time; gaps take less
+  return e.verdict == Verdict::reached && e.goal->kind == Goal::Kind::laps && kLeastShare * e.off_line >= e.t;
+}
+
+bool spins(const Evidence& e) {
+  const Judge::Stay& stay = e.judge->place();
+  return drives_long(e, stay) && std::abs(e.judge->turned_during(stay)) >= kTwoTurns && still_turns(e, stay);
+}
+
 bool left_line_before(const Evidence& e, SimTime t) {
-  constexpr SimTime kJustNow = kSecond / 2;
   constexpr double kSomewhereElse = 0.01;  // m
   const auto& seen = e.judge->line_last_seen();
-  return e.moved && seen && t - seen->at >= kJustNow && length(e.at - seen->position) >= kSomewhereElse;
+  return e.moved && seen && t - seen->at >= kLeftLine && length(e.at - seen->position) >= kSomewhereElse;
 }
 
 std::string explain(const Evidence& e) {
@@ -306,8 +322,10 @@ std::string sentence(const Evidence& e) {
           "The sketch ended{}: for 2 s it called no Arduino function, with the motors off{}{}.",
           place_of(e.activity.where), undone, whereabouts(e));
     case Verdict::crashed:
-      return fmt::format("The sketch crashed: {}{}.", e.crash ? e.crash->reason : "for an unknown reason",
-                         e.crash ? place_of(e.crash->where) : "");
+      return fmt::format(
+          "{}: {}{}.",
+          e.crash && !e.crash->check.empty() ? "A check (--sanitize) failed" : "The sketch crashed",
+          e.crash ? e.crash->reason : "for an unknown reason", e.crash ? place_of(e.crash->where) : "");
     case Verdict::timeout:
       return fmt::format("The {} of simulated time are up before the goal {}: {}{}{}.", seconds(e.limit),
                          to_string(*e.goal), done, whereabouts(e), waiting(e));
@@ -327,8 +345,8 @@ bool turns_wheel(const robot::WiredPin& wired) {
   return wired.type == "motor" || wired.type == "motors" || wired.type == "wheel-servo";
 }
 
-// Returns whether a motor's pin may stay low. If a motor turns in one direction only, one of its inputs stays
-// low.
+// Returns whether a motor's pin may stay low. A phase pin may, and so may an input whose counterpart was
+// high, because the motor may turn in one direction only.
 bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   if (wired.role == "phase") return true;
   if (wired.role != "in1" && wired.role != "in2") return false;
@@ -338,7 +356,8 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   });
 }
 
-// Returns a clause that says that the motors were never driven, with the reason if it is known.
+// Returns the clause that the motors were never driven. Adds a reason if both inputs of a motor were high:
+// equal levels brake a motor.
 const char* equal_inputs(const Evidence& e) {
   const auto was_high = [&](const robot::WiredPin& wired, const char* role) {
     const auto pin = static_cast<std::size_t>(wired.pin);
@@ -351,7 +370,7 @@ const char* equal_inputs(const Evidence& e) {
   return "; its motors were never driven";
 }
 
-// Returns a text if the motor driver's standby pin was never HIGH, so that its motors stay off.
+// Returns a text if the motor driver's standby pin was never HIGH, so that the driver's motors stay off.
 std::string sleeping_driver(const Evidence& e) {
   const auto is_high = [&](const robot::WiredPin& wired) {
     return turns_wheel(wired) && static_cast<std::size_t>(wired.pin) < e.went_high.size() &&
@@ -405,8 +424,8 @@ bool has_left_line(const Evidence& e) {
   return e.verdict == Verdict::lost || (may_have_left && left_line_before(e, stopped_at(e)));
 }
 
-// Returns N if the sketch is in a delay(N) in which a robot at mean speed drives 5 cm or more. This is enough
-// to lose a line. Otherwise returns 0.
+// Returns N if the sketch is in a delay(N) long enough to lose a line: at its mean speed, the robot drives 5
+// cm or more. Otherwise, returns 0.
 std::uint32_t long_delay(const Evidence& e) {
   constexpr double kLong_m = 0.05;
   std::uint32_t ms = 0;
@@ -414,7 +433,7 @@ std::uint32_t long_delay(const Evidence& e) {
   return mean_speed(e) * ms * 1e-3 >= kLong_m ? ms : 0;
 }
 
-// Returns whether motors are driven, although no floor sensor has been read just now. A delay alone does not
+// Returns whether motors are driven, although no floor sensor has been read for 50 ms. A delay alone does not
 // show this, because an interrupt handler may read sensors during the delay.
 bool is_driven_blindly(const Evidence& e) {
   constexpr SimTime kJustNow = 50 * kMillisecond;
@@ -448,6 +467,7 @@ bool steered_away(const Evidence& e) {
 }  // namespace
 
 NextStep next_step(const Evidence& e) {
+  if (was_off_line(e)) return {result::kWatch, NextStep::By::watching};
   if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return {};
   if (e.power.empty() && (e.verdict == Verdict::stuck || e.verdict == Verdict::timeout))
     return {"capacity_mAh and charge, in [battery] of the robot file, determine how long its battery lasts"};

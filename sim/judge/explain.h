@@ -39,14 +39,14 @@ struct Evidence {
       was_pulled_up;         ///< per pin: its pull-up was on, e.g. by digitalWrite(pin, HIGH) of an input
   bool pin_level = false;    ///< the present level of the pin that the sketch reads
   bool pin_changed = false;  ///< the sketch has read both levels at this pin
-  bool on_chip = false;      ///< the firmware is a chip's image; only the effects of its calls are known
+  bool on_chip = false;      ///< the firmware is a chip's image, whose calls are known only by their effects
   bool in_contact = false;   ///< the body touches an obstruction
   std::string stopped_by = "a wall, an obstacle or the map's edge";  ///< what the body touches
   double left_command = 0.0, right_command = 0.0;                    ///< motor commands at the end, -1..1
-  double turning_drive = 0.0;     ///< least power that turns a wheel from rest, 0..1
+  double turning_drive = 0.0;     ///< smallest share of full power that turns a wheel from rest
   SimTime sensors_read = kNever;  ///< last read of a floor sensor by the sketch; kNever = none
-  double line_side = 0.0;  ///< m, the line's last position to the left of the robot's middle; below 0 = right
-  double steered = 0.0;    ///< mean command difference while the line is off-centre; positive = to the line
+  double line_side = 0.0;  ///< distance in m by which the line was last left of the middle; below 0 = right
+  double steered = 0.0;    ///< mean command difference while the line is off-centre; above 0 = towards it
   bool moved = false;      ///< a wheel turned
   SimTime off_line = 0;    ///< time in which no sensor saw the line
   int collisions = 0;
@@ -60,6 +60,11 @@ struct Evidence {
 /// Returns whether a sensor last saw the line half a second or longer before `t`, and the robot has moved
 /// since. The robot must have moved, because a script may remove the line under a robot that stands still.
 bool left_line_before(const Evidence& evidence, SimTime t);
+/// Returns whether the robot has made two or more turns in one direction at its present place, and still
+/// turns.
+bool spins(const Evidence& evidence);
+/// Returns whether the robot reached a goal of laps, but was off the line for at least a quarter of the time.
+bool was_off_line(const Evidence& evidence);
 /// Returns one sentence that explains why the run ended.
 std::string explain(const Evidence& evidence);
 NextStep next_step(const Evidence& evidence);

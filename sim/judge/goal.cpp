@@ -159,7 +159,8 @@ void Progress::begin_at(Vec2 position) {
   if (2 * node_ > static_cast<std::int64_t>(loop_.size())) node_ -= static_cast<std::int64_t>(loop_.size());
 }
 
-/// Updates node_. Must be called whenever the body has moved by a fraction of the distance between two nodes.
+/// Moves node_ to the node nearest to `position`. Must be called whenever the body has moved by a fraction of
+/// the distance between two nodes.
 void Progress::follow_loop(Vec2 position) {
   const auto count = static_cast<std::int64_t>(loop_.size());
   // Begins another lap if the body went round without passing all nodes in order.
@@ -173,7 +174,8 @@ void Progress::follow_loop(Vec2 position) {
 }
 
 /// Returns whether a robot that has passed all nodes in order has also gone round the loop. A robot that
-/// turned back in between has not. If the robot has gone round, begins the next lap.
+/// turned back on its way may have passed all nodes without going round. If the robot has gone round, begins
+/// the next lap.
 bool Progress::has_gone_round(bool backwards) {
   const auto count = static_cast<std::int64_t>(loop_.size());
   const std::int64_t ahead = node_ - lap_node_;
@@ -275,7 +277,7 @@ void Progress::look(const world::Body& body, SimTime t, Events& events) {
 // Computes how far the body may move before it can cover any remaining place. Most checks happen between two
 // places and can therefore end early.
 void Progress::search_places(const world::Body& body) {
-  constexpr double kSure = 1e-3;  // m, for rounding errors
+  constexpr double kSure = 1e-3;  // in metres: allowance for rounding errors
   searched_at_ = body.pose().position;
   double nearest = std::numeric_limits<double>::infinity();
   const auto add = [&](Vec2 place) { nearest = std::min(nearest, square(place - searched_at_)); };

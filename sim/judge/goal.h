@@ -22,7 +22,7 @@ struct Goal {
     laps,         ///< `laps` times round the loop in either direction, with every node passed in order
     station,      ///< `station` visited, and at rest there for 0.5 s
     robotrace,    ///< from the start line to the goal line of the map's [race], then at rest between the two
-    ukmars,       ///< like robotrace, but without the rest
+    ukmars,       ///< like robotrace, but the robot need not come to rest
     drag_race,    ///< along a straight, and to a stop after the goal line
     rescue_line,  ///< over the tiles of the map's [rescue]
     line_maze,    ///< to the disc, `tries` times
@@ -40,14 +40,14 @@ struct Goal {
 /// "line-maze:3", "still" or "none". Throws InputError with a list of the valid goals.
 Goal parse_goal(std::string_view text);
 std::string to_string(const Goal& goal);
-/// Returns the map's own goal. Without such a goal, returns `laps:1` on a single loop, and `tour` on other
-/// maps.
+/// Returns the goal in the map file. Without a goal in the file, returns `laps:1` on a single loop, and
+/// `tour` on other maps.
 Goal default_goal(const map::Map& map, const map::Network& network);
 
 /// A station or junction to visit.
 struct Waypoint {
   std::string name;
-  Vec2 centre;  ///< m
+  Vec2 centre;  ///< in metres
   bool visited = false;
 };
 
@@ -60,8 +60,8 @@ class Progress {
            const map::Start& start);
 
   /// Updates the progress. Must be called once per tick with the time at the tick's end. Appends visited
-  /// stations and completed laps to `events`. Checks stations and nodes only after the body has moved by some
-  /// distance. Some goals also require a check in each tick.
+  /// stations and completed laps to `events`. Stations and nodes are checked only after the body has moved by
+  /// some distance. Competitions, and the goals `station` and `still`, are checked in each tick.
   void update(const world::Body& body, SimTime t, Events& events) {
     if (!passes_by(body)) look(body, t, events);
   }
@@ -82,8 +82,8 @@ class Progress {
   const std::vector<Waypoint>& stations() const { return stations_; }
   /// Returns indices into stations() in the order of the first visit.
   const std::vector<int>& visited() const { return visited_; }
-  /// Returns the duration of each complete lap, s. The first lap begins when the body has left its start by 1
-  /// cm: waiting and calibrating on the spot do not count.
+  /// Returns the duration of each complete lap in seconds. The first lap begins when the body has left its
+  /// start by 1 cm: waiting and calibrating on the spot do not count.
   const std::vector<double>& laps_s() const { return laps_s_; }
   int junctions_visited() const { return junctions_visited_; }
   bool is_visited(const std::string& station) const;
@@ -146,8 +146,8 @@ class Progress {
   int junctions_visited_ = 0;
   std::vector<double> laps_s_;
   Lap forwards_, backwards_;
-  // The number of the loop's node next to the body. The number does not wrap: a forward lap increases it by
-  // the number of nodes. If the robot turns back, this number decreases, but Lap::next does not.
+  // The number of the loop's node nearest to the body. The number does not wrap: a forward lap increases it
+  // by the number of nodes. If the robot turns back, this number decreases, but Lap::next does not.
   std::int64_t node_ = 0;
   std::int64_t lap_node_ = 0;  ///< value of node_ at which the present lap began
   int goal_station_ = -1;
@@ -158,9 +158,9 @@ class Progress {
   Vec2 checked_at_{1e9, 1e9};   ///< far away before the first check
   Vec2 checked_heading_;
   bool takes_time_;               ///< the rules or the goal need a check in each tick
-  bool is_around_origin_ = true;  ///< the body may depart before the next check
+  bool is_around_origin_ = true;  ///< the body may be within kDeparture of origin_ until the next check
   Vec2 searched_at_;              ///< the body's position in the last search
-  double free_reach_ = 0.0;  ///< m; within this distance of searched_at_, the body covers no remaining place
+  double free_reach_ = 0.0;       ///< within this distance (m) of searched_at_, no remaining place is covered
   bool reached_ = false;
 };
 

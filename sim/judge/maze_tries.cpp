@@ -12,11 +12,11 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kLeft = 0.01;            // m from the start; at this distance, a try begins
-constexpr double kAtStart = 0.05;         // m; within this distance, the robot is at the start
-constexpr double kByHand = 0.02;          // m: a larger movement in one tick is a manual move
+constexpr double kLeft = 0.01;            // in m: at this distance from the start, a try begins
+constexpr double kAtStart = 0.05;         // in m: within this distance, the robot is at the start
+constexpr double kByHand = 0.02;          // in m: a larger movement in one tick is a manual move
 constexpr SimTime kStopped = kSecond;     // time at rest on the disc that counts as a stop
-constexpr double kOffForStopping = 10.0;  // s, deducted for a stop on the disc
+constexpr double kOffForStopping = 10.0;  // in seconds: deduction for a stop on the disc
 
 std::vector<Vec2> points_of(const map::Area& disc) {
   constexpr int kRound = 24;

@@ -4,8 +4,8 @@
 //
 // A try begins when the robot has left the start by 1 cm. The clock stops when the robot's outline first
 // touches the disc. The try ends when the robot has been at rest on the disc for 1 s, or has left the disc.
-// The next try requires a manual move back to the start. A manual move to any other place ends the try
-// without a result.
+// The next try requires a manual move back to the start. A manual move before the robot has touched the disc
+// ends the try without a result.
 //
 // The rules' limit of 10 minutes for all tries is not checked here: the run has its own time limit.
 #pragma once

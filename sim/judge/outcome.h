@@ -17,7 +17,7 @@ namespace robosim::judge {
 
 enum class Verdict {
   reached,      ///< the goal was reached
-  lost,         ///< the wheels have turned 1 m with no sensor over a line
+  lost,         ///< the wheels have turned 1 m without a line under or between the sensors
   stuck,        ///< motors were driven for 3 s, and the robot neither moved 1 mm nor turned 1 degree
   toppled,      ///< the robot tipped over, or fell off an edge
   hung,         ///< no API call for 2 s, and none can follow; motors are driven
@@ -71,13 +71,13 @@ struct Outcome {
   result::Usage usage;
   std::vector<result::RunEvent> events;  ///< the last few events
   std::string serial;                    ///< the firmware's output, up to kSerialKept bytes
-  std::string shown;                     ///< reports of parts, one per line; complete up to kShownKept bytes
-  Pose end;                              ///< the robot's pose
-  std::uint64_t eeprom_writes = 0;       ///< bytes that the firmware wrote to its EEPROM
+  std::string shown;                ///< texts that parts displayed or sent, one per line; up to about 64 KiB
+  Pose end;                         ///< the robot's pose
+  std::uint64_t eeprom_writes = 0;  ///< bytes that the firmware wrote to its EEPROM
   std::string trace_hash;
 };
 
-/// The maximum size of the stored serial output, bytes. The trace hash also covers later output.
+/// The maximum size of the stored serial output in bytes. The trace hash also covers later output.
 constexpr std::size_t kSerialKept = 1 << 20;
 constexpr std::size_t kShownKept = 1 << 16;
 

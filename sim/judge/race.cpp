@@ -11,7 +11,7 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kStep = 0.04;  // m, between two points of the course
+constexpr double kStep = 0.04;  // in m: largest distance between two points of the course
 constexpr SimTime kRestInArea = 2 * kSecond;
 
 std::vector<Vec2> points_of(const map::Path& path, double from, double length) {

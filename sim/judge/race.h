@@ -29,8 +29,8 @@ class Race {
   void score(result::Metrics& metrics) const;
 
  private:
-  /// Returns the score: the time from the start line to the goal line, s. A line is passed when the body's
-  /// outline first covers the line's middle, like the beam of a light gate.
+  /// Returns the score: the time in seconds from the start line to the goal line. A line is passed when the
+  /// body's outline first covers the line's middle, like the beam of a light gate.
   double time_s() const { return static_cast<double>(ended_ - began_) * 1e-9; }
   void advance(const RulesInput& now, Events& events);
   bool rests(const RulesInput& now);
@@ -38,7 +38,7 @@ class Race {
   struct Course {
     std::vector<Vec2> points;  ///< closely spaced points from the start line to the goal line
     std::vector<Vec2> area;    ///< closely spaced points from the goal line to the start line
-    double length = 0.0;       ///< m
+    double length = 0.0;       ///< in metres
   };
   Finish finish_;
   Course course_;

@@ -12,18 +12,18 @@
 namespace robosim::judge {
 namespace {
 
-constexpr double kAlong = 0.005;        // m between two points of the path
-constexpr double kLeastStep = 0.01;     // m of path on a tile: a shorter part is not a visit
-constexpr double kCrossing = 0.1;       // m, least distance along the path between two points of a crossing
-constexpr double kRoundObstacle = 1.5;  // tiles; this close to an obstacle, the robot may be anywhere
-constexpr double kOffTheStart = 0.01;   // m
-constexpr double kMostOfAllPaths = 1000.0;  // m
+constexpr double kAlong = 0.005;        // in m: distance between two points of the path
+constexpr double kLeastStep = 0.01;     // in m: a shorter part of the path on a tile is not a visit
+constexpr double kCrossing = 0.1;       // in m: least distance along the path between a crossing's two points
+constexpr double kRoundObstacle = 1.5;  // in tiles: within this distance of an obstacle, any place is allowed
+constexpr double kOffTheStart = 0.01;   // in m
+constexpr double kMostOfAllPaths = 1000.0;  // in m: limit for the total length of all paths
 constexpr SimTime kRestAtEnd = 5 * kSecond;
 constexpr int kLacksToGoOn = 3;
 constexpr int kStartPoints = 5, kTilePoints = 5, kTileLess = 2, kEndPoints = 60, kEndLess = 5;
 constexpr int kThingPoints = 10, kLineObstaclePoints = 20, kSeesawPoints = 20;
-constexpr double kUneven = 0.003, kBump = 0.010;  // m, greatest heights of an unevenness and of a speed bump
-constexpr double kRounding = 1e-6;                // m
+constexpr double kUneven = 0.003, kBump = 0.010;  // in m: greatest heights of an unevenness and a bump
+constexpr double kRounding = 1e-6;                // in m
 
 // Stores points of all paths, sorted into squares with sides of kAlong.
 class PathPoints {

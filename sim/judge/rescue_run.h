@@ -5,7 +5,7 @@
 //
 //                                Line           Entry
 //   start tile left              5              -
-//   each tile up to a checkpoint or the end, when the robot reaches that place
+//   each tile up to a checkpoint or the end, counted when the robot reaches that checkpoint or end
 //                                5 - 2 n, not below 0; n since the previous checkpoint
 //   tile with one or more gaps   10             10
 //   tile with one or more speed bumps
@@ -17,19 +17,20 @@
 //   end tile, at rest for 5 s (duration unverified)
 //                                60 - 5 n >= 0  -
 //
-// If the path ends at the evacuation zone, there is no end tile and no rest. The elements of a tile count
-// when the middle of the robot's axle is on the next tile. A gap is an unpainted stretch of the path; an
-// obstacle is a wall on the path; an intersection is a place where the path crosses itself or another path.
+// If the path ends at the evacuation zone, there is no end tile, and the robot need not come to rest. The
+// elements of a tile count when the middle of the robot's axle is on the next tile. A gap is an unpainted
+// stretch of the path; an obstacle is a wall on the path; an intersection is a place where the path crosses
+// itself or another path.
 //
 // A [[hill]] on the path is a seesaw if it has a pivot. A hill is a speed bump if it is more than 3 mm and up
-// to 10 mm high. Lower hills are ignored, because neighbouring tiles may differ by 3 mm. A tile is a ramp if
-// a higher hill rises or falls by more than 10 mm on the tile.
+// to 10 mm high. Lower hills are ignored, because the heights of neighbouring tiles may differ by 3 mm. A
+// tile is a ramp if a higher hill rises or falls by more than 10 mm on the tile.
 //
 // A lack of progress occurs when the robot is neither on its last tile nor on the tile's neighbours on the
 // path. Near an obstacle, the robot may be anywhere within 1.5 tiles of the obstacle. A lack of progress also
 // occurs if the robot is lost or stuck (judge.h), or a script picks the robot up. After a lack of progress,
-// the captain puts the robot on the last checkpoint, or on the start. After the third lack in a row, the
-// captain puts the robot on the next checkpoint; the tiles in between do not count.
+// the team's captain puts the robot on the last checkpoint, or on the start. After the third lack in a row,
+// the captain puts the robot on the next checkpoint; the tiles in between do not count.
 //
 // The time limit is 8 min (Entry: 6 min) from the beginning of the run. Not modelled: evacuation zone and
 // victims.

@@ -12,7 +12,7 @@ namespace robosim::judge {
 struct SupplySummary {
   bool on = true;                ///< the board has power
   bool switched_on = true;       ///< the script has not switched the supply off
-  SimTime since = 0;             ///< time of the last change
+  SimTime since = 0;             ///< time at which `on` last changed
   int resets = 0;                ///< number of resets because of low voltage
   SimTime recovered = 0;         ///< when the chip last ran again after such a reset
   std::optional<double> charge;  ///< of a [battery]: 1 = full, 0 = empty; below 0 the voltage collapses

@@ -7,7 +7,8 @@
 namespace robosim::judge {
 namespace {
 
-// Noise changes a reading by less than this share; a line under the sensor changes it by more.
+// Noise changes a reading by less than this share of the supply voltage; a line under the sensor changes it
+// by more.
 constexpr double kSteady = 0.1;  // share of the supply
 
 /// A part, or an element of an array.
@@ -53,19 +54,25 @@ bool is_read_on_purpose(const BoardSpec& board, Pin pin, const exec::PinUse& use
          (use.read && use.pulled_up);
 }
 
-std::string steady_reading(const BoardSpec& board, const exec::PinUse& use) {
+std::string steady_reading(const BoardSpec& board, const exec::PinUse& use, SimTime now) {
+  constexpr SimTime kStoppedFor = kSecond;
+  std::string reading;
   if (use.measured) {
     if (use.highest_volts - use.lowest_volts >= kSteady * board.supply_volts) return "";
-    return fmt::format("{:.1f} V", (use.lowest_volts + use.highest_volts) / 2.0);
+    reading = fmt::format("{:.1f} V", (use.lowest_volts + use.highest_volts) / 2.0);
+  } else {
+    if (!use.read || use.was_low == use.was_high) return "";
+    reading = use.was_high ? "HIGH" : "LOW";
   }
-  if (!use.read || use.was_low == use.was_high) return "";
-  return use.was_high ? "HIGH" : "LOW";
+  if (!use.awaited && now - use.last_seen >= kStoppedFor)
+    reading += fmt::format(", last read at {:.2f} s", 1e-9 * static_cast<double>(use.last_seen));
+  return reading;
 }
 
 }  // namespace
 
 result::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin>& wiring,
-                       const std::vector<bool>& was_output, const exec::BoardProbe& probe) {
+                       const std::vector<bool>& was_output, const exec::BoardProbe& probe, SimTime now) {
   result::Usage usage;
   for (Pin pin = 0; pin < board.pin_count; ++pin) {
     const bool wired =
@@ -84,7 +91,7 @@ result::Usage usage_of(const BoardSpec& board, const std::vector<robot::WiredPin
     if (std::none_of(unit.pins.begin(), unit.pins.end(), is_used)) {
       usage.unused.push_back(unit.name);
     } else if (unit.reports && unit.pins.size() == 1 && unit.pins[0] < board.pin_count) {
-      const std::string reading = steady_reading(board, probe.use(unit.pins[0]));
+      const std::string reading = steady_reading(board, probe.use(unit.pins[0]), now);
       if (!reading.empty()) usage.steady.push_back({unit.name, reading});
     }
   }

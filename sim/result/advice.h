@@ -1,4 +1,5 @@
-// Defines advice that the judge gives after a run, and that `robosim` gives after a second run with checks.
+// Defines advice that the judge gives after a run, and that `robosim` gives after a second run with sanitizer
+// checks.
 #pragma once
 
 #include <string>

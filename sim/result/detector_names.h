@@ -23,6 +23,8 @@ inline constexpr DetectorName kDetectorNames[] = {
      "The robot lost the line because its motors changed too rarely, although sensors were read."},
     {"forgotten_output", "all", "A pin with a part was written HIGH, but never set to OUTPUT."},
     {"driven_input", "all", "A pin was an output, although the sketch should read the pin's part."},
+    {"floating_input", "all",
+     "The pin of a button was read while nothing gave it a level: neither a pull-up nor a resistor."},
     {"eeprom_wear", "host, avr",
      "An EEPROM byte wears out in a day, or is written repeatedly with the same value."},
     {"torn_record", "host, avr",

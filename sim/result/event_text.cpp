@@ -39,7 +39,7 @@ struct Text {
     if (e.verb == "release") return e.part + " released";
     if (e.verb == "send")
       return e.part.empty() ? fmt::format("\"{}\" sent to the sketch", escaped(e.text))
-                            : fmt::format("{} sent to {}", e.text, e.part);
+                            : fmt::format("{} sent to {}", escaped(e.text), e.part);
     if (e.verb == "place") return "robot placed at " + e.text;
     if (e.verb == "lift") return "robot lifted";
     if (e.verb == "tilt") return "robot held up and tilted";

@@ -64,7 +64,7 @@ struct ScriptActed {
   std::array<double, 3>
       moves{};  ///< for obstacle: x and y of its target in mm, and the duration in seconds; 0 s = no move
   std::array<double, 4>
-      box_mm{};  ///< for paint, erase, door, and restore of these: left, bottom, width, height of the area
+      box_mm{};  ///< for paint, erase, door, and restore after them: left, bottom, width, height of the area
 };
 
 template <class V>
@@ -154,7 +154,7 @@ void fields(V&, Same<V, PowerBack>&) {}
 struct PartTold {
   static constexpr const char* kKind = "part_told";
   std::string part;
-  std::string text;  ///< a received line, or the displayed lines joined by "|"
+  std::string text;  ///< a line that the sketch sent through the part, or the displayed lines joined by "|"
 };
 
 template <class V>

@@ -31,7 +31,7 @@ using Same = std::conditional_t<V::kReads, T, const T>;
 
 /// Determines whether a reader requires a key, and whether a writer writes the key.
 struct Presence {
-  bool required = true;  ///< for a reader; otherwise, the value of a missing key stays unchanged
+  bool required = true;  ///< a reader rejects a missing key; false: it leaves the value unchanged
   bool written = true;
 };
 inline constexpr Presence kOptional{false, true};  ///< always written; optional for a reader

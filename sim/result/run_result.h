@@ -31,7 +31,7 @@ void fields(V& v, Same<V, SourceLine>& s) {
 struct Crash {
   std::string reason;  ///< a clause: "division by zero", "read of address 0x0 (null pointer)"
   SourceLine where;
-  std::vector<SourceLine> calls;  ///< innermost call first, including calls in the core; chip targets only
+  std::vector<SourceLine> calls;  ///< innermost first, with calls in the Arduino core; chip targets only
   std::string registers;          ///< registers of the chip's processor, for display; else empty
   std::string check;              ///< the check that found the crash: "mul_overflow", "sandbox"; else empty
 };
@@ -95,8 +95,8 @@ void fields(V& v, Same<V, Lack>& l) {
   v("first_s", l.first_s, "time of the first use", {.unit = "s"});
 }
 
-/// A finding of a detector (docs/howto/sanitizers.md): the sketch works here, but would fail on a real robot.
-/// The run continued.
+/// A finding of a detector (docs/howto/sanitizers.md): the sketch works in the simulation, but would fail on
+/// a real robot. The run continued.
 struct Detected {
   std::string detector;  ///< "blind"
   std::string what;      ///< a sentence: the finding and its effect
@@ -119,13 +119,13 @@ void fields(V& v, Same<V, Detected>& d) {
 /// Returns "the robot drove … in loop, Follow.ino:9 (3 times, first at 0.31 s). Let loop() …"
 std::string text_of(const Detected& seen);
 
-/// The firmware's use of its chip, as measured from power-on.
+/// The firmware's use of its chip, measured since power-on.
 struct Resources {
   std::int64_t flash_bytes = 0;      ///< code, constants, initial values of variables
   std::int64_t ram_bytes = 0;        ///< variables
   std::int64_t stack_bytes_max = 0;  ///< the maximum in use, including handlers
   std::int64_t free_bytes_min = 0;   ///< RAM that variables, heap and stack never used
-  std::int64_t loops = 0;            ///< number of passes of loop(); 0 = unknown, like the next two values
+  std::int64_t loops = 0;            ///< number of passes of loop(); 0 = this and the next two are unknown
   double loop_us_max = 0.0;          ///< longest time from one beginning of loop() to the next or to the end
   double loop_us_mean = 0.0;
   double interrupt_share = 0.0;  ///< share of the time in interrupt handlers: 0..1
@@ -242,7 +242,9 @@ void fields(V& v, Same<V, Usage::Loose>& l) {
 template <class V>
 void fields(V& v, Same<V, Usage::Steady>& s) {
   v("part", s.part, "name of the part, or of the element of an array");
-  v("reads", s.reads, "the reading: `\"HIGH\"`, `\"LOW\"` or `\"4.3 V\"`");
+  v("reads", s.reads,
+    "the reading: `\"HIGH\"`, `\"LOW\"` or `\"4.3 V\"`, with `\", last read at 1.02 s\"` if reads ended "
+    "early");
 }
 
 template <class V>
@@ -266,9 +268,9 @@ void fields(V& v, Same<V, Pose>& p) {
   v("yaw", p.yaw_rad, "heading from east, anticlockwise", {.unit = "rad"});
 }
 
-/// The text of a cause. Its lines ran long before those of other causes, or declare a variable that never
-/// changed.
-inline constexpr const char* kSetBefore = "set before, and kept";
+/// The text of a cause whose lines ran long before those of the other causes. Also used for lines that
+/// declare a variable that never changed.
+inline constexpr const char* kSetBefore = "set earlier, unchanged since";
 
 /// One element of the chain of causes that leads back from a verdict.
 struct Cause {
@@ -320,7 +322,7 @@ struct RunResult {
   std::string robot_sha256;
   std::string image_sha256;
   std::vector<RunResult> others;  ///< results of all robots except the first
-  std::vector<RunResult> ways;    ///< results of all branches except the first, if the run has branches
+  std::vector<RunResult> ways;    ///< results of the second and further branches (wire::Ways)
 };
 
 template <class V>

@@ -16,7 +16,7 @@ struct Stop {
     serial,   ///< the firmware has sent `text`, at or after byte number `from`
     line,     ///< the firmware has sent, from byte `from` on, a line that matches the regex `text`
     note,     ///< an event has occurred whose text_of() contains `text`
-    event,    ///< an event of this kind has occurred: "collision_began" (event_kinds())
+    event,    ///< an event of the kind `text` has occurred: "collision_began" (event_kinds())
     visited,  ///< station `text` has been visited
     at,       ///< the body covers the centre of station `text`
     reading,  ///< part `text` reads at least 0.5 if `level` is true, and less if it is false

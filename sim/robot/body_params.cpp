@@ -29,7 +29,7 @@ double plate_inertia(const Chassis& chassis) {
 }
 
 // Returns the default x of the caster: three quarters of the way from the axle to the rear. If the chassis
-// does not extend behind the axle, the front replaces the rear.
+// extends at most 1 cm behind the axle, the front replaces the rear.
 double usual_caster(const Chassis& chassis) {
   double rear = chassis.circle_centre.x - chassis.circle_radius,
          front = chassis.circle_centre.x + chassis.circle_radius;

@@ -131,7 +131,7 @@ Chassis read_chassis(const ConfigValue& table) {
   chassis.downforce = read_parameter(reader, "downforce", Dimension::mass, {}, 0.0, 5.0);
   if (const ConfigValue* const steering = reader.find("steering")) {
     chassis.steering = read_steering(*steering, reader);
-    // The steered wheels carry the rest of the weight, so that the share is at most 0.95.
+    // The steered wheels carry at least 5 % of the weight, the driven wheels at most 95 %.
     read_parameter(reader, "load_share", Dimension::ratio, {0.8, 0.0}, 0.05, 0.95);
   }
   read_outline(reader, chassis);
@@ -223,7 +223,8 @@ std::shared_ptr<const PartSpec> read_part(const ConfigValue& table, const Termin
   throw InputError(table.find("type")->place, fmt::format("type: {}", expected_one_of(reader.type(), names)));
 }
 
-// Rejects two parts on one pin, two parts of the same name, and two motors on one wheel.
+// Rejects two parts on one pin (except on a shared bus), two parts of the same name, and two motors on one
+// wheel.
 void check_together(const Description& robot, const std::vector<Wire>& driver_wires,
                     const RobotSource& source) {
   struct User {

@@ -53,7 +53,7 @@ struct Chassis {
   Parameter caster;         ///< m ahead of the axle; negative = behind it; 0 = the default place
   Parameter caster_radius;  ///< m
   Parameter height;         ///< m, of the centre of mass; 0 = loads do not shift
-  Parameter wheelbase;      ///< m; crawler tracks count as four wheels; 0 = two wheels and a caster
+  Parameter wheelbase;      ///< m between the axles; tracks count as four wheels; 0 = two wheels and a caster
   Parameter downforce;      ///< kg, mass whose weight equals a fan's downforce
   Steering steering;
   Vec2 circle_centre;         ///< m, centre of a circular outline
@@ -63,9 +63,9 @@ struct Chassis {
 
 /// [motors]: both motors with their gears. sim/world/body.h has the formulas for these parameters.
 struct Motors {
-  Parameter voltage;          ///< V, to which the next four values refer
+  Parameter voltage;          ///< V, the voltage for which the next four values hold
   Parameter no_load;          ///< rad/s at the wheel, sampled for each motor
-  Parameter no_load_current;  ///< A: friction in motor and gear; sampled for each motor
+  Parameter no_load_current;  ///< A, to overcome friction in motor and gear; sampled for each motor
   Parameter stall_torque;     ///< N m at the wheel, sampled for each motor
   Parameter stall_current;    ///< A, sampled for each motor
   Parameter static_friction;  ///< ratio of static to kinetic friction, at least 1; sampled for each motor
@@ -101,8 +101,9 @@ struct Driver {
 struct Wire {
   std::string role;  ///< the part's name for the wire: "en", "pin"; in an array, the element's name
   Pin pin = kNoPin;
-  Place place;          ///< place of the key in the file
-  bool shared = false;  ///< wire of a bus, which other parts may share
+  Place place;             ///< place of the key in the file
+  bool shared = false;     ///< wire of a bus, which other parts may share
+  bool may_float = false;  ///< at times, the part gives its pin no level; the pin then needs a pull-up
 };
 
 /// The place of a sensor that looks at the floor, for display.

@@ -2,7 +2,7 @@
 // its ADC. Without this table, the supply is constant and the ADC is exact.
 //
 //   supply = min(nominal, battery - drop of the board's regulator)    if fed_by_battery
-//   code   = volts / supply * steps + adc_noise g                     g: standard normal, new per conversion
+//   code   = volts / supply * steps + adc_noise g                     g: standard normal, one per conversion
 //
 // The supply is also the ADC's reference. A sensor that outputs volts (a battery's divider, an infra-red
 // distance sensor) therefore reads higher when the supply drops. A sensor that outputs a share of the supply
@@ -42,7 +42,7 @@ struct Supply {
 };
 Supply supply_at(double battery_volts, const BoardSpec& board);
 
-/// The ADC's inputs of a robot whose ADC is noisy.
+/// Adds the noise of a robot's ADC to the sources at its analog pins.
 class AnalogInputs {
  public:
   /// `noise_volts` is the standard deviation of a conversion at nominal supply. `snapshots` must outlive this

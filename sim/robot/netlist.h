@@ -24,7 +24,7 @@ constexpr int kMostRegisters = 16;   ///< maximum number of registers of one rob
 /// Eight outputs of a part: a shift register, or half of a PWM driver.
 struct Register {
   std::string part;
-  int first_channel = -1;  ///< number of the first output of a PWM driver; else -1
+  int first_channel = -1;  ///< of half a PWM driver: the channel of its first output; -1 = shift register
 
   friend bool operator==(const Register&, const Register&) = default;
 };

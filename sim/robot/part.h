@@ -72,13 +72,13 @@ class TextOutput {
 
 class Part;
 
-/// A sensor that detects other robots.
+/// The mount and the reach of a sensor that detects other robots.
 struct Sightline {
   const Mount* mount;
   double reach;  ///< m from the mount
 };
 
-/// The interfaces of the robot's parts. Each part registers itself.
+/// The robot's parts, listed by interface. Each part registers itself.
 struct PartRegistry {
   std::vector<Part*> ticking;  ///< parts that need begin_tick() in every tick
   /// Parts that need begin_tick() only while the board requests edges, and in the first tick after that. Most
@@ -93,7 +93,7 @@ struct PartRegistry {
   std::vector<FanPart*> fans;
   std::vector<Sightline> sightlines;
   bool has_radio = false;                     ///< the robot receives messages of other robots at any distance
-  std::vector<Part*> supplied;                ///< parts on the board's supply, which need power()
+  std::vector<Part*> supplied;                ///< parts on the board's supply: the robot calls their power()
   WheelMotor* motor[2] = {nullptr, nullptr};  ///< by world::Side
   bool differential = false;                  ///< the left motor drives both wheels
 

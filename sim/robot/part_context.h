@@ -88,7 +88,7 @@ class PartContext {
   SnapshotRegistry& snapshots;  ///< a part adds its State, which is everything that changes during a run
 
  private:
-  AnalogInputs* const analog_;  // null = nothing is between the pins and the ADC
+  AnalogInputs* const analog_;  // null = the ADC adds no noise
 };
 
 }  // namespace robosim::robot

@@ -10,7 +10,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr double kFarthest = 0.5;  // m: greatest distance of a part from the axle
+constexpr double kFarthest = 0.5;  // in metres: the greatest distance of a part from the axle
 
 std::string analog_pins(const BoardSpec& board) {
   std::vector<std::string> names;

@@ -20,7 +20,7 @@
 namespace robosim::robot {
 namespace {
 
-constexpr double kSmallestPulse = 1.0 / 128.0;  // share of full power; above the 1/256 of an 8-bit timer
+constexpr double kSmallestPulse = 1.0 / 128.0;  // share of full power; above 1/256, the least 8-bit PWM
 
 template <typename Things>
 std::vector<std::string> list_of(const Things& things) {
@@ -55,7 +55,7 @@ struct Robot::Impl {
     snapshots.add(state);
   }
 
-  // Returns null if nothing lies between the pins and the ADC.
+  // Returns null if the ADC adds no noise.
   std::unique_ptr<AnalogInputs> analog_inputs(RobotPort& board) {
     const double steps =
         sampler.ideal() ? 0.0 : sampler.draw(description.electronics.adc_noise, "electronics", "adc_noise");
@@ -424,7 +424,8 @@ std::vector<WiredPin> Robot::wiring() const {
     pins.push_back(
         {"driver", impl_->description.driver.chip->name, "standby", impl_->description.driver.standby});
   for (const auto& part : impl_->description.parts)
-    for (const Wire& wire : part->wires) pins.push_back({part->name, part->type, wire.role, wire.pin});
+    for (const Wire& wire : part->wires)
+      pins.push_back({part->name, part->type, wire.role, wire.pin, wire.may_float});
   return pins;
 }
 

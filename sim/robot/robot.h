@@ -43,6 +43,7 @@ struct WiredPin {
   std::string type;  ///< "button", "motor", "reflectance-array" …
   std::string role;  ///< "in1", "pwm"; may be empty
   Pin pin = kNoPin;
+  bool may_float = false;  ///< at times, the part gives its pin no level; the pin then needs a pull-up
 };
 
 /// A message of a script to a part. A remote control's receiver gets bits or a key's number; Bluetooth gets
@@ -52,7 +53,7 @@ struct Message {
   SimTime held = 0;  ///< the duration for which a remote control's key is held
 };
 
-/// The output of a part: a line received by Bluetooth, the text of a display.
+/// The output of a part: a line that the sketch sent by Bluetooth, the text of a display.
 struct PartText {
   std::string part;
   std::string text;
@@ -103,8 +104,8 @@ class Robot {
   /// Collects the text that the parts report at `t`, the end of a tick.
   void poll_text(SimTime t, std::vector<PartText>& told);
   /// Returns whether the last tick's commands drive a motor. A command of up to 1/128 of full power does not
-  /// count, because a chip's PWM outputs 1/256 even at OCR0A = 0. The limit
-  /// is half of the power that turns a wheel from rest, if this is lower.
+  /// count, because a chip's PWM outputs 1/256 even at OCR0A = 0. If less than 1/64 starts a wheel from rest,
+  /// the limit for this wheel is half of the power that starts it.
   bool driven() const {
     return std::abs(command_[0].drive) > driven_from_[0] || std::abs(command_[1].drive) > driven_from_[1];
   }

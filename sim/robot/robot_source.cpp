@@ -107,7 +107,7 @@ ConfigValue derive(ConfigValue base, ConfigValue own) {
   if (const ConfigValue* list = own.find("remove")) {
     remove_parts(parts_of(base), *list);
     ConfigValue* driver = member(base, "driver");
-    if (driver && list->kind == ConfigValue::Kind::string)  // "all": removes every wire of the base
+    if (driver && list->kind == ConfigValue::Kind::string)  // "all": also removes the standby wire
       driver->members.remove_if([](const auto& item) { return item.first == "standby"; });
   }
   override_parts(parts_of(base), own_parts);

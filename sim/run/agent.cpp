@@ -13,7 +13,7 @@
 namespace robosim::run {
 namespace {
 
-constexpr double kFarthestSight = 1e3;  // m: a robot that sees this far can be affected by all others
+constexpr double kFarthestSight = 1e3;  // in metres; a robot that sees this far can be affected by all others
 constexpr std::size_t kEventsKept = 8;
 constexpr SimTime kBudgetEvery = 100 * kMillisecond;
 
@@ -86,7 +86,7 @@ Agent::Agent(const AgentSetup& own, const Stage& stage, int number, ResolvedMiss
   if (setup_.detect) detectors_.emplace(robot_, executor_, setup_.map->line_m);
 }
 
-// Excludes competitions, because their rules may put the robot anywhere by a manual move.
+// Returns false in a competition, because its rules may put the robot anywhere by a manual move.
 bool Agent::may_take_turns() const {
   return !progress_.contest() && !state_.listener->minds_turns() && sight() < kFarthestSight;
 }
@@ -312,7 +312,7 @@ bool Agent::evaluate_in_full(SimTime end) {
   return verdict.has_value();
 }
 
-// Returns the time by which the next full evaluation is due.
+// Returns the time by which the next full evaluation is due; 0 = in every tick.
 inline SimTime Agent::next_report(SimTime end) const {
   if (robot_.has_text_outputs() || progress_.contest()) return 0;
   const auto after = [end](SimTime every) { return end - end % every + every; };
@@ -382,7 +382,7 @@ void Agent::finish(judge::Verdict verdict, SimTime t) {
   if (const exec::HostAccess* const host = executor_.host_access()) outcome.lacks = host->lacks();
   if (detectors_) outcome.detected = detectors_->found(t);
   outcome.resources = resources_of(executor_);
-  outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe());
+  outcome.usage = judge::usage_of(board_.spec(), e.wiring, state_.was_output, executor_.probe(), e.t);
   outcome.events.assign(state_.events.begin(), state_.events.end());
   outcome.serial = serial_.text();
   outcome.shown = state_.told;

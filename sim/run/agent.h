@@ -29,7 +29,7 @@ constexpr SimTime kSettling = 500 * kMillisecond;  ///< start of a run, excluded
 
 class Agent final : PinWatcher, SerialWatcher, InputWatcher {
  public:
-  /// The parts of a simulation that all agents share.
+  /// The objects that all agents of a simulation share.
   struct Stage {
     const Setup& setup;
     PreparedMap& prepared_map;
@@ -84,9 +84,8 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // --- ticks of a robot at rest (rest_optimization.cpp) ---
   /// Returns the time until which the agent rests; `end` if the agent does not rest. In ticks that begin
-  /// before that time, act() (without the parts) and evaluate() would only repeat their results. This holds
-  /// as long as nothing in the world moves and no event occurs. Call this function directly after evaluate()
-  /// at `end`.
+  /// before that time, evaluate() and the script in act() would only repeat their results. This holds while
+  /// nothing in the world moves and no event occurs. Call this function directly after evaluate() at `end`.
   SimTime rests_until(SimTime end) const;
   /// Performs step 1 in a tick of rest.
   void begin_rest(SimTime t) {
@@ -120,7 +119,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
   void check(const Leg& leg) const { stops_.check(leg); }
   void add(std::vector<scenario::Step> steps) { player_.add(std::move(steps), progress_); }
   /// Prepares state() and sample() for a pause at `t`. `stop_met` is the number of the stop that ended the
-  /// leg, for any agent; -1 = none.
+  /// leg, whichever agent the stop concerns; -1 = none.
   void publish_pause_state(SimTime t, int stop_met);
   const run::State& state() const { return state_.shown; }
   const Sample& sample() const { return state_.sample; }
@@ -128,7 +127,7 @@ class Agent final : PinWatcher, SerialWatcher, InputWatcher {
 
   // --- snapshots (simulation.h) ---
   struct State {
-    Listener* listener;                                               ///< null once the agent has left
+    Listener* listener;                                               ///< never null; detach() replaces it
     std::string exceeded;                                             ///< the exceeded budget; "" = none
     Vec2 midpoint = {std::numeric_limits<double>::quiet_NaN(), 0.0};  ///< m, midpoint of the line sensors
     double cross_track = 0.0;                                         ///< m, at `midpoint`

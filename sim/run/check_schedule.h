@@ -1,4 +1,4 @@
-// Schedules checks of an agent that need not run in each tick.
+// Schedules the checks of an agent that only some ticks need.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ struct DueChecks {
   int next;  ///< number of ticks until the next check
 };
 
-/// The checks for each tick of a period of kRestSpan. Reading this table, in 6 of 20 ticks, is faster than
-/// computing several remainders.
+/// The checks for each tick of a period of kRestSpan: 6 of its 20 ticks have checks. Reading this table is
+/// faster than computing several remainders.
 constexpr auto kCheckSchedule = [] {
   std::array<DueChecks, kRestSpan / kTick> looks{};
   static_assert(looks.size() % kSensorCheckEvery == 0 && looks.size() % kSideCheckEvery == 0);

@@ -11,8 +11,8 @@ constexpr SimTime kTurn = 5 * kRestSpan;  // longer turns would need larger dist
 
 }  // namespace
 
-// Returns the time until which robots that are apart may run independently, starting at `t`. Returns `t` if
-// they may not. Before that time, no script acts, and no observer needs all robots at the same time.
+// Returns the time until which robots far from all others may run independently, starting at `t`. No script
+// acts before that time, and it is at most the next multiple of kTurn. Returns `t` if the run is to stop.
 SimTime Simulation::Impl::turns_end(SimTime t, SimTime end) const {
   if (wants_to_stop()) return t;
   SimTime until = std::min(end, t - t % kTurn + kTurn);
@@ -22,7 +22,8 @@ SimTime Simulation::Impl::turns_end(SimTime t, SimTime end) const {
 
 // Runs the ticks from `t` to `end`, or fewer ticks. First runs each robot that is apart from all others, one
 // after the other; then runs the remaining robots in lockstep. In a turn of several ticks, a robot's state
-// and its copy of the firmware stay in the caches. If no robot is apart, returns false and changes nothing.
+// and its copy of the firmware stay in the caches. If no robot is apart, or the turn would be shorter than
+// two ticks, returns false and changes nothing.
 bool Simulation::Impl::take_turns(SimTime t, SimTime end) {
   if (end < t + 2 * kTick) return false;
   const std::vector<bool>* apart = &world.apart(sights, 1e-9 * static_cast<double>(end - t));

@@ -15,8 +15,8 @@ class LinePattern {
   /// Compiles a regular expression. Throws InputError if it is invalid, or needs more than linear time.
   explicit LinePattern(const std::string& text);
 
-  /// Returns whether any part of the line matches. The line may have any encoding, as firmware sends any
-  /// bytes.
+  /// Returns whether any part of the line matches. The line may have any encoding, because firmware may send
+  /// any bytes.
   bool is_in(const std::string& line) const;
 
  private:

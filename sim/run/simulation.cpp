@@ -84,7 +84,7 @@ inline bool Simulation::Impl::leg_ends(SimTime t) {
   return ends;
 }
 
-// Runs a tick. Returns whether an agent left while others continue.
+// Runs a tick. Returns whether an agent left the run while others continue.
 inline bool Simulation::Impl::tick(SimTime t) {
   const SimTime end = t + kTick;
   if (rested) catch_up(t);
@@ -122,7 +122,7 @@ void Simulation::Impl::go_alone(SimTime end) {
   if (clock.t + kTick == until) rests_until = rest_from(until);
 }
 
-// Runs a tick of agents at rest. Returns whether an agent left while others continue.
+// Runs a tick of agents at rest. Returns whether an agent left the run while others continue.
 bool Simulation::Impl::rest(SimTime t) {
   const SimTime end = t + kTick;
   for (const auto& agent : agents) agent->begin_rest(t);
@@ -139,7 +139,7 @@ bool Simulation::Impl::rest(SimTime t) {
   return stir(t);
 }
 
-// Handles an event in the tick at `t`. Returns whether an agent left while others continue.
+// Handles an event in the tick at `t`. Returns whether an agent left the run while others continue.
 bool Simulation::Impl::stir(SimTime t) {
   const SimTime end = t + kTick;
   if (rested) catch_up(t);
@@ -192,7 +192,7 @@ void Simulation::Impl::run_until(SimTime end) {
     if (setup.controller && clock.leg_over && !stand_still(clock.t)) interrupt(clock.t);
     if (setup.controller && over()) break;
     if (setup.reached) setup.reached->store(clock.t, std::memory_order_relaxed);
-    // Runs the last tick in full, so that all of the state can be read afterwards.
+    // Runs the last tick in full, not as a tick of rest, so that all of the state can be read afterwards.
     if (clock.t + kTick >= end || wants_to_stop()) rests_until = 0;
     if (takes_turns && clock.t >= std::max(rests_until, turns_from)) {
       if (take_turns(clock.t, turns_end(clock.t, end))) continue;
@@ -253,7 +253,7 @@ void Simulation::restore(const Snapshot& snapshot) {
   if (saved.of != impl_.get()) throw std::logic_error("a snapshot of another simulation");
   impl_->clock = saved.clock;
   impl_->rests_until = impl_->turns_from = 0;
-  impl_->rested = false;  // a run that ended within a tick may have been at rest
+  impl_->rested = false;  // an exception within a tick may have left it true
   impl_->world.restore(saved.world);
   for (std::size_t i = 0; i < impl_->agents.size(); ++i) impl_->agents[i]->restore(saved.agents[i]);
 }

@@ -6,12 +6,12 @@
 //   2. Firmware runs to t+1 ms; the inputs that it reads in the tick are extrapolated from the state at t.
 //   3. Each motor's command becomes the time average of its pins over the tick.
 //   4. The world integrates to t+1 ms; then goal and judge examine it.
-// All agents perform a step, in the order of their numbers, before the next step begins. An agent's effect on
-// another agent therefore becomes visible in the next tick.
+// All agents perform one of these steps, in the order of their numbers, before the next step begins. An
+// agent's effect on another agent therefore becomes visible in the next tick.
 //
-// A robot that is too far from all others to affect them runs several ticks in one turn. The result is the
-// same, and the processor's caches are used better. The order of turns is the same for every executor, and
-// does not depend on wall time, threads or listeners.
+// A robot that is too far from all others to affect them runs several ticks in one turn. This uses the
+// processor's caches better, and does not change the result. The order of turns is the same for every
+// executor, and does not depend on wall time, threads or listeners.
 #pragma once
 
 #include <array>

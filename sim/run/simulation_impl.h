@@ -74,7 +74,7 @@ struct Simulation::Impl final : Standstill {
   bool rested = false;      // the last tick was a tick of rest, without any event
   bool takes_turns;
   SimTime turns_from = 0;      // before this time, take_turns() is not called
-  std::vector<double> sights;  // ranges of the agents' sight
+  std::vector<double> sights;  // Agent::sight() of each agent
   std::vector<std::size_t> together;
   std::vector<Agent::Untold> untold;
 };

@@ -1,7 +1,7 @@
 // Drives a run step by step, for tests and other clients that react to the run's state. The run pauses at the
 // beginning of a tick. Its controller then examines the run, acts on it, and continues it until a chosen
-// event or time. A script that contains the controller's lines, with the times at which the controller added
-// them, produces the same trace.
+// event or time. A script with the controller's lines, and with the times of these lines, produces the same
+// trace as the driven run.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ struct Sample;
 
 using result::Stop;
 
-/// The controller's next request: to continue until a time or the first of some stops, or to end the run at
-/// once (`interrupted`).
+/// The controller's next request: the run continues until a time, or until a stop condition is met. With
+/// `end`, the run ends at once instead, with the verdict `interrupted`.
 struct Leg {
   SimTime until = kNever;
   std::vector<Stop> stops;

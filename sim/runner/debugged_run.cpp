@@ -111,7 +111,8 @@ void DebuggedRun::go_back() {
   }
 }
 
-/// Halts at the end of a run as after a crash, so that the user can go back from there.
+/// Halts at the end of a run as after a crash, so that the user can go back from there. Returns false if the
+/// run does not halt.
 bool DebuggedRun::halts_at_end(const judge::Outcome& outcome) {
   using judge::Verdict;
   const Verdict verdict = outcome.verdict;

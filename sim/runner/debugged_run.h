@@ -15,7 +15,8 @@ namespace robosim::runner {
 
 class DebuggedRun final : exec::gdb::History {
  public:
-  /// Debugs a run of one robot, whose executor can be saved. Both arguments outlive this object.
+  /// Debugs a run of one robot. If the robot's executor cannot be saved, the run cannot go back. Both
+  /// arguments outlive this object.
   DebuggedRun(const run::Setup& setup, exec::gdb::Server& server);
 
   judge::Outcome go();

@@ -9,7 +9,7 @@ namespace {
 
 constexpr long long kSecond = 1'000'000'000;       // ns
 constexpr long long kCoarse = 3 * kSecond;         // FAT has a resolution of 2 s
-constexpr long long kFine = kSecond / 10;          // other clocks advance at least every 10 ms
+constexpr long long kFine = kSecond / 10;          // other file systems' times advance at least every 10 ms
 constexpr std::size_t kWritten = 3, kChanged = 5;  // indices of seconds; nanoseconds follow them
 
 }  // namespace

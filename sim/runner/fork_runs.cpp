@@ -47,7 +47,7 @@ void check(const wire::RunRequest& request, bool may_copy) {
         "splitting a run requires a chip target, because on the host the run's process is confined");
   const std::size_t ways = request.ways->scripts.size();
   if (ways == 0 || ways > kMostWays)
-    throw InputError(fmt::format("the ways of a run: expected 1 to {}, got {}", kMostWays, ways));
+    throw InputError(fmt::format("the branches of a run: expected 1 to {}, got {}", kMostWays, ways));
   if (!request.agents.empty()) throw InputError("splitting a run requires a run of one robot");
   if (request.interactive || request.gdb_port > 0 || request.why || request.source_ns)
     throw InputError("a run that is driven, debugged or traced to its cause cannot be split");
@@ -57,7 +57,7 @@ void check(const wire::RunRequest& request, bool may_copy) {
 }
 
 /// Returns the steps of a way's script. The run splits at `parted`. Throws InputError if a step is due
-/// earlier.
+/// earlier, or waits for an event other than the split.
 std::vector<scenario::Step> steps_of(const std::string& script, const wire::Ways& ways,
                                      const std::string& file, SimTime parted) {
   std::vector<scenario::Step> steps = scenario::parse_scenario(script, file);

@@ -1,4 +1,4 @@
-// Reads and writes lines at the runner's end of the pipe.
+// Reads and writes lines at the runner's end of the pipes to its client.
 #pragma once
 
 #include <atomic>

@@ -1,6 +1,6 @@
 // Instantiates libfmt from its own headers, like its src/format.cc. Serves programs that link libfmt
 // statically although only the shared library is installed. Works for versions 9 and 10; CMakeLists.txt
-// checks the version.
+// checks whether it builds.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

@@ -25,7 +25,7 @@ class KnownLines {
 
  private:
   std::map<std::vector<std::uintptr_t>, std::string> outputs_;
-  std::size_t bytes_ = 0;  ///< size of all outputs
+  std::size_t bytes_ = 0;  ///< size of all outputs and their offsets
 };
 
 struct ImageAhead {
@@ -56,7 +56,7 @@ long long wall_ns();
 /// files. Throws InputError.
 std::shared_ptr<const robot::Description> known_robot(const std::string& name, const Robots& last);
 
-/// Reads all robots, and the map with the simulation's initial state. Reads the images of the robots whose
+/// Reads all robots and the map, and prepares the map for a simulation. Reads the images of the robots whose
 /// numbers are in `confined`. Reuses everything in `last` whose files are unchanged. Skips a robot or map
 /// that cannot be read, because the run reports that error. Skips a map whose file exceeds 1 MiB. Throws
 /// InputError if an image cannot be read. `now` is in ns since 1970.

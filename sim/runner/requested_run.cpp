@@ -183,8 +183,8 @@ judge::Outcome RequestedRun::inquire() const {
 
 std::vector<judge::Outcome> RequestedRun::simulate() const {
   if (request_.why) return {inquire()};
-  // A run with counters or observers may not go back, because they would count some ticks twice. A run that a
-  // client drives may not go back either, because the client cannot go back.
+  // A run with line counters, detectors or traced sources may not go back, because these would count some
+  // ticks twice. A run that a client drives may not go back either, because the client cannot go back.
   const bool may_go_back =
       !request_.interactive && !request_.detect && request_.counters.empty() && !request_.source_ns;
   if (debugger_ && may_go_back) return {DebuggedRun(setup_, *debugger_).go()};

@@ -35,7 +35,7 @@ struct Inputs {
 };
 Inputs inputs_of(const std::string& map_sha256, const std::string& image, const robot::Description& robot);
 
-/// Returns the result for an outcome, including the files on which it depends.
+/// Returns the result for an outcome, including the hashes of the files on which it depends.
 result::RunResult result_of(const judge::Outcome& outcome, const wire::RunRequest& request,
                             const Inputs& inputs);
 

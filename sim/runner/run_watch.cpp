@@ -17,7 +17,7 @@ std::int64_t processor_ns(pid_t process) {
 }
 
 /// Returns whether a run may be silent: a debugger has halted it, or it is waiting for a processor. A run
-/// that has stopped for another reason, such as a call of its sketch, is not excused.
+/// that is silent for another reason, such as a blocking call in its sketch, is not excused.
 bool is_excused(pid_t process) {
   const char state = process_state(process);
   return state == 't' || state == 'R';
@@ -37,7 +37,7 @@ RunWatch::State& RunWatch::state() {
   return *shared.get();
 }
 
-// Returns a flag on its own page. The run's process unmaps this page before it loads firmware.
+// Returns a flag on a memory page of its own. The run's process unmaps this page before it loads firmware.
 const Shared<std::atomic<bool>>& RunWatch::closed() {
   static const Shared<std::atomic<bool>> shared;
   return shared;

@@ -17,7 +17,8 @@ namespace robosim::runner {
 /// instrumented, such as a library function with an unterminated string.
 constexpr int kLongestTick_s = 5;    ///< processor time
 constexpr int kLongestSleep_s = 30;  ///< wall time with almost no processor time
-/// A whole run may take this processor time after loading its firmware, in addition to the simulated time.
+/// Limit of a whole run's processor time, from the loading of its firmware on, in addition to the simulated
+/// time.
 constexpr int kLongestRun_s = 60;
 
 /// Watches one run at a time. Reuses the shared memory of earlier runs, which have ended; their native
@@ -58,7 +59,7 @@ class RunWatch {
   struct Reading {
     std::int64_t processor_ns = 0;
     std::int64_t wall_us = 0;
-    bool is_excused = false;  ///< halted by a debugger or awaiting a processor; read only in a long silence
+    bool is_excused = false;  ///< halted by a debugger or awaits a processor; checked only in long silence
   };
   Found look(const Reading& now);
 

@@ -264,7 +264,7 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
                                                pid_t self, const ReadAhead& ahead) {
   SandboxProxy proxy(request.batches, request.interactive);
   Child child([&] { return run_in_child(factory, request, id, self, &proxy, ahead); });
-  bool finds_lines = true;  // false after a search for lines took too long: further searches are refused
+  bool finds_lines = true;  // false once a search has found no lines: further searches are refused
   const SandboxProxy::Told told = proxy.serve(child,
                                               [&](char what, const std::string& question) {
                                                 if (what == kAskLines && !finds_lines) return std::string();
@@ -280,7 +280,7 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
   const auto refused = [&](const std::string& cause) {
     return result_of_crash(request, cause, exec::kSandboxCheck, guilty(), time);
   };
-  if (told.forged) return refused("it wrote to the place of its verdict");
+  if (told.forged) return refused("it wrote to the pipe of its result");
   if (told.found == RunWatch::Found::loops)
     return result_of_crash(request, proxy.reached() == run::kLoading ? kNeverLoads : kLoops, "", guilty(),
                            time);
@@ -291,7 +291,7 @@ std::optional<wire::Answer> serve_confined_run(const ExecutorFactory& factory,
     return refused(
         fmt::format("it slept for {} s of wall time without advancing simulated time", kLongestSleep_s));
   const std::optional<Ending> ending = end_of(child);
-  if (!ending) return refused("it closed the pipe of its verdict");
+  if (!ending) return refused("it closed the pipe of its result");
   if (was_refused(*ending)) return refused("the sandbox refuses a system call of the sketch");
   if (ending->status == exec::kNoMemoryStatus) return answer_without_memory(request, guilty(), time);
   if (!ending->ok()) return result_of_crash(request, cause_of(*ending), "", guilty(), time);

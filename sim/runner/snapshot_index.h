@@ -31,7 +31,7 @@ class SnapshotIndex {
     all_.resize(kept);
     every_ *= 2;
   }
-  /// Inserts snapshots after number `behind`.
+  /// Inserts snapshots after snapshot number `behind`.
   void insert(std::size_t behind, const std::vector<IndexedSnapshot>& moments) {
     all_.insert(all_.begin() + static_cast<std::ptrdiff_t>(behind) + 1, moments.begin(), moments.end());
   }

@@ -19,7 +19,7 @@ using Kind = exec::CauseStep::Kind;
 
 constexpr SimTime kSampleEvery = 10 * kMillisecond;
 constexpr SimTime kHistory = 30 * kMillisecond;  // shortest record before the traced time
-constexpr SimTime kBlind = 20 * kMillisecond;    // shortest time without a read of a line sensor
+constexpr SimTime kBlind = 20 * kMillisecond;    // shortest reported time without a read of a line sensor
 constexpr SimTime kLongestGap = 500 * kMillisecond;
 constexpr int kMostGoingBack = 12, kMostStepByStep = 4, kMostForRegisters = 2;
 constexpr std::size_t kMostLinks = 9, kMostOfStopping = 6, kMostLines = 10, kFewLines = 6;
@@ -128,8 +128,8 @@ void Inquiry::run_again(std::size_t from, SimTime until) {
   causes_.end();
 }
 
-/// Saves more snapshots after number `moment`. The snapshots of a long run are too far apart to record all
-/// instructions in between.
+/// Saves more snapshots after snapshot number `moment`. The snapshots of a long run are too far apart to
+/// record all instructions in between.
 void Inquiry::save_between(std::size_t moment) {
   const SimTime end = moments_[moment + 1].t;
   simulation_.restore(moments_[moment].snapshot);
@@ -149,7 +149,7 @@ std::vector<std::uint8_t> Inquiry::bytes_at(std::size_t moment, const std::vecto
 }
 
 /// Stops following bytes that have changed within 1 s before snapshot number `from`. Following a value that
-/// is written repeatedly, such as a sum, would repeat the run for each of its steps.
+/// is written repeatedly, such as a sum, would repeat the run for each write.
 void Inquiry::give_up_what_changes(std::size_t from) {
   const std::vector<std::uint16_t> open = causes_.open_bytes();
   const std::vector<std::uint8_t> now = bytes_at(from, open);
@@ -299,7 +299,7 @@ void Inquiry::tell_of_interrupts(SimTime t, std::vector<result::Cause>& chain) {
   run_again(off - 1, moments_[off].t);
   if (const std::optional<CauseStep> step = causes_.switched_off(were_on))
     chain.push_back(
-        {seconds(step->t), "interrupts went off here, and were off at all later checks", {step->where}});
+        {seconds(step->t), "interrupts were disabled here, and were off at all later checks", {step->where}});
 }
 
 result::Cause Inquiry::motors_at(SimTime t, const std::string& text) const {

@@ -3,9 +3,9 @@
 //   - The run is saved at intervals.
 //   - The run is repeated around the decisive moment of the verdict, and each instruction is recorded
 //     (exec::CauseFinder).
-//   - The causes may include bytes that were written long before the decisive moment. To find the write, the
-//     run is repeated from the last snapshot that has another value. This may happen several times.
-//   - The lines that were found become links of a chain. Lines that read pins form one link, and lines that
+//   - The causes may include bytes that were written long before the decisive moment. To find the write of
+//     such a byte, the run is repeated from the last snapshot before it had its later value.
+//   - The source lines of the causes become links of a chain. Lines that read pins form one link. Lines that
 //     set a value long before the decisive moment form another. All other lines form a link for each file.
 #pragma once
 
@@ -72,8 +72,8 @@ class Inquiry final : run::Listener {
 
   std::vector<Command> commands_;  ///< commands of the motors
   std::vector<SimTime> looks_;     ///< times when line sensors were read
-  /// By pin and time: the values that firmware read while the run was repeated. The run may have been
-  /// repeated from later moments first.
+  /// By pin and time: the values that firmware read while the run was repeated. The values do not
+  /// arrive in the order of time, because later moments are repeated first.
   std::map<Pin, std::map<SimTime, std::string>> seen_;
 
   run::Simulation simulation_;  // its constructor already reports to the fields above

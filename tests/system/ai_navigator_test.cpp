@@ -1,8 +1,8 @@
 // Tests the sketch AiNavigator on the robot uno5: the robot scans a map, and then drives to every requested
 // station.
 //
-// Compares the sketch's output with the robot's position in the world when the sketch prints that it has
-// arrived. ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, on the host and on the chips.
+// Whenever the sketch prints that it has arrived at a station, compares the station's position with the
+// robot's true position. ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, on the host and on the chips.
 
 #include <cmath>
 

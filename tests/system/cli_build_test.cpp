@@ -86,7 +86,7 @@ TEST(CliBuild, AnAssignmentForAComparisonAndAnEmptyIfAreWarnedOf) {
       "void loop() {\n  if (x = 1) digitalWrite(13, HIGH);\n  if (x);\n    digitalWrite(13, LOW);\n}\n");
   const Ended built = robosim_command({"build", "./Slip"}, folder.path());
   EXPECT_EQ(built.status, 0);
-  EXPECT_THAT(built.err, AllOf(HasSubstr("Slip.ino:4:9: warning: suggest parentheses around assignment"),
+  EXPECT_THAT(built.err, AllOf(HasSubstr("Slip.ino:4:9: warning: '=' assigns a value in this condition"),
                                HasSubstr("Slip.ino:5:9: warning: suggest braces around empty body")));
 }
 

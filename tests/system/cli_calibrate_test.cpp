@@ -1,5 +1,5 @@
-// Tests `robosim calibrate` end to end: a robot with unknown parameters is simulated, the stock sketch writes
-// the log, and the parameters are recovered from it.
+// Tests `robosim calibrate` end to end. The sketch samples/CalibrationLogger writes a log on a simulated
+// robot. The command must recover this robot's parameters from the log.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -115,7 +115,7 @@ TEST_F(CliCoverage, GoesTogetherWithChecks) {
   EXPECT_THAT(ended.out, HasSubstr("coverage: 12 of 18 lines of Mine.ino ran"));
 }
 
-// The counted lines are those that remain after optimisation.
+// On a chip, only lines that remain after optimisation are counted.
 TEST_F(CliCoverage, IsCountedOnAChipByTheEmulatorAndChangesNothing) {
   for (const auto& [target, robot] :
        {std::pair{"avr", "uno5"}, std::pair{"avr", "mega5"}, std::pair{"avr", "leonardo5"},

@@ -56,7 +56,7 @@ struct Debugged {
   const char* robot;
   const char* debugger;
   const char* package;
-  const char* millis;  ///< the core's millisecond counter
+  const char* millis;  ///< the Arduino core's millisecond counter
   const char* ram;     ///< the beginning of RAM
 };
 

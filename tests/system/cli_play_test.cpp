@@ -24,7 +24,8 @@ Ended play(const std::vector<std::string>& words, const std::string& typed,
   return robosim_command(all, folder, nullptr, files.write("typed", typed).c_str());
 }
 
-// Accepts the default answers of the first four questions: the start, cells, speed 1 and the algorithm "ai".
+// Accepts the default answers to the first four questions: the start's place, movement by cells, speed 1, and
+// the algorithm "ai".
 constexpr const char* kScan = "\n\n\n\n";
 
 TEST(CliPlay, ASessionRunsFromAPipeToItsEnd) {

@@ -20,7 +20,7 @@ class CliRoom : public ::testing::Test {
     folder_.write("press", "at 300ms press start 100ms\n");
   }
 
-  /// Runs AiNavigator with memory for `nodes`, and with `ballast` unused bytes.
+  /// Runs AiNavigator with memory for `nodes` nodes of its map, and with `ballast` unused bytes.
   Ended scan_with(int nodes, int ballast) {
     const std::filesystem::path own = sketch_folder("AiNavigator");
     for (const char* header : {"Memory.h", "Walker.h"})

@@ -190,7 +190,7 @@ TEST(Cli, TheKitsOfTheDocsTakeTenLinesAndAreFine) {
   EXPECT_EQ(kits, 5);
 }
 
-// On the Zumo, DIR is low for forward on both sides.
+// The Zumo drives forward if DIR is low on both sides.
 TEST(Cli, AKitDrivesAheadAsItsLibraryDrivesIt) {
   const Folder folder;
   folder.write(

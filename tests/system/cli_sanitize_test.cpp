@@ -33,9 +33,10 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   EXPECT_EQ(checked.status, 1) << checked.err;
   const nlohmann::json result = json_of(checked);
   EXPECT_EQ(result["verdict"], "crashed");
-  EXPECT_EQ(result["why"],
-            "The sketch crashed: index 5 is outside of the array, an int [5]: valid indices are 0 to 4 "
-            "in average, Speeds.ino:4.");
+  EXPECT_EQ(
+      result["why"],
+      "A check (--sanitize) failed: index 5 is outside of the array, an int [5]: valid indices are 0 to 4 "
+      "in average, Speeds.ino:4.");
   EXPECT_EQ(result["crash"]["function"], "average");
   EXPECT_EQ(result["crash"]["file"], "Speeds.ino");
   EXPECT_EQ(result["crash"]["line"], 4);
@@ -44,8 +45,8 @@ TEST(CliSanitize, EndsTheRunAtABadIndexAndNamesItsPlace) {
   EXPECT_EQ(robosim_command(words, folder.path()).out, checked.out) << "equal output each time";
 }
 
-// The sketch replaces the core's initVariant() and looks for the end of RAM. FreeRTOS does the same to place
-// the stacks of its tasks.
+// The sketch replaces the Arduino core's initVariant() and looks for the end of RAM. FreeRTOS does both, to
+// place the stacks of its tasks.
 TEST(CliSanitize, OnTheChipASketchMayTakeTheCoresPlaceAndFindsWhereRamEnds) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -101,7 +102,7 @@ TEST(CliSanitize, OnTheChipASketchWithoutRoomForItsStackHasNotPassed) {
                     HasSubstr("stack overflow")));
 }
 
-// avr-gcc 5 gives the type `int` the name of the first array of `int`, also in an overflow check.
+// In the overflow checks of avr-gcc 5, the type `int` has the name of the sketch's first array of `int`.
 TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;
@@ -112,7 +113,7 @@ TEST(CliSanitize, OnTheChipAnArraysTypeIsNotTakenForItsElements) {
       "void loop() { int a = 900 + digitalRead(2); int pos = a * 100; if (pos < 0) tone(11, 440); }\n");
   const Ended run = robosim_command(
       {"run", "Sum/", "--map", "oval", "--robot", "uno5", "--target", "avr", "--sanitize"}, folder.path());
-  EXPECT_THAT(run.out, HasSubstr("* 100 does not fit an int, which holds"));
+  EXPECT_THAT(run.out, HasSubstr("* 100 does not fit an int"));
 }
 
 // After a failure on the chip, Robosim automatically runs the sketch again with checks.
@@ -172,8 +173,8 @@ TEST(CliSanitize, WhereNoCheckFindsAnythingItIsSaidWhatTheyDoNotLookAt) {
   EXPECT_THAT(run.out, AllOf(HasSubstr("next:"), HasSubstr("Not checked: unsigned")));
 }
 
-// After a failure, Robosim runs the sketch again with checks. The second run has more memory, so the code
-// that filled the memory continues. It fails a check long after the first run's end.
+// After a failure, Robosim runs the sketch again with checks. The second run has more memory, so the
+// recursion that overflowed the stack returns. Three seconds later, an unrelated check fails.
 TEST(CliSanitize, ACheckThatFailsLongAfterTheFirstRunsEndIsNotItsCause) {
   if (const std::string missing = what_is_missing("avr"); !missing.empty()) GTEST_SKIP() << missing;
   const Folder folder;

@@ -203,7 +203,7 @@ TEST(CliSweep, TablesOfShardsMergeToThatOfOneSweep) {
   const Ended all = merge({"part3.csv", "part1.csv", "part2.csv"}, "all.csv");
   EXPECT_EQ(all.out, one.out) << all.err;
   EXPECT_EQ(read_file(folder / "all.csv"), read_file(folder / "one.csv"));
-  // Runs that no table contains are simulated now.
+  // The merge simulates the runs that no table contains.
   merge({"part3.csv", "part1.csv"}, "more.csv");
   EXPECT_EQ(read_file(folder / "more.csv"), read_file(folder / "one.csv"));
 
@@ -252,7 +252,7 @@ TEST(CliSweep, JsonIsALineOfTheRunSchemaForEachRun) {
 TEST(CliSweep, CtrlCKeepsWhatIsFinishedAndResumeGoesOn) {
   const Folder folder;
   const std::string file = (folder / "a.csv").string();
-  // With seed 1 the sketch crashes immediately; with seed 2 it drives forever.
+  // With seed 1 the sketch crashes immediately; with seed 2 it runs forever.
   const Words words{"sweep", kFailsByChance, "--map",    "oval",  "--robot", "uno5",    "--goal",
                     "none",  "--for",        "1000000h", "--csv", file,      "--seeds", "1..2"};
   Words json = words;

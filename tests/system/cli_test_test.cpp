@@ -159,7 +159,7 @@ TEST(CliTest, WritesJunitWithTheFigures) {
   EXPECT_THAT(read_file(folder / "Greets/report.html"), HasSubstr("1 of the runs had another result"));
 }
 
-/// Sets an environment variable, and removes the variable at the end.
+/// Sets an environment variable. The destructor removes the variable.
 class Variable {
  public:
   Variable(const char* name, const std::string& value) : name_(name) { ::setenv(name, value.c_str(), 1); }

@@ -13,7 +13,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-// Uses two digital sensors next to the line, which are LOW over black, and an L298N with jumpered EN pins.
+// Uses an L298N with jumpered EN pins. Two digital sensors next to the line are LOW over black.
 constexpr const char* kTwoEyes = R"(#define LS 2
 #define RS 3
 #define LM1 5
@@ -71,7 +71,7 @@ TEST(CliWire, FindsTheStockRobotsPinsFromTheStockSketchAlone) {
                                HasSubstr("drives a lap of the map oval")));
 }
 
-// The sketch names its motors A and B, but A is at the right. No comment in the sketch says so.
+// The sketch names its motors A and B, but A is on the right. No comment in the sketch says so.
 TEST(CliWire, TriesTheSidesThatNamesLeaveOpenAndSaysWhatCameOfIt) {
   const Folder folder;
   folder.write("Sides/Sides.ino", R"(const int ENA = 10, IN1 = 7, IN2 = 6, ENB = 9, IN3 = 5, IN4 = 4;

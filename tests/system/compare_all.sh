@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # compare_all.sh ROBOSIM FOLDER [SEEDS [TIME]]: compares host, AVR and STM32 for every sketch of
-# firmware/examples on every sample map. Runs each with SEEDS (default 1..20), for at most TIME (default 60s).
+# firmware/examples on every sample map. Runs each seed of SEEDS (default 1..20) for up to TIME (default 60s).
 # Writes a line of JSON for each comparison to FOLDER/SKETCH-MAP. Fails if a difference is not due to chance.
 # Takes hours. Skips comparisons that have results in FOLDER, so the script may be stopped and continued.
 set -euo pipefail

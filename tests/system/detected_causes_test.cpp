@@ -17,7 +17,7 @@ struct Case {
   const char* name;
   const char* detector;  ///< "" = no detector may report
   const char* says;      ///< a part of the finding
-  const char* sketch;    ///< the finding's line ends with the comment //!
+  const char* sketch;    ///< the comment //! marks the line that the finding names
   bool on_chip_only = false;
 };
 
@@ -90,7 +90,7 @@ const Case kCases[] = {
      "void loop() {\n  for (byte i = 0; i < 2; i++)\n    analogWrite(motors[i], speed);  //!\n  "
      "delay(10);\n}\n"},
     {"AButtonWhosePinIsAnOutput", "driven_input",
-     "pin 4 (start) is an output, but the part there gives a level to read",
+     "pin 4 (start) is an output, but the part on it outputs a level, too",
      "void setup() {\n  for (byte pin = 4; pin <= 10; pin++)\n    pinMode(pin, OUTPUT);  //!\n}\n"
      "void loop() { delay(5); }\n"},
     {"ASensorWhosePinIsAnOutput", "driven_input", "pin 15 (S2) is an output",
@@ -182,8 +182,8 @@ TEST_P(DetectedCauses, HaveTheirDetectorAndLine) {
       << result::text_of(found[0]);
 }
 
-// The left sensor is at a timer's capture pin. As soon as a sketch reads the timer's flags, the timer awaits
-// edges of this pin.
+// The left sensor is at a timer's capture pin. After a read of the timer's flags, the timer waits for edges
+// of this pin. The detectors must not count these edges as reads of the sensor.
 TEST(DetectedCauses, TakeNoEdgeThatATimerAwaitsForAReadOfASensor) {
   needs_target("avr");
   const TemporaryFolder folder;

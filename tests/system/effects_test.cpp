@@ -69,7 +69,7 @@ class Effects : public testing::Test {
   TemporaryFolder folder_;
 };
 
-// Returns a loop of 3.7 m whose far half circle and straight have the keys `paint`.
+// Returns a map with a loop of 3.7 m. Its first half circle and its second straight have the keys `paint`.
 std::string loop(const std::string& paint, const std::string& more = "") {
   return "+++\nsize = [\"1.8 m\", \"1.2 m\"]\n[[path]]\nfrom = [\"500 mm\", \"300 mm\"]\nsegments = [\n{ "
          "length = "
@@ -125,8 +125,8 @@ TEST_F(Effects, OfPaintAreAsTheModelSays) {
   EXPECT_EQ(seen(", worn = \"100 %\""), code(kWhite));
 }
 
-// A straight line of 0.2 m. With a bias, the gyroscope reports 15 deg/s at rest. Then only a sketch that
-// subtracts the bias points straight ahead after a turn.
+// The line is straight and 0.2 m long. A biased gyroscope reports 15 deg/s at rest. With the bias, only a
+// sketch that subtracts it points straight ahead after a turn.
 TEST_F(Effects, OfAGyroscopeWithABias) {
   const auto reaches = [&](const std::string& bias, char way) {
     const std::filesystem::path map = folder_.path() / "strip.map", file = folder_.path() / "turns.toml";
@@ -160,8 +160,8 @@ TEST_F(Effects, OfAReferenceThatSinksHideAWeakBattery) {
   EXPECT_FALSE(notices("[electronics]\nfed_by_battery = true\n"));
 }
 
-// The reading of 3.7 V from the battery is too high. The error is 24 to 43 % of the difference between the
-// 4.4 V of the previous channel and 3.7 V.
+// With a weak source, the reading of the battery's 3.7 V is too high. The error is 24 to 43 % of the
+// difference between 3.7 V and the 4.4 V of the previous channel.
 TEST_F(Effects, OfAWeakSourceShiftReadingsTowardsThePreviousChannel) {
   EXPECT_EQ(prints("", "", 0.1).second, code(3.7));
   const int read = prints(kDivider + kWeak, "", 0.1).second;

@@ -19,7 +19,7 @@
 namespace robosim::test {
 namespace forgery_test {
 
-/// Returns forged last lines of a runner, one for each possible request.
+/// Returns forged results of a runner, one line for each request number from 1 to 4.
 std::string forged_lines() {
   std::string lines;
   for (std::int64_t id = 1; id <= 4; ++id) {
@@ -57,7 +57,7 @@ struct Attempt {
 std::ostream& operator<<(std::ostream& out, const Attempt& attempt) { return out << attempt.name; }
 std::string name_of_attempt(const testing::TestParamInfo<Attempt>& attempt) { return attempt.param.name; }
 
-/// Declarations that all attempts use. Each attempt outputs LINES.
+/// Declarations that the attempts use. say() outputs LINES.
 constexpr const char* kOfTheSystem = R"(
 extern "C" {
 typedef void (*Handler)(int);

@@ -34,7 +34,7 @@ class Hills : public testing::Test {
     return runner_of("host").run(request, {});
   }
 
-  /// Returns uno5 with another chassis.
+  /// Returns a robot file: uno5 with these keys of `[chassis]`.
   std::string robot(const std::string& chassis) {
     const std::filesystem::path file = folder_.path() / "other.toml";
     std::ofstream(file) << "base = \"uno5\"\n[chassis]\n" << chassis;
@@ -143,8 +143,8 @@ TEST_F(Hills, ThatEndHighAreFallenOff) {
 }
 
 // Runs the sample Robotracer on its course, dry and wet, at 0.5 and 0.7 m/s, without and with a fan. In bends
-// of 150 mm radius it slides if it is faster than sqrt(grip * load / mass * g * 0.15 m / sqrt 2). The limit
-// is 0.91 m/s when dry, 0.71 m/s when wet, and 1.27 m/s when wet with the fan.
+// of 150 mm radius, the robot slides if it is faster than sqrt(grip * load / mass * g * 0.15 m / sqrt 2).
+// This limit is 0.91 m/s when dry, 0.71 m/s when wet, and 1.27 m/s when wet with the fan.
 class Wet : public testing::Test {
  protected:
   result::RunResult run(int speed, bool wet, const std::string& fan, std::uint64_t seed) {

@@ -7,7 +7,7 @@
 
 namespace robosim::test {
 
-/// Parses the output. Returns an empty value if the output is not JSON.
+/// Parses the output. Returns a discarded value if the output is not JSON.
 inline nlohmann::json json_of(const Ended& ended) { return nlohmann::json::parse(ended.out, nullptr, false); }
 
 }  // namespace robosim::test

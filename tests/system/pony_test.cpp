@@ -1,7 +1,7 @@
 // Tests the sketch PonyNavigator on the robot pony: it scans maps a to f, and then visits every station.
 //
-// Compares the position that the sketch reports with the robot's true position. ROBOSIM_TEST_SEEDS=50 tries
-// 50 seeds on each map, including on the chip.
+// Whenever the sketch reports a station, compares the station's position with the robot's true position.
+// ROBOSIM_TEST_SEEDS=50 tries 50 seeds on each map, on the host and on the chips.
 
 #include <cmath>
 

@@ -41,7 +41,7 @@ std::string alkaline(const char* charge) {
   return std::string("kind = \"alkaline\"\ncells = 4\ncapacity_mAh = 2000\ncharge = ") + charge + "\n";
 }
 
-// By the curve in sim/robot/battery.h, 54.4 % charge gives 7.4 V at rest, and 4.3 % gives 6.6 V.
+// By the table in sim/robot/battery.cpp, 54.4 % charge gives 7.4 V at rest, and 4.3 % gives 6.6 V.
 TEST_F(Power, OfAnEmptierBatteryMakesATurnByTimeTooShort) {
   const result::RunResult full = run("t", lithium("0.544"), 15.0);
   EXPECT_EQ(full.verdict, "reached");
@@ -77,7 +77,7 @@ TEST_F(Power, ThatIsGoneIsWhatARobotStandsFor) {
   }
 }
 
-// Runs Pulses on an empty floor, with PWM on this driver's enable pins, and with motors of this inductance.
+// Runs the sketch Pulses along a straight line of 5 m, with this driver chip and motors of this inductance.
 result::RunResult pulses(const std::string& letter, const std::string& chip, const std::string& inductance,
                          const std::string& target = "host") {
   TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// Tests usual actions before a run (power on, place, press) in a script, on every target.
+// Tests scripts that calibrate, place and start the robot, as users do before a run, on host and AVR.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tests the sandbox of sketches on the host, which are native code of unknown authors.
+// Tests the sandbox. It confines sketches on the host, because they are native code by unknown authors.
 // docs/explanation/security.md lists the confined actions.
 #include <fmt/format.h>
 #include <signal.h>
@@ -121,7 +121,7 @@ TEST_F(Sandbox, HoldsBeforeTheFirstConstructor) {
 }
 
 TEST_F(Sandbox, HoldsWhileTheImageIsBeingLoaded) {
-  // The loader calls _init() before the firmware's clock counts basic blocks.
+  // The system's loader calls _init() before the runner counts the sketch's basic blocks as time.
   const auto r = run_text(
       "extern \"C\" int open(const char*, int, ...);\n"
       "extern \"C\" __attribute__((no_sanitize_coverage)) void _init() { open(\"/etc/passwd\", 0); }\nvoid "
@@ -156,7 +156,7 @@ TEST_F(Sandbox, LeavesNoDescriptorToReadOrWrite) {
   for (int fd = 0; fd < 12; ++fd) {
     SCOPED_TRACE(fd);
     const auto reads = ask('a' + fd), writes = ask('n' + fd);
-    if (fd <= 2 || fd == exec::kImageFd) {  // reads no byte: empty or closed
+    if (fd <= 2 || fd == exec::kImageFd) {  // these descriptors are empty or closed
       EXPECT_EQ(reads.serial, "r") << reads.why;
     } else {
       EXPECT_THAT(reads.why, AllOf(HasSubstr("read (descriptors)"), HasSubstr("Guest.ino:5")));
@@ -215,7 +215,8 @@ TEST_F(Sandbox, LoadsNoImageWhoseCodeCanBeWrittenTo) {
   EXPECT_THAT(r.why, HasSubstr("the sandbox refuses a system call"));
 }
 
-// RLIMIT_DATA counts none of these pages. Some kernels allocate memory for pages that are only read.
+// The kernel's limit RLIMIT_DATA does not count pages that are only read. Some kernels allocate memory for
+// them.
 TEST_F(Sandbox, LimitsThePagesThatASketchOnlyReads) {
   const auto r = run_text(
       "extern \"C\" void* mmap(void*, unsigned long, int, int, int, long);\n"
@@ -261,7 +262,7 @@ TEST_F(Sandbox, EndsASketchThatGoesOnBehindClosedDescriptors) {
   const auto r = run_text(
       "extern \"C\" int close(int);\n__attribute__((no_sanitize_coverage)) void setup() {\n"
       "  for (int fd = 0; fd < 64; ++fd) close(fd);\n  for (;;) asm volatile(\"nop\");\n}\nvoid loop() {}\n");
-  EXPECT_EQ(r.why, "The sketch crashed: it closed the pipe of its verdict.");
+  EXPECT_EQ(r.why, "The sketch crashed: it closed the pipe of its result.");
 }
 
 TEST_F(Sandbox, EndsASketchThatHasSwitchedItsSignalsOff) {
@@ -419,7 +420,7 @@ TEST_F(Sandbox, EndsASketchThatSaysAgainAndAgainThatItHasNotBegun) {
 }
 
 TEST_F(Sandbox, LooksUpNoLineForLongerThanItMay) {
-  // The mangled name of nested pairs, which expands to gigabytes of text.
+  // This mangled name of nested pairs expands to gigabytes of text.
   std::string name = "_Z1f1PI1AS0_E";
   for (int i = 1; i < 33; ++i) {
     const std::string digit(1, static_cast<char>(i < 10 ? '0' + i : 'A' + i - 10));
@@ -458,7 +459,7 @@ TEST_F(Sandbox, ShowsASketchTheSameAddressesInEachRun) {
   }
 }
 
-// On other processors, the C library's random canary remains in the stack.
+// Only on x86-64: elsewhere, the unwritten stack contains the C library's random canary.
 #ifdef __x86_64__
 TEST_F(Sandbox, ShowsASketchTheSameUnwrittenStackInEachCommand) {
   if (!kernel_allows_fixed_addresses()) GTEST_SKIP() << "the kernel refuses fixed addresses here";

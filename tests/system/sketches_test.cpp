@@ -1,4 +1,4 @@
-// Tests the stock sketches' guarantees, with many seeds.
+// Tests the guarantees of Robosim's example sketches, with many seeds.
 
 #include "sim/base/file.h"
 #include "tests/support/effort.h"

@@ -21,7 +21,7 @@
 
 namespace robosim::test {
 
-/// Returns the folder of a test's own sketch, or the path of a stock sketch.
+/// Returns the folder of a sketch in tests/system/sketches, or else the path of an example sketch.
 inline std::filesystem::path sketch_folder(const std::string& name) {
   const std::filesystem::path own = std::filesystem::path(ROBOSIM_TEST_SKETCHES) / name;
   return std::filesystem::exists(own) ? own : build::find_sketch(name);
@@ -31,7 +31,7 @@ inline std::filesystem::path sketch_folder(const std::string& name) {
 struct Run {
   std::string sketch;
   std::string map = "oval";
-  std::string robot = "uno5";  ///< the target's board replaces the robot's
+  std::string robot = "uno5";  ///< a board of the target replaces an unsuitable board
   std::string goal;
   std::string script;
   std::uint64_t seed = 1;

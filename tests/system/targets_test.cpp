@@ -93,7 +93,7 @@ TEST_P(OnEveryTarget, TwoRunsOfEverySketchAreTheSameBitForBit) {
         test::Run{.sketch = "RightPath", .map = "d", .robot = "uno3"},
         test::Run{.sketch = "AiNavigator", .map = "d", .script = scan},
         test::Run{.sketch = "PonyNavigator", .map = "d", .robot = "pony", .script = pony_scan}}) {
-    // Polling sketches are slow on the STM32.
+    // The navigators, which have scripts, are slow on the STM32. They run there only with ROBOSIM_TEST_SEEDS.
     if (GetParam() == std::string("stm32") && !sketch.script.empty() && seeds_asked_for() == 0) continue;
     test::Run once = sketch;
     once.goal = "none";
@@ -127,7 +127,7 @@ TEST_P(OnEveryTarget, AnInterruptAttachedOverBlackMeetsNoEdge) {
 }
 
 // The radius is base / tan(angle). Pulses of 544 to 2400 us turn a servo to 0 to 180 degrees. digitalWrite()
-// and the core's interrupts lengthen a pulse by up to 12 us. The radius is then 6 % smaller.
+// and the Arduino core's interrupts lengthen a pulse by up to 12 us. The radius is then 6 % smaller.
 TEST_P(OnEveryTarget, CarsAndTricyclesDriveOnTheRadiusThatTheirServosPulsesSay) {
   constexpr double kDegrees = 180.0 * 250.0 / (2400.0 - 544.0);
   const double expected = 95.0 / std::tan(kDegrees * std::numbers::pi / 180.0);

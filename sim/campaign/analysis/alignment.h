@@ -13,8 +13,8 @@ namespace robosim::analysis {
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kNear_ns = kSecond_ns;  ///< maximum time between events that count as simultaneous
-/// The tolerance grows by this share of the time to the nearest common event. One board may be 0.5 % fast,
-/// and another of the same kind 0.5 % slow (an Uno's resonator, Murata CSTCE16M0V53).
+/// This share of the time to the nearest common event is added to kNear_ns. One board may be 0.5 % fast, and
+/// another of the same kind 0.5 % slow (an Uno's resonator, Murata CSTCE16M0V53).
 constexpr std::int64_t kApart_percent = 1;
 
 /// Returns the end of the comparable behaviour: the loss of the line, otherwise the end of the run.
@@ -30,7 +30,7 @@ class Clocks {
 
   /// Adds the times of a common event on the two sides, ns. finish() adds the start of the runs.
   void add(std::int64_t a, std::int64_t b) { pairs_.emplace_back(a, b); }
-  /// Prepares the queries; call this after the last event. Drops events whose order differs between the
+  /// Prepares the conversions; call this after the last add(). Drops events whose order differs between the
   /// sides.
   void finish();
   std::int64_t to_b(std::int64_t t) const { return map(t, &Pair::first, &Pair::second); }

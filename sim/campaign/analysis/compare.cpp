@@ -29,7 +29,7 @@ History up_to(std::int64_t until, History history) {
   return history;
 }
 
-/// Returns whether the run ended because the robot lost the line, with any of three verdicts.
+/// Returns whether the robot lost the line, and the run ended as lost, stuck or timeout.
 bool is_astray(const History& history) {
   return history.lost_ns &&
          (history.verdict == "lost" || history.verdict == "stuck" || history.verdict == "timeout");
@@ -81,8 +81,8 @@ class Comparer {
       }
   }
 
-  /// Returns whether side `other` ran long enough to show an event. The side's last common event was at
-  /// `since_ns`, and the event is due `after_ns` later.
+  /// Returns whether side `other` ran long enough to show an event. On this side, the last event that both
+  /// sides share was at `since_ns`. The event is due `after_ns` later.
   bool had_time(std::size_t other, std::int64_t since_ns, std::int64_t after_ns) const {
     return seen_ns(*sides_[other]) >= since_ns + after_ns + tolerance_.time_for(after_ns);
   }

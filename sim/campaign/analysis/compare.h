@@ -8,13 +8,13 @@
 //   lines     their text and order, without numbers; a text that occurs more than 20 times, or 5 times in
 //             2 s, is a stream: both sides must send it at about the same rate and at about the same time
 //   numbers   in a line: within 10 % of each other
-//             in a stream: within 10 % of one of the other side's values at most 1 s before or after, or
+//             in a stream: within 10 % of a value that the other side prints at most 1 s before or after, or
 //             within the range of these values. The range is widened at both ends by half its width, and
 //             by at least 1 if all values of the stream span 10 or more
 //   times     from one place or line to the next: within 0.5 s plus 25 %
 //   motors    for a manoeuvre of 0.5 s or more, the other side makes the same manoeuvre for 0.1 s or more,
 //             within 1 s plus 1 % of the time to the nearest common place or line;
-//             the mean commands between two common places or lines are within 0.25 of full speed
+//             the mean commands between two common places or lines differ by at most 0.25 of full speed
 //   the end   equal verdicts
 #pragma once
 

@@ -6,8 +6,9 @@
 namespace robosim::analysis {
 namespace {
 
-constexpr std::int64_t kLong_ns = 500'000'000, kShort_ns = 100'000'000;  // minimum durations
-constexpr double kSpeed = 0.25;                                          // share of the full command
+// Minimum durations: of a manoeuvre to look for on the other side, and of that manoeuvre on the other side.
+constexpr std::int64_t kLong_ns = 500'000'000, kShort_ns = 100'000'000;
+constexpr double kSpeed = 0.25;  // a larger difference is reported, as a share of the full command
 
 double mean_command(const History& history, std::int64_t from, std::int64_t to) {
   double sum = 0.0;

@@ -13,7 +13,8 @@ namespace robosim::analysis {
 std::optional<Difference> missing_manoeuvre(const std::array<const History*, 2>& sides, std::size_t side,
                                             const Clocks& clocks);
 
-/// Returns the first period between two common events in which one side drives faster on average.
+/// Returns the first period in which one side drives faster on average. Each period lies between two events
+/// that both sides have.
 std::optional<Difference> speed_difference(const std::array<const History*, 2>& sides, const Clocks& clocks);
 
 }  // namespace robosim::analysis

@@ -1,6 +1,6 @@
 // Compares lines that firmware prints repeatedly, such as measurements a few times a second. The two sides
-// print them at different moments, and robots vibrate. Each line is therefore compared with several lines
-// that the other side prints at about the same time.
+// print them at different moments, and a vibrating robot measures different values then. Each line is
+// therefore compared with several lines that the other side prints at about the same time.
 #pragma once
 
 #include <array>
@@ -25,11 +25,11 @@ struct Said {
 /// The lines of each side.
 using Lanes = std::array<std::vector<Said>, 2>;
 
-/// Returns whether lines of one form at these times are a stream.
+/// Returns whether lines of one form (line_text.h) that came at these times are a stream.
 bool is_stream(const std::vector<std::int64_t>& came);
 
 /// Compares the lines of one form, which are a stream on at least one side. Returns differences in their
-/// presence, rate, beginning, end and numbers: at most one of each kind and side.
+/// rate, their presence at any time and their numbers: at most one of each kind and side.
 std::vector<Difference> stream_differences(const std::string& form, const Lanes& lanes,
                                            const std::array<const History*, 2>& sides, const Clocks& clocks,
                                            const Tolerance& tolerance);

@@ -13,12 +13,13 @@ namespace {
 using Kind = Difference::Kind;
 
 constexpr std::int64_t kShortest_ns = 100'000'000;  // shortest manoeuvre
-// Runs on two targets show one of two behaviours. The targets count as alike only if each of them shows both
-// behaviours, each in at least kFewest runs. If each target has kManyRuns runs or more, one run is enough.
+// Each run on a target shows one of two behaviours. Two targets count as alike only if both behaviours occur
+// on each target, in at least kFewest runs. If each target has kManyRuns runs or more, one run of each
+// behaviour is enough.
 constexpr int kFewest = 2, kManyRuns = 100;
 constexpr std::int64_t kAboutThen_ns = 2'000'000'000;
 
-/// Returns whether two texts agree, up to a tolerance of times. Example: "comes 2.220 s after the previous
+/// Returns whether two texts agree, with a tolerance for times. Example: "comes 2.220 s after the previous
 /// one" and "comes 2.180 s after the previous one".
 bool is_same_way(const std::string& one, const std::string& other, const Tolerance& tolerance) {
   const LineText a = take_apart(one), b = take_apart(other);
@@ -110,8 +111,9 @@ std::optional<Choice> Choice::of(const Difference& found, const History& first, 
   return choice;
 }
 
-// Applies Fisher's test: adds the probabilities of all tables that have the totals of this table, and are not
-// more likely. If a target has fewer than kManyRuns runs, a behaviour in only one of them counts as rare.
+// Applies Fisher's test: adds the probabilities of all tables with equal totals that are not more likely than
+// this table. If either target has fewer than kManyRuns runs, a behaviour that one target shows less than
+// twice counts as rare.
 Alikeness alikeness(const Share& one, const Share& other) {
   constexpr double kUnlikely = 0.05, kRounding = 1e-9;
   const int both = one.as_first + other.as_first;

@@ -22,7 +22,7 @@ bool does_as(const History& mine, const History& other, const Difference& found,
 /// Returns whether `own`, a difference between two runs of one target, resembles `found`, a difference
 /// between targets. Differences within 2 s of each other only need to be of the same kind. Here, place and
 /// time count as one kind, and so do motors and speed. Differences at other times must separate the same two
-/// behaviours: two manoeuvres, or two times at places of one kind.
+/// behaviours: two manoeuvres, or two arrival times at a place. (Numbers in the place's name may differ.)
 bool is_alike(const Difference& own, const Difference& found);
 
 /// A condition on a run: the robot comes to a place by a certain time.
@@ -42,7 +42,8 @@ struct EndsAs {
 /// A condition on a run that distinguishes the two sides of a difference.
 class Choice {
  public:
-  /// Derives the condition from `found`. Returns nullopt if `found` has no condition, such as a mean speed.
+  /// Derives the condition from `found`. Returns nullopt for a difference without such a condition, such as a
+  /// difference in mean speed.
   static std::optional<Choice> of(const Difference& found, const History& first, const History& second);
   /// Returns whether a run behaves like `first` at the difference.
   bool is_as_first(const History& run) const;
@@ -55,12 +56,12 @@ class Choice {
   bool of_first_ = true;  ///< true: `first` meets the condition; false: only `second` meets it
 };
 
-/// The number of a target's runs with slightly wrong clocks, and how many of these behave like `first`.
+/// The number of a target's runs with slightly wrong clocks, and for how many Choice::is_as_first() is true.
 struct Share {
   int runs = 0, as_first = 0;
 };
 enum class Alikeness {
-  alike,  ///< both targets show both behaviours equally often; or a behaviour occurs in a single run of many
+  alike,  ///< both targets show both behaviours about equally often, or one behaviour occurs just once
   apart,  ///< one target shows a behaviour that the other never or seldom shows
   rare,   ///< one of the two behaviours is rare, and too few runs were made to decide
 };

@@ -98,7 +98,7 @@ std::string quoted(const std::string& text) {
   return "\"" + (text.size() > kLongestShown ? text.substr(0, kLongestShown) + "…" : text) + "\"";
 }
 
-/// Returns one unit of the last common digit, as the tolerance for rounding.
+/// Returns one unit of the last decimal place that both numbers have, as the tolerance for rounding.
 double last_place(const Number& a, const Number& b) {
   const auto decimals = [](const Number& n) { return n.text.size() - n.text.find('.') - 1; };
   return 1.001 * std::pow(10.0, -static_cast<double>(std::min(decimals(a), decimals(b))));

@@ -26,7 +26,7 @@ std::string quoted(const std::string& text);
 /// The similarity of two numbers from different targets.
 enum class Likeness {
   same,   ///< equal text, or within the tolerance
-  known,  ///< equal value, printed differently: last digits of a float, or width of a negative HEX
+  known,  ///< equal value, printed differently: the last digits of a float, or a negative HEX's width
   different,
 };
 Likeness likeness(const Number& a, const Number& b, double tolerance);

@@ -1,5 +1,5 @@
 // Finds the firmware's pin accesses and output around a moment, and the responsible lines of the sketch. Uses
-// a run's events for pins and serial bytes, which contain their source lines.
+// a run's events for pins and serial bytes: each event contains its source line.
 #pragma once
 
 #include <cstdint>

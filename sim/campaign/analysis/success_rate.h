@@ -22,7 +22,7 @@ struct Interval {
 /// 209-212.
 Interval wilson(std::int64_t successes, std::int64_t runs);
 
-/// The requirement for a fixed number of runs.
+/// A required success rate, for a fixed number of runs.
 struct Demand {
   double rate = 1.0;  ///< 0..1
   /// False: at least the share `rate` of the runs must succeed.
@@ -35,8 +35,8 @@ struct Demand {
 /// successes do not meet it.
 std::optional<std::int64_t> needed_successes(const Demand& demand, std::int64_t runs);
 
-/// Returns the smallest number of runs that meets the demand if all of them succeed; nullopt if no number
-/// does (a sure rate of 1).
+/// Returns the smallest number of runs that meets the demand if all of them succeed. Returns nullopt if no
+/// number does, as for a rate of 1 that must be `sure`.
 std::optional<std::int64_t> needed_runs(const Demand& demand);
 
 /// Counts runs in a fixed order. The tally is decided once the remaining runs cannot change whether the

@@ -22,7 +22,7 @@ struct Calibration {
   robot::Description robot;
   SweepFit sweep;
   std::optional<DriveFit> drive;
-  std::vector<Figure> figures;        ///< certain enough to be written
+  std::vector<Figure> figures;        ///< certain enough to be written to the robot file
   std::vector<Figure> unsure;         ///< found, but too uncertain
   std::vector<std::string> not_told;  ///< values that these logs do not determine, one sentence each
   double tape_m = 0.0;

@@ -14,8 +14,8 @@ namespace robosim::calibrate {
 namespace {
 
 constexpr double kTick = 0.001;         // s, tick of the world
-constexpr double kPiece = 0.5;          // s, duration of a piece of a drive
-constexpr double kRollsFor = 5.0;       // s, maximum rolling after a timed drive
+constexpr double kPiece = 0.5;          // s, duration of the pieces in which a drive is compared
+constexpr double kRollsFor = 5.0;       // s, maximum time of rolling after a timed drive
 constexpr double kMostDriving = 120.0;  // s, maximum total of all drives
 constexpr double kCell = 50.0;          // m, side of a cell: no wall is near the robot
 const Pose kStart{{20.0 * kCell, 20.0 * kCell}, {1.0, 0.0}};
@@ -167,7 +167,7 @@ Bench::PerTurn Bench::per_turn(const Log& log) const {
 void Bench::check(const Log& log, const Drive& drive, std::size_t side) const {
   const char* name = side == 0 ? "left" : "right";
   const int told = drive.told[side].front();
-  double counted = 0.0, along = 0.0;  // sums of counts, and of counts times command: above 0 if signs agree
+  double counted = 0.0, along = 0.0;  // sum of counts; sum of counts times command (above 0 if signs agree)
   for (std::size_t i = 1; i < drive.t.size(); ++i) {
     const double more = drive.count[side][i] - drive.count[side][i - 1];
     counted += more;

@@ -47,8 +47,8 @@ class Bench {
   /// Returns whether any drive turns on the spot.
   bool spins() const { return spins_; }
   /// Returns the differences between measurement and simulation with these factors. A difference is in counts
-  /// of an encoder, or, for a drive timed with a stopwatch, in multiples of the uncertainty. Each half second
-  /// of a longer drive is compared separately, because position errors grow.
+  /// of an encoder. For a drive timed with a stopwatch, it is in multiples of the measurement's uncertainty.
+  /// Each half second of a longer drive is compared separately, because position errors grow.
   std::vector<double> residuals(const Factors& x, std::vector<DriveCurve>* curves = nullptr) const;
   /// Returns the residuals for each set of factors.
   std::vector<std::vector<double>> residuals(std::span<const Factors> all) const;
@@ -91,7 +91,7 @@ class Bench {
   std::vector<Plan> plans_;  ///< set by check()
 };
 
-/// Returns the body with its parameters multiplied by these factors.
+/// Returns the body with each parameter multiplied by its factor, exp(x).
 world::BodyParams with(world::BodyParams body, const Factors& x);
 
 }  // namespace robosim::calibrate

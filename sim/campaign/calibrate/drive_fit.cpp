@@ -12,9 +12,9 @@ namespace robosim::calibrate {
 namespace {
 
 constexpr double kAlike = 10.0;      // number of neighbouring samples that count as one
-constexpr double kMostUnsure = 0.5;  // maximum sd of the logarithm of a parameter that the data determine
-// Relative standard deviations of speeds and of forces that the model causes: by its ticks, and by a PWM duty
-// cycle that is known only to half a step.
+constexpr double kMostUnsure = 0.5;  // with a larger sd of its logarithm, a parameter is undetermined
+// Relative errors (standard deviations) of the model in speeds and in forces. Causes are its ticks, and a PWM
+// duty cycle that is known only to half a step.
 constexpr double kSpeedModel = 0.005, kForceModel = 0.02;
 constexpr int kMostCalls = 500;
 

@@ -8,7 +8,7 @@
 //   by the coasting:                 M / J
 // These values give k_e, and the ratios of k_t / R to M and to J, but neither R nor J. With R (stall_current)
 // and J (mass, rotor, wheels) from the file, they give no_load, stall_torque and no_load_current. If J is
-// wrong, stall_torque is wrong by the same factor, and the robot still behaves correctly. Turns on
+// wrong, stall_torque is wrong by the same factor, and the simulated robot still behaves correctly. Turns on
 // the spot determine the body's inertia about its vertical axis.
 //
 // The uncertainty is computed from the residuals and their derivatives with respect to each parameter. The
@@ -52,14 +52,14 @@ struct DriveFit {
   Found no_load_current;         ///< A
   Found inertia;                 ///< kg m2, of the body about its vertical axis; value 0: undetermined
   Found time_constant;           ///< s, straight on, with the present driver and battery
-  double rms = 0.0;              ///< root mean square of the residuals: counts, or m by stopwatch
+  double rms = 0.0;              ///< root mean square of the residuals, in their units (Bench)
   bool torque_told = true, friction_told = true;
   std::vector<DriveCurve> curves;
 };
 
 /// Fits the drives; returns nothing if there are no drives. `supply` is the battery voltage measured during
-/// the drives. If its value is 0, uses the file's voltage with its spread. Throws InputError if a motor does
-/// not move, or moves in the wrong direction.
+/// the drives. If the value of `supply` is 0, uses the file's voltage and spread. Throws InputError if a
+/// motor does not move, or moves in the wrong direction.
 std::optional<DriveFit> fit_drives(const std::vector<Log>& logs, const std::vector<Timed>& timed,
                                    const robot::Description& robot, Found supply);
 

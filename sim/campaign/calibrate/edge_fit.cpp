@@ -8,7 +8,7 @@
 namespace robosim::calibrate {
 namespace {
 
-constexpr double kLeastFootprint = 0.0005, kMostFootprint = 0.03;  // m: limits of robot files
+constexpr double kLeastFootprint = 0.0005, kMostFootprint = 0.03;  // in metres: limits in a robot file
 
 }  // namespace
 

@@ -20,7 +20,7 @@ struct Figure {
   const char* unit = "";           ///< unit in the file; "" = a share
   double scale = 1.0;              ///< size of the unit, in SI
   double before = 0.0;             ///< value in the file (first element of an array), SI
-  double least = 0.0, most = 0.0;  ///< limits of robot files, including spread; SI
+  double least = 0.0, most = 0.0;  ///< value ± spread must be within these limits; SI
   std::string remark;              ///< "" or the assumption behind the value
   double against = 0.0;            ///< the uncertainty is relative to this value, SI; 0 = to the value itself
 };
@@ -42,8 +42,7 @@ std::string shown(const Figure&, const Found&);
 /// Returns TOML: { value = "2.31 mm", spread = "0.08 mm" }, or a list of such tables.
 std::string toml_value(const Figure&);
 
-/// Values with a larger relative uncertainty are not written. This uncertainty is twice the standard
-/// deviation, divided by the value.
+/// Values with a larger relative uncertainty, unsureness(), are not written to the robot file.
 constexpr double kMostSpread = 0.5;
 
 std::vector<Figure> figures_of(const SweepFit&, const robot::Description&);

@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kBegins = "# robosim calibration log";
 constexpr std::size_t kLeastSweep = 100, kLeastDrive = 10;  // minimum number of rows
 constexpr std::size_t kMostRows = 200'000;
-constexpr double kMostReading = 100'000.0;  // us, of an RC sensor; codes have another limit (1023)
+constexpr double kMostReading = 100'000.0;  // us, limit for RC sensors; ADC codes have another (1023)
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);

@@ -1,4 +1,4 @@
-// Minimises a function of a few numbers by NLopt, and computes the uncertainty of the minimum.
+// Minimises a function of a few numbers by NLopt, and inverts matrices to find the minimum's uncertainty.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ std::vector<double> minimise(const std::function<double(const std::vector<double
                              const std::vector<Range>& ranges, int most_calls);
 
 /// Returns the inverse of a symmetric positive definite matrix, given as rows. Returns nothing for any other
-/// matrix: the data then do not determine a value.
+/// matrix. For a fit, this means that its data do not determine a value.
 std::vector<std::vector<double>> inverse(std::vector<std::vector<double>> matrix);
 
 }  // namespace robosim::calibrate

@@ -1,6 +1,6 @@
 // Reads measurements by stopwatch and tape measure, for robots without encoders, from a TOML file.
 //
-//   supply = "7.4 V"              # the battery's voltage during the drives; or --supply
+//   supply = "7.4 V"              # the battery's voltage during the drives; --supply can replace this line
 //   [[drive]]
 //   pwm = 255                     # command of both motors, from rest
 //   time = "1 s"                  # then all pins low

@@ -19,9 +19,9 @@ namespace {
 
 using robot::ReflectanceSpec;
 
-constexpr double kPatch = 0.012;                       // m: readings of this length of floor count as one
+constexpr double kPatch = 0.012;                       // in metres: readings within this length count as one
 constexpr double kMostChange = 0.25;                   // maximum change of levels, share of black - white
-constexpr double kClock = 4e-6 * std::numbers::sqrt2;  // s, error of a duration by micros() at 16 MHz
+constexpr double kClock = 4e-6 * std::numbers::sqrt2;  // s, error of a duration by micros() on a 16 MHz chip
 constexpr std::size_t kBatches = 10;
 constexpr std::size_t kMostEdges = 1500;  // limit for a part; more edges do not improve the result
 constexpr double kMostClipped =
@@ -81,7 +81,7 @@ std::size_t index_at(const std::vector<double>& t, double time) {
 void measure_levels(Element& element) {
   std::vector<double> white, black, rough_white, rough_black;
   double length = 0.0, radius = 0.0;
-  std::set<std::string> logs;  // each log comes from another place on the floor
+  std::set<std::string> logs;  // each log comes from a different place on the floor
   std::size_t clipped = 0;
   for (std::size_t k = 0; k < element.traces.size(); ++k) {
     const Trace& trace = element.traces[k];
@@ -272,7 +272,7 @@ std::vector<Element> gather(const std::vector<Log>& logs, const robot::Descripti
   return elements;
 }
 
-/// Fits one part. `scale` corrects speeds that come from the wheels, by the fitted track width.
+/// Fits one part. `scale` corrects speeds from wheel counts. It is the file's track width / the fitted one.
 PartFit fit_part(const ReflectanceSpec& part, std::vector<Element>& elements, double tape_m, double scale) {
   PartFit fit;
   fit.part = &part;

@@ -1,8 +1,9 @@
 // Fits parameters of floor sensors to a slow sweep across a tape.
 //
 // A crossing is a series of readings over the tape. With wheel counts, the sensor's speed v is the rate of
-// turn times the sensor's distance from the centre. Without counts, v is the tape's width over the crossing's
-// duration at half depth. The speed gives each sample a position s across an edge, and
+// turn times the sensor's distance from the centre. Without counts, v is the tape's width divided by the
+// crossing's duration at half depth (signal halfway between floor and tape). The speed gives each sample a
+// position s across an edge, and
 //   signal = W (1 - c) + B c,    c = clamp((w/2 + f/2 - d) / f, 0, min(1, w/f))
 // as in sim/world/floor.h: c is the blackness, w the tape's width, d the distance from the tape's middle, and
 // f the footprint. B is the signal over black. W is the signal over white at this edge, because the floor's
@@ -10,7 +11,7 @@
 //
 // The signal is linear in blackness: volts, or the rate 1 / time of an RC sensor.
 //   black       mean over the middle of the tape
-//   white       mean next to the tape, with the light that returns at the height in the robot file
+//   white       mean next to the tape, corrected for the light lost at the height in the robot file
 //   noise       from second differences of neighbouring readings, minus the noise from rounding to codes; as
 //               a share of black - white. Patches of the floor hardly change second differences
 //   footprint   f; its uncertainty is the scatter of ten estimates, each from a tenth of the edges
@@ -32,7 +33,7 @@ struct Found {
   double sd = 0.0;
 };
 
-/// The results of one sensor, with signals as above.
+/// The results of one sensor. The top of this file defines the signals.
 struct ElementFit {
   std::string name;
   Found white, black;

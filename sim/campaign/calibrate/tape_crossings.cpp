@@ -15,8 +15,8 @@ namespace {
 constexpr double kCodes = 1024.0;           // number of codes of analogRead() on all boards
 constexpr double kTapeShare = 0.03;         // minimum share of a sweep's readings over the tape
 constexpr double kMostSaturated = 0.3;      // maximum share of saturated readings, over floor or over tape
-constexpr double kLeastContrast = 0.03;     // minimum range of the readings, as a share of the converter's
-constexpr double kMostDisagreement = 0.35;  // maximum relative error of the tape's width by the wheels
+constexpr double kLeastContrast = 0.03;     // minimum range of readings, as a share of the converter's range
+constexpr double kMostDisagreement = 0.35;  // maximum relative error of the tape's width from wheel counts
 
 /// Converts a reading to a signal. `late` is the mean delay in us until the sketch notices that a pin is low.
 double signal(double reading, const robot::ReflectanceSpec& part, double supply, double late) {
@@ -151,7 +151,7 @@ std::vector<Crossing> find_crossings(const Trace& trace, const std::string& name
   const auto dark = [&](std::size_t i) {
     return (trace.y[i] - levels.white) / (levels.black - levels.white);
   };
-  const auto half_at = [&](std::size_t i) {  // time between the samples i - 1 and i
+  const auto half_at = [&](std::size_t i) {  // time of half depth, between the samples i - 1 and i
     const double before = dark(i - 1), after = dark(i);
     const double share = after == before ? 0.5 : (0.5 - before) / (after - before);
     return t[i - 1] + std::clamp(share, 0.0, 1.0) * (t[i] - t[i - 1]);

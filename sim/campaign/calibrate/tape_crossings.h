@@ -15,7 +15,7 @@ struct Trace {
   const Sweep* sweep = nullptr;
   const std::string* file = nullptr;
   std::vector<double> y;      ///< V; for RC sensors, 1 / s
-  std::vector<double> angle;  ///< rad, rotation of the robot by its encoder counts; empty without counts
+  std::vector<double> angle;  ///< rad, rotation of the robot, from its encoder counts; empty without counts
   double radius = 0.0;        ///< m from the centre of the turn to the sensor; 0 without encoder counts
   double step = 0.0;          ///< difference of the signal between adjacent codes; 0 for RC sensors
   double timing = 0.0;        ///< s: resolution of an RC sensor's time; 0 = exact

@@ -33,8 +33,8 @@ std::optional<std::string> why_beyond(const FigureLimit& limit, const result::Ru
   return std::nullopt;
 }
 
-/// Returns the first of `texts` that does not follow the previous text in `all`: "“b” over its serial
-/// port after “a”".
+/// Finds the first of `texts` that does not follow the previous text in `all`. Returns a phrase such as "“b”
+/// over its serial port after “a”".
 std::optional<std::string> missing_of(const std::vector<std::string>& texts, const std::string& all,
                                       const char* by) {
   std::size_t at = 0;
@@ -55,7 +55,8 @@ std::optional<std::string> why_failed(const Check& check, const result::RunResul
     const std::string wanted = check.expect == std::vector<std::string>{"reached"}
                                    ? ""
                                    : " (expected: " + one_of(check.expect) + ")";
-    const bool is_cause = !result.next.empty() && result.next_by.empty();  // not only a way to find the cause
+    const bool is_cause =
+        !result.next.empty() && result.next_by.empty();  // otherwise `next` only tells how to find the cause
     return fmt::format("{}{}: {}{}", result.verdict, wanted, result.why,
                        is_cause ? " Next: " + result.next + "." : "");
   }

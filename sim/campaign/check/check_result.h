@@ -19,8 +19,8 @@ struct CheckResult {
   ExitStatus status = ExitStatus::interrupted;
   std::string why;     ///< one sentence about a failure
   std::string replay;  ///< the command that repeats the first failed run; empty if no run failed
-  /// `again` is `replay` without the option that is added for detectors. `again_trace_hash` is the trace hash
-  /// of the first failed run.
+  /// `again` is `replay` without --sanitize, which `replay` has if a detector found the failure.
+  /// `again_trace_hash` is the trace hash of the first failed run.
   std::string again, again_trace_hash;
   std::string serial;  ///< output of the sketch in the first failed run
   std::size_t runs = 0;
@@ -35,7 +35,7 @@ struct CheckResult {
 
 struct SketchResult {
   std::string name;    ///< for display: as the user named it, or the current folder's name
-  std::string checks;  ///< the file
+  std::string checks;  ///< path of the file with the checks
   std::vector<CheckResult> results;
   /// The reason for missing results: a bad file, or a sketch that does not compile.
   struct Problem {

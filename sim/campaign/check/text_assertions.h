@@ -24,8 +24,8 @@ struct TextAssertion {
 /// Reads the keys `never`, `sometimes` and `always` of a file of checks. Throws InputError.
 std::vector<TextAssertion> read_text_assertions(TableReader& file);
 
-/// Returns why a run breaks a `never` or `always` assertion, in one sentence; empty if no such assertion is
-/// broken. A text of `always` must appear by the end of a run.
+/// Returns why a run breaks a `never` or `always` assertion, in one sentence; empty if the run does not break
+/// it. A text of `always` must appear by the end of a run.
 std::string why_broken(const TextAssertion& assertion, const result::RunResult& result);
 
 }  // namespace robosim::campaign

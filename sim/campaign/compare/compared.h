@@ -43,9 +43,9 @@ struct Edge {
   /// If both targets ran with many clocks: the number of clocks, and the number of runs that behaved like the
   /// other target.
   int clocks = 0, as_other = 0;
-  /// Set if a tick of the host's clock decides between the two behaviours. late[i] is the lateness with which
-  /// the sketch on the host behaves like the target of sides[i]. If that target is the host, late[i] is the
-  /// unchanged lateness.
+  /// Set if a tick of the host's clock decides between the two behaviours. late[i] are the delays
+  /// (sim/result/lateness.h) with which the sketch on the host behaves like the target of sides[i]. If that
+  /// target is the host, late[i] are the delays of the compared run.
   std::array<std::vector<result::Lateness>, 2> late;
 
   bool is_of_tick() const { return !late[0].empty() || !late[1].empty(); }
@@ -74,7 +74,7 @@ struct Compared {
   std::optional<analysis::Difference> difference;
   std::string robot;                  ///< the robot with the difference
   std::array<ComparedSide, 2> sides;  ///< the two sides of the difference
-  std::vector<Edge> edges;  ///< edges of both sides, or of the host's ticks; if any, the cause is chance
+  std::vector<Edge> edges;  ///< one for each side, or one for a tick of the host; if any, the cause is chance
 
   /// The target that lacks the features in `lacks`.
   std::string lacking;

@@ -110,8 +110,9 @@ class Comparer::Work {
     return found;
   }
 
-  /// Delays the sketch on the host so that it behaves like the other target at this clock tick. Returns the
-  /// next difference, or nothing. Stores the host's history in `more`.
+  /// Looks past a difference that a tick of the host's clock decides: delays the sketch on the host, so that
+  /// it behaves like the other target. Returns the next difference, or nothing. Stores the host's history in
+  /// `more`.
   std::optional<Found> behind_tick(const Compared& compared, const Found& at,
                                    std::deque<analysis::History>& more) {
     if (compared.edges.empty()) return std::nullopt;

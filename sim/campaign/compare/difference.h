@@ -14,8 +14,8 @@ namespace robosim::campaign {
 bool lacks_something(const ComparedTarget& target_run);
 
 /// Finds the chip features that one of two target runs lacks, if the robot's sketch used them before the
-/// difference. Stores them in `compared`. Finds nothing if the difference has a named cause, or if the checks
-/// have found a cause.
+/// difference. Stores them in `compared`. Finds nothing if the difference has a named cause, or if a run with
+/// sanitizers has found a cause.
 void find_lacks(Compared& compared, std::size_t robot, const std::array<std::size_t, 2>& target_runs);
 
 /// Returns the index at which a side's text begins to differ from the other side's.

@@ -20,7 +20,7 @@ constexpr int kClocksOff_ppm[] = {200, -200, 500, -500, 1000, -1000, 2000, -2000
 // differ from each other in several ways.
 constexpr int kMoreClocksOff_ppm[] = {100,  -100,  300,  -300,  700,  -700,  1500, -1500,
                                       2500, -2500, 3500, -3500, 4000, -4000, 4500, -4500};
-// Errors of fast clocks for a rare behaviour. Slow clocks with the same errors are tried as well.
+// If one behaviour is rare, fast clocks with these errors are tried, and slow clocks with the same errors.
 constexpr int kFirstOfMany_ppm = 50, kStepOfMany_ppm = 80, kLastOfMany_ppm = 5000;
 // Delays of the sketch on the host; negative = sooner. An Uno's millis() may lag by two of its ticks,
 // 2.048 ms. Between two calls of delay(), targets differ by some milliseconds. Up to 2.08 ms, the steps are a
@@ -59,8 +59,8 @@ std::vector<Edge> JitterProbe::find_of_clocks(const Compared& compared, const Pa
   return weigh(compared, pair);
 }
 
-/// Compares how often each side shows each of the two behaviours with varied clocks. If chance decides from
-/// the start, both sides must show both behaviours about equally often.
+/// Compares how often each side shows each of the two behaviours with varied clocks. If chance decides
+/// between the behaviours, both sides show each of them about equally often.
 std::vector<Edge> JitterProbe::weigh(const Compared& compared, const Pair& pair) {
   const auto choice = analysis::Choice::of(*compared.difference, *pair.histories[0], *pair.histories[1]);
   if (!choice) return {};
@@ -139,7 +139,7 @@ std::optional<Edge> JitterProbe::find_of_clock(const Compared& compared, std::si
 std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pair& pair) {
   TargetRun* host = nullptr;
   std::array<bool, 2> done{};
-  std::size_t as = 0;  // the host starts with the lateness of this side
+  std::size_t as = 0;  // the host's runs begin with the delays of this side
   for (std::size_t side = 0; side < 2; ++side)
     if (pair.target_runs[side]->is_on_host(pair.robot))
       host = pair.target_runs[side], done[side] = true, as = side;
@@ -148,7 +148,8 @@ std::vector<Edge> JitterProbe::find_of_ticks(const Compared& compared, const Pai
   progress_.say("checking whether the host shows both behaviours when slightly delayed …");
   const analysis::Difference& difference = *compared.difference;
   const bool drives = analysis::is_of_driving(difference);
-  // A difference in output is checked only for a short time, because behind_tick() compares the later output.
+  // A difference in output is checked only for a short time, because Comparer (behind_tick() in comparer.cpp)
+  // compares the later output.
   const std::int64_t behind_ns = drives || pair.target_runs[as] != host ? analysis::kBehindEdge_ns : kSoon_ns;
   ObservedRobot observed = observed_robot_of(compared, as, pair);
   std::array<std::vector<result::Lateness>, 2> late{observed.late, observed.late};

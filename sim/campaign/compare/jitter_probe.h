@@ -23,7 +23,7 @@ struct Pair {
   std::size_t robot = 0;
   std::array<TargetRun*, 2> target_runs{};
   std::array<const analysis::History*, 2> histories{};
-  std::array<std::vector<result::Lateness>, 2> late{};  ///< lateness of the robot's sketch on the host
+  std::array<std::vector<result::Lateness>, 2> late{};  ///< delays of the robot's sketch on the host
 };
 
 class JitterProbe {
@@ -33,9 +33,9 @@ class JitterProbe {
   JitterProbe(const Observer& observer, Progress& progress, std::function<TargetRun*()> make_host)
       : observer_(observer), progress_(progress), make_host_(std::move(make_host)) {}
 
-  /// Returns the edges for the difference in `compared`; empty if the targets cause the difference. The
-  /// caller must have set compared.sides. A difference is never chance if it has a named cause, or if the
-  /// checks have found something.
+  /// Returns the edges (compared.h) for the difference in `compared`; empty if the targets cause the
+  /// difference. The caller must have set compared.sides. A difference is never chance if it has a named
+  /// cause, or if a run with sanitizers has found something.
   std::vector<Edge> find(const Compared& compared, const Pair& pair);
 
  private:

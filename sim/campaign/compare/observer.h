@@ -15,12 +15,12 @@
 
 namespace robosim::campaign {
 
-/// A robot of a target run, in one run.
+/// Selects a robot of a target run, and the settings of the run that is observed.
 struct ObservedRobot {
   std::size_t robot = 0;
   std::uint64_t seed = 1;
   std::int64_t until_ns = 0;           ///< latest end of the run; rounded down to whole milliseconds
-  std::vector<result::Lateness> late;  ///< lateness of the robot's sketch
+  std::vector<result::Lateness> late;  ///< delays of the robot's sketch
 };
 
 /// The deviation of a robot's clock in a run.
@@ -41,8 +41,7 @@ class Observer {
   static wire::RunRequest request_of(const TargetRun& target_run, std::uint64_t seed);
   static bool is_of(const wire::Event& event, std::size_t robot);
   /// Makes a run in which the clock of the observed robot is wrong by `off`. The clocks of the other robots
-  /// are wrong in the opposite direction. The reason is that the order of robots at a crossing may also
-  /// depend on chance.
+  /// are wrong in the opposite direction: chance may also decide which robot comes first at a crossing.
   analysis::History run(TargetRun& target_run, const ObservedRobot& observed,
                         const ClockOffset& off = {}) const;
 
@@ -50,7 +49,7 @@ class Observer {
   std::string place_of(std::size_t robot, const wire::Sample& sample) const;
 
   map::Map map_;
-  std::vector<map::Places> places_;  ///< for each robot, numbered from its start
+  std::vector<map::Places> places_;  ///< for each robot; its start determines the stations' numbers
 };
 
 }  // namespace robosim::campaign

@@ -37,7 +37,7 @@ TargetRun target_run_of(const CompareOptions& options, const std::string& target
 /// The result of each robot, in the order of their numbers.
 using Results = std::vector<result::RunResult>;
 
-/// Runs one request on each target run, all simultaneously.
+/// Runs `requests[i]` on `target_runs[i]`, for all i simultaneously.
 std::vector<Results> run_all(const std::vector<TargetRun*>& target_runs,
                              const std::vector<wire::RunRequest>& requests,
                              const std::vector<wire::OnEvent>& listeners);

@@ -11,7 +11,7 @@ namespace robosim::campaign {
 namespace {
 
 constexpr double kLongest_s = 300.0, kAfter_s = 20.0;
-constexpr double kWayAgain = 1.5, kWayOn_s = 15.0;  // limit of most runs: factor of the baseline, plus a time
+constexpr double kWayAgain = 1.5, kWayOn_s = 15.0;  // limit of most runs: baseline's time * factor + time
 constexpr double kSlower = 5.0;
 constexpr std::size_t kTours = 4, kEnoughTours = 2;
 

@@ -43,8 +43,8 @@ class CampaignRunner {
   wire::RunRequest request_of(const TestCase& test_case, const std::string& folder) const;
 
   /// Runs test cases and sets their results, in the same order. The result of a test case that the runner
-  /// refuses is nullopt. `ran` receives the lines of the sketch that ran, for test cases on a chip without
-  /// checks. Returns false if the user interrupted the runs.
+  /// refuses is nullopt. `ran` receives the lines of the sketch that ran, for test cases on a chip in a
+  /// build without checks (sanitizers). Returns false if the user interrupted the runs.
   bool run(const std::vector<TestCase>& test_cases, std::vector<std::optional<result::RunResult>>& results,
            std::vector<std::vector<std::string>>* ran = nullptr);
   client::Pool& pool() { return pool_; }

@@ -89,7 +89,7 @@ std::string hunt_check(const HuntFinding& finding, std::size_t number, const fs:
                                  in_quotes(fmt::format("hunt {}: {}", number, symptom.group)));
   for (const Shown::Option& option : finding.shown.options) {
     std::string value = option.value_in(folder);
-    // The project may move, so paths are relative to the file.
+    // The project may move, so paths are relative to the file of checks.
     if (fs::path(value).is_absolute())
       value = fs::path(value).lexically_relative(fs::absolute(out).lexically_normal()).string();
     text += fmt::format("{} = {}\n", option.name, option.name == "seed" ? value : in_quotes(value));

@@ -38,8 +38,8 @@ struct HuntFinding {
   Shown shown;
 
   /// Returns whether another symptom apparently has the same cause as this finding. Errors must be at the
-  /// same place in the sketch. Behaviour must be the same, in a test case with all needs of this finding. A
-  /// behaviour without needs, which the baseline run shows, explains all other behaviour.
+  /// same place in the sketch. Behaviour must be the same, in a test case that has all `needs` of this
+  /// finding. A behaviour that the baseline run shows has no `needs`, and explains all other behaviour.
   bool explains(const Symptom& other, const std::set<std::string>& needs_of_other) const;
 };
 
@@ -50,8 +50,8 @@ std::string hunt_text(const HuntFinding& finding, std::size_t number, const std:
 /// Returns only comments for a finding that no single run shows.
 std::string hunt_check(const HuntFinding& finding, std::size_t number, const std::filesystem::path& out);
 
-/// Writes `out`/NUMBER: the test case's files, its script and a page that replays it; sets the `shown`
-/// fields. Throws InputError.
+/// Writes `out`/NUMBER: the test case's files, its script and a page that replays it; sets `finding.shown`.
+/// Throws InputError.
 void keep(HuntFinding& finding, std::size_t number, const CampaignRunner& campaign,
           const HuntOptions& options, const std::filesystem::path& out);
 

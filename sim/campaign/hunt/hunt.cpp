@@ -167,6 +167,7 @@ std::optional<HuntRow> Hunt::take(const TestCase& test_case, const result::RunRe
   row.time_s = result.time_s;
   row.has_goal = test_case.to_goal && result.goal != "none";
   row.reached = row.has_goal && result.verdict == "reached";
+  if (row.has_goal && !row.reached) row.missed = result.verdict;
   for (const auto& traits : {traits_of(result), ran})
     for (const std::string& trait : traits)
       if (!traits_.contains(trait) &&
@@ -189,6 +190,7 @@ void Hunt::count(const TestCase& test_case, const HuntRow& row) {
   simulated_s_ += row.time_s;
   if (row.has_goal) ++runs_with_goal_;
   if (row.reached) ++reached_;
+  if (!row.missed.empty()) ++missed_[row.missed];
   traits_.insert(row.traits.begin(), row.traits.end());
   heard_.insert(row.heard.begin(), row.heard.end());
   if (!row.traits.empty()) {

@@ -1,10 +1,11 @@
-// Runs a hunt: draws test cases in rounds, groups failures by cause, and shrinks them. The findings depend
-// only on the seed and the number of runs, not on the number of simultaneous runs.
+// Runs a hunt: draws test cases in rounds, groups failures by cause, and shrinks the failing test cases. The
+// findings depend only on the seed and the number of runs, not on the number of simultaneous runs.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -40,6 +41,8 @@ class Hunt {
   /// Return the number of runs with a goal, and how many of these runs reached it.
   std::uint64_t runs_with_goal() const { return runs_with_goal_; }
   std::uint64_t runs_that_reached() const { return reached_; }
+  /// Returns the number of runs that missed their goal, by verdict.
+  const std::map<std::string, std::uint64_t>& runs_that_missed() const { return missed_; }
   double simulated_s() const { return simulated_s_; }
   std::size_t traits() const { return traits_.size(); }
   const Baseline& baseline() const { return baseline_; }
@@ -85,8 +88,9 @@ class Hunt {
   std::set<std::string> traits_;
   std::uint64_t runs_ = 0;
   std::uint64_t runs_with_goal_ = 0;
+  std::map<std::string, std::uint64_t> missed_;
   std::uint64_t reached_ = 0;    ///< number of runs that reached their goal, among those with a goal
-  std::set<std::string> heard_;  ///< texts of `sometimes` that have occurred
+  std::set<std::string> heard_;  ///< texts of `sometimes` assertions that have occurred
   double simulated_s_ = 0.0;
   std::int64_t until_us_ = 0;  ///< wall time of the end; 0 = no limit
 };

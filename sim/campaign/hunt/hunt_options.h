@@ -13,7 +13,7 @@ namespace robosim::campaign {
 
 struct HuntOptions {
   std::string sketch;
-  std::vector<std::string> maps;  ///< empty = the map that `run` would choose, or a suitable map
+  std::vector<std::string> maps;  ///< empty = the map next to the sketch, or built-in maps
   bool only_maps = false;         ///< generates no maps
   std::string robot;
   std::vector<std::string> targets;  ///< empty = the chip and the host

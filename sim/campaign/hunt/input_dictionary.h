@@ -1,4 +1,4 @@
-// Extracts words from a sketch's source that the sketch may accept as input.
+// Extracts, from a sketch's source, words that the sketch may accept as input.
 #pragma once
 
 #include <string>

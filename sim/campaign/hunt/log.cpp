@@ -18,6 +18,7 @@ constexpr const char* kFile = "runs.jsonl";
 std::string line_of(const HuntRow& row) {
   Json json{{"run", row.run},           {"time_s", row.time_s}, {"reached", row.reached},
             {"has_goal", row.has_goal}, {"traits", row.traits}, {"heard", row.heard}};
+  if (!row.missed.empty()) json["missed"] = row.missed;
   if (row.moment.at_ms >= 0) json["at_ms"] = row.moment.at_ms;
   if (!row.moment.after.empty()) json["after"] = row.moment.after;
   if (row.finding > 0) json["finding"] = row.finding;
@@ -47,6 +48,7 @@ HuntRow row_of(const Json& json) {
       json.at("run"), json.at("time_s"), json.at("reached"), json.at("traits"), {}, json.at("heard"), 0, {}};
   row.moment = {json.value("at_ms", -1), json.value("after", "")};
   row.has_goal = json.value("has_goal", false);
+  row.missed = json.value("missed", std::string());
   if (json.contains("finding")) row.finding = json.at("finding");
   if (json.contains("fresh")) {
     const Json& f = json.at("fresh");

@@ -20,10 +20,11 @@ struct HuntRow {
   bool reached = false;
   std::vector<std::string> traits;   ///< traits that no earlier run had
   Moment moment = {};                ///< moment of the first new trait, if known
-  std::vector<std::string> heard;    ///< texts of `sometimes` that no earlier run had
+  std::vector<std::string> heard;    ///< texts of `sometimes` assertions that no earlier run had
   std::size_t finding = 0;           ///< number of the run's finding, from 1; 0 = none
   std::optional<HuntFinding> fresh;  ///< the finding, if this run is the first that shows it
   bool has_goal = false;             ///< the run had a goal
+  std::string missed;                ///< verdict of a run that had a goal and missed it; otherwise empty
 };
 
 /// The part of a hunt that one machine ran.
@@ -37,7 +38,7 @@ struct HuntPart {
 /// belong together.
 std::vector<HuntPart> read_parts(const std::vector<std::string>& folders, const std::string& from);
 
-/// The `part` of a folder with merged parts, instead of a shard. Such a folder has no runs of its own, and
+/// The value of `part` (see HuntLog) for a folder of merged shards. Such a folder has no runs of its own, and
 /// cannot be resumed.
 inline constexpr const char* kMerged = "merged";
 

@@ -15,7 +15,7 @@ struct Baseline {
   result::RunResult result;
   wire::RobotInfo robot;
   bool reached() const { return result.verdict == "reached"; }
-  /// Returns the speed on the way to the goal.
+  /// Returns the mean speed on the way to the goal.
   double speed_m_s() const { return result.time_s > 0.0 ? result.metrics.distance_m / result.time_s : 0.0; }
 };
 /// Returns whether the sketch has set the pins of a motor.
@@ -39,7 +39,7 @@ struct Symptom {
   std::string group;     ///< equal for apparently equal causes: the kind, and the place in the sketch
   std::string sentence;  ///< what happened
   /// The symptom is the robot's behaviour, not a provable fault in the program. If the baseline run has the
-  /// same behaviour, other runs show nothing new.
+  /// same behaviour, other runs with this behaviour show nothing new.
   bool is_behaviour = false;
 };
 

@@ -13,7 +13,7 @@ namespace {
 using random_worlds::RandomSource;
 
 constexpr int kMostStimuli = 4;
-constexpr int kLeastTalk = 4, kMoreTalk = 12, kAgain = 10;  // messages: at least, random extra, repetitions
+constexpr int kLeastTalk = 4, kMoreTalk = 12, kAgain = 10;  // messages: minimum, random extra, copies
 constexpr std::size_t kLongMessage = 80;
 constexpr int kSoon_ms = 2'000;
 constexpr int k16Bits_ms = 1 << 16, kAround_ms = 6'000;

@@ -16,13 +16,13 @@ const T& pick(const random_worlds::RandomSource& rng, const std::vector<T>& from
   return from[static_cast<std::size_t>(rng(static_cast<int>(from.size())))];
 }
 
-/// Returns the openings that may start a sketch: nothing, a button, the same button twice.
+/// Returns the openings, which are stimuli that may start a sketch: none, a button, the same button twice.
 std::vector<std::vector<Stimulus>> openings(const HuntSpace& space);
 /// Returns the beginnings of the lines that the sketch printed, each up to the line's first number. The
 /// beginning of the last line comes last.
 std::vector<std::string> beginnings_of(const std::string& serial);
 
-/// Sets the opening, and draws at most four more stimuli, each at any time.
+/// Sets the opening, and draws up to four more stimuli at random times.
 void draw_stimuli(TestCase& test_case, const HuntSpace& space, const random_worlds::RandomSource& rng);
 /// Returns whether the sketch can receive messages.
 bool hears(const HuntSpace& space);

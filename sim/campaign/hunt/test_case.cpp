@@ -24,11 +24,12 @@ constexpr std::uint64_t kPairEvery = 6;
 constexpr std::int64_t kMillisWrap_ms = std::int64_t{1} << 32;
 constexpr std::int64_t kMicrosWrap_ms = kMillisWrap_ms / 1000;
 constexpr std::int64_t kInt_ms = std::int64_t{1} << 15;
-// The clock of a blocked robot wraps in this period, or in the middle of the run if that is earlier.
+// The clock of a blocked robot wraps up to kBlockedFor_ms after kBlockedAfter_ms, but at the latest in the
+// middle of the run.
 constexpr int kBlockedAfter_ms = 10'000, kBlockedFor_ms = 20'000;
 
-/// A random track is the outline of joined squares. Returns the smallest width of such a square, in cells:
-/// at least 4, and twice the radius of the map's bends.
+/// A random track is the outline of joined squares. Returns the smallest width of such a square, in cells: 4,
+/// or twice the bends' radius if that is more.
 int apart(const HuntSpace::Map& map) {
   return std::max(4, static_cast<int>(std::ceil(2.0 * map.corner_mm / map.cell_mm)));
 }
@@ -94,7 +95,7 @@ TestCase pair(const HuntSpace& space, const RandomSource& rng) {
     if (hears(space) && chance(rng, 80)) draw_talk(test_case, space, rng);
     if (test_case.differential == Differential::host && chance(rng, hears(space) ? 15 : 60))
       draw_late_stimuli(test_case, space, rng);
-    // Removes power cuts. A cut ends the sketch's output on the host at another character than on a chip.
+    // Removes power cuts, because the output up to a cut has a different length on the host than on a chip.
     if (test_case.differential == Differential::host)
       std::erase_if(test_case.stimuli, [](const Stimulus& stimulus) { return stimulus.kind == kPowerOff; });
     if (test_case.differential == Differential::clock) draw_clock(test_case, space, rng);
@@ -165,8 +166,9 @@ TestCase like(const Noted& noted, const HuntSpace& space, const RandomSource& rn
   return test_case;
 }
 
-/// Draws a build. Most test cases run on the host, which is many times as fast as a chip. Builds without
-/// checks (sanitizers) are more frequent, because only their runs are evidence of the robot's behaviour.
+/// Draws a build. Most test cases run on the host, which is many times as fast as an emulated chip. Builds
+/// without checks (sanitizers) are more frequent, because only their runs are evidence of the robot's
+/// behaviour.
 std::size_t draw_build(const HuntSpace& space, std::uint64_t run, const RandomSource& rng) {
   if (!space.host_counterpart)
     return static_cast<std::size_t>(run % 2 == 0 ? 0 : run / 2 % drawn_builds(space));

@@ -1,4 +1,4 @@
-// Draws and shrinks the test cases of a hunt.
+// Draws the test cases of a hunt at random, and shrinks them. A drawn map is a randomly generated map.
 #pragma once
 
 #include <algorithm>
@@ -74,7 +74,7 @@ struct TestCase {
 
 /// The choices from which test cases are drawn.
 struct HuntSpace {
-  /// A build: its target, and whether the sketch is compiled with checks.
+  /// A build: its target, and whether the sketch is compiled with the checks of --sanitize.
   struct Build {
     std::string target;
     bool checked = false;
@@ -130,14 +130,14 @@ struct Noted {
 };
 
 /// Draws a test case for each run. A test case depends on the hunt's seed, the run's number and the noted
-/// test cases. Half of the test cases vary a noted test case. A fifth of these branch from the noted test
-/// case. They are equal up to the noted moment, and then have another stimulus. On a chip, the last test
-/// cases of a whole round all branch from one moment.
+/// test cases. Half of the test cases vary a noted test case. A fifth of these branch from it: they equal it
+/// up to the noted moment, and then have another stimulus. On a chip, the last test cases of a whole round
+/// all branch from one moment.
 std::vector<TestCase> draw_round(const HuntSpace& space, const std::vector<Noted>& noted, std::uint64_t seed,
                                  const std::vector<std::uint64_t>& runs);
 inline constexpr std::size_t kRound = 12, kFamily = 3;  ///< number of test cases in a round and in a family
 
-/// Draws `count` test cases without stimuli, each on another network similar to the map.
+/// Draws `count` test cases with only the opening as stimuli, each on another network similar to the map.
 std::vector<TestCase> networks_like(const HuntSpace& space, std::size_t map, std::uint64_t seed,
                                     std::size_t count);
 

@@ -8,7 +8,7 @@
 
 namespace robosim::mutate {
 
-/// Replaces the bytes `from` to `to` of a file.
+/// Replaces the bytes from offset `from` to offset `to` in a file by `now`.
 struct Edit {
   std::string file;  ///< relative to the sketch's folder
   std::size_t from = 0, to = 0;

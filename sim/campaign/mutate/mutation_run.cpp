@@ -98,7 +98,7 @@ std::size_t MutationResult::brittle() const {
 
 double MutationResult::score() const {
   const std::size_t shown = mutants.size() - unobserved();
-  if (shown == 0) return mutants.empty() ? 1.0 : 0.0;  // tests that no change affects check nothing
+  if (shown == 0) return mutants.empty() ? 1.0 : 0.0;  // 0: if no change affects any run, tests check nothing
   return static_cast<double>(found()) / static_cast<double>(shown);
 }
 

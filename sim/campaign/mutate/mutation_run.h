@@ -35,8 +35,8 @@ struct MutationResult {
   std::size_t found() const { return count(Trial::Ending::failed) + count(Trial::Ending::late); }
   std::size_t unobserved() const;
   std::size_t brittle() const;  ///< number of controls (harmless changes) that did not pass
-  /// Returns the share of found mutants among all mutants except the unobserved ones; 1 if all are
-  /// unobserved.
+  /// Returns the share of found mutants among all mutants except the unobserved ones. Returns 0 if all are
+  /// unobserved, and 1 if there are no mutants.
   double score() const;
 };
 

@@ -81,8 +81,8 @@ fs::path find_clang() {
 /// `source`.
 json dump(const fs::path& clang, const build::ParseContext& context, const fs::path& scratch,
           const fs::path& source, const std::function<int(const std::string&)>& number_of) {
-  // Drops clang's messages, which are useless for a partly understood source, and would be mixed into the
-  // tree.
+  // Drops clang's messages, which are useless if clang understands a source only partly, and would be mixed
+  // into the tree.
   std::vector<std::string> words = {"/bin/sh",
                                     "-c",
                                     "exec \"$@\" 2>/dev/null",

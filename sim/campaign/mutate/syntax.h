@@ -23,7 +23,7 @@ struct File {
   std::string name;  ///< relative to the sketch's folder; for a library, the whole path
   std::string text;
   std::filesystem::path path;  ///< the file that clang parses; for .ino files, the joined file
-  std::size_t offset = 0;      ///< where the text begins in the joined file without prototypes
+  std::size_t offset = 0;      ///< where the text begins in the joined file, before prototypes are inserted
 };
 
 struct Tree {

@@ -21,15 +21,15 @@ struct CouldNotRun : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Thrown if the program itself failed; `late` = by a timeout.
+/// Thrown if the program itself failed; `late` is true if a timeout stopped it.
 struct ProgramBroke : std::runtime_error {
   ProgramBroke(const std::string& what, bool took_long) : std::runtime_error(what), late(took_long) {}
   bool late;
 };
 
 /// Runs a program in `folder` until its first test fails. `filter` is GoogleTest's filter; empty =
-/// GTEST_FILTER. `scratch` receives the report. Throws CouldNotRun, ProgramBroke, and ToolMissing if the
-/// program `timeout` is missing.
+/// the environment variable GTEST_FILTER. `scratch` receives the report. Throws CouldNotRun,
+/// ProgramBroke, and ToolMissing if the program `timeout` is missing.
 TestRun run_tests(const std::filesystem::path& program, const std::string& filter,
                   const std::filesystem::path& folder, const std::filesystem::path& scratch,
                   int most_seconds = 600);

@@ -38,7 +38,7 @@ Trial make_checks(const std::string& sketch, const std::string& file, std::size_
   return trial;
 }
 
-/// Runs the tests in the current folder, or in its copy if the sketch's folder contains it.
+/// Runs the tests in the current folder. If that folder is in the sketch's folder, runs them in its copy.
 Trial make_tests(const std::vector<std::string>& programs, const Workbench& bench) {
   const fs::path here = fs::current_path(), within = here.lexically_relative(bench.original());
   const bool is_outside = within.empty() || *within.begin() == "..";

@@ -54,7 +54,8 @@ class Workbench {
 /// Returns a function that runs the checks of a file.
 Workbench::Ask ask_checks(std::string file, std::size_t jobs);
 
-/// Returns a function that runs GoogleTest programs. ROBOSIM_MUTANT makes them use the copy of the sketch.
+/// Returns a function that runs GoogleTest programs. The environment variable ROBOSIM_MUTANT makes them use
+/// the copy of the sketch.
 Workbench::Ask ask_tests(std::vector<std::string> programs, const Workbench& bench);
 
 }  // namespace robosim::mutate

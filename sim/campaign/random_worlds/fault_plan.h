@@ -9,8 +9,8 @@
 
 namespace robosim::random_worlds {
 
-/// The possible faults, with their maximum severity; 0 = never. docs/reference/robots.md describes each
-/// fault.
+/// The possible faults, with their maximum severity; 0 = the fault never occurs. docs/reference/robots.md
+/// describes each fault.
 struct FaultLimits {
   int at_most = 1;               ///< maximum number of faults per run
   int from_ms = 0;               ///< first possible beginning

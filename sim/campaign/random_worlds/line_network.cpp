@@ -63,7 +63,7 @@ void tidy(LineNetwork& network) {
     network.start = stations.front();
 }
 
-/// Returns the network without a piece, reduced to the connected part that contains `keep`.
+/// Returns the network without `piece`, reduced to the connected part that contains `keep`.
 LineNetwork without(const LineNetwork& network, const Piece& piece, Knot keep) {
   LineNetwork left = network;
   std::erase(left.pieces, piece);
@@ -124,8 +124,8 @@ LineNetwork padded(LineNetwork network) {
   return network;
 }
 
-/// Removes each line of several pieces that ends at a station, and inserts a single piece instead. Adds a
-/// network for each place where that piece fits.
+/// Shortens each line that has several pieces and ends at a station: removes it, and inserts a single piece.
+/// Adds a network to `found` for each place where this piece fits.
 void add_shorter_ends(const LineNetwork& network, std::vector<LineNetwork>& found) {
   for (const Knot station : padded(network).stations()) {
     LineNetwork rest = padded(network);

@@ -18,9 +18,9 @@ struct Figure {
   std::string unit;     ///< "mm"; "" = none
 };
 
-/// Returns the parameters with a spread in a robot file, in the file's order. Adds the positions of its floor
-/// sensors, plus or minus `mounting_mm`. Skips parameters whose value or spread is not a number in the same
-/// unit.
+/// Returns the parameters with a spread in a robot file, in the file's order. Adds the positions of the
+/// robot's floor sensors, with the spread `mounting_mm`. Skips parameters whose value or spread is not a
+/// number in the same unit.
 std::vector<Figure> figures_of(std::string_view robot_file, const std::string& name, double mounting_mm);
 
 struct RobotVariant {

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMostMessage_bytes = 4000;
 
 /// Returns the part of a test's output that explains its failure. For GoogleTest, this is the text between
-/// the case's begin and end; otherwise the end of the output.
+/// the lines that begin and end the test. Otherwise, it is the end of the output.
 std::string why_in(std::string_view printed) {
   const std::size_t failed = printed.find("\n[  FAILED  ]");
   if (failed != printed.npos) {

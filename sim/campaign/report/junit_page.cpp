@@ -15,7 +15,7 @@
 namespace robosim::campaign {
 namespace {
 
-constexpr std::size_t kMostColumns = 12;  // columns of checks; more checks are described in words
+constexpr std::size_t kMostColumns = 12;  // if there are more checks, the table has no column for each
 
 /// Indices of cases, grouped by name, in the order of the names' first use.
 struct Table {

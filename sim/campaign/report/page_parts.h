@@ -9,7 +9,7 @@
 
 namespace robosim::campaign {
 
-inline constexpr std::size_t kMostRows = 5'000, kMostFailures = 200;  ///< rows that a table shows
+inline constexpr std::size_t kMostRows = 5'000, kMostFailures = 200;  ///< most rows of a table
 
 std::string page_of(const std::string& title, const std::string& body);
 

@@ -27,7 +27,7 @@ struct ReportExtras {
   std::map<std::size_t, std::string> replays;  ///< links from the page, by a run's number
   std::vector<LeftOn> left;
   std::size_t other = 0;      ///< number of runs with a different result when repeated
-  std::size_t not_made = 0;   ///< number of failed runs beyond the maximum to repeat
+  std::size_t not_made = 0;   ///< number of failed runs beyond ReportOptions::runs, not repeated
   std::size_t written = 0;    ///< number of replays that were written for this page
   std::string cannot;         ///< the first reason why a run cannot be repeated
   std::size_t cannot_be = 0;  ///< number of runs that cannot be repeated

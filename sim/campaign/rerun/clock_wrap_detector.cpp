@@ -30,14 +30,14 @@ constexpr std::int64_t kMicrosWrap = (std::int64_t{1} << 32) * 1'000;
 // If the clock is lower by this amount, neither millis() nor micros() wraps during the run, and
 // millis() % 1000 is unchanged.
 constexpr std::int64_t kLower = 2000 * kSecond;
-// Clock values at which a number becomes longer without a wrap: by a decimal digit (of milliseconds and
-// seconds), or by a bit.
+// Clock values at which the clock's number becomes longer without a wrap. It becomes longer by a decimal
+// digit (of milliseconds and seconds), or by a bit.
 struct Step {
   std::int64_t to, beside;  ///< a clock that differs by `beside` passes no such value
 };
 constexpr Step kSteps[] = {{10'000 * kSecond, 1000 * kSecond}, {16'777'216 * kMillisecond, -1000 * kSecond}};
-// Number of other clocks to try, with which no number becomes longer. If the robot's path depends on a
-// microsecond, each clock usually changes the path.
+// The number of further clocks that are tried. Their numbers do not become longer during the run. If the
+// robot's path depends on a microsecond, each clock usually changes the path.
 constexpr int kOtherClocks = 6;
 constexpr std::int64_t kApart = 1000 * kSecond;
 constexpr std::size_t kMostMoments = 6;
@@ -45,8 +45,8 @@ constexpr std::int64_t kBehindChange = 30 * kMillisecond;
 constexpr std::int64_t kSettled = kSecond, kShortest = 3 * kSecond, kLongest = 600 * kSecond;
 constexpr std::int64_t kSamplesEvery = 10 * kMillisecond, kBehind = 2 * kSecond, kCounted = kSecond;
 constexpr double kSameWay_mm = 30.0, kSameDistance = 0.25;
-// A pin counts as driven differently if it changes at least kFewChanges times in one run. This number must be
-// more than kManyTimes times the number of changes in the other run.
+// A pin counts as driven differently if it changes at least kFewChanges times in one run. This must be more
+// than kManyTimes times as often as in the other run.
 constexpr int kFewChanges = 8, kManyTimes = 8;
 constexpr const char* kLibraries = "libraries/";
 constexpr std::size_t kMostChanges = 100'000;
@@ -101,7 +101,7 @@ bool differ(const Look& a, const Look& b, std::int64_t moment) {
          changes_more(a, b, moment) || changes_more(b, a, moment);
 }
 
-/// Returns whether two results are so similar that the sketch ignores the time since power-on.
+/// Returns whether two results are so similar that the sketch apparently ignores the time since power-on.
 bool is_alike(const result::RunResult& a, const result::RunResult& b) {
   const double far = a.metrics.distance_m, other = b.metrics.distance_m;
   return a.verdict == b.verdict && std::abs(far - other) <= kSameDistance * std::max(far, other);

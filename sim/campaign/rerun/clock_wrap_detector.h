@@ -9,13 +9,14 @@
 // The detector repeats the run twice. In one run, the clock wraps to 0. In the other run, the clock is nearly
 // as high and does not wrap. If these two runs differ after the wrap, the sketch does not handle the wrap. A
 // difference is another verdict, another path in the next 2 s, or a pin that stops changing. Line counts show
-// which line ran far more often, or stopped running. Some sketches also differ with other clocks that do not
-// wrap, because a microsecond changes the robot's path. Nothing is reported for such sketches.
+// which line ran far more often, or stopped running. The runs of some sketches also differ with other clocks
+// that do not wrap: a microsecond changes the robot's path. Nothing is reported for such sketches.
 //
 // The clock wraps in the middle of the run, or after a pin change that precedes a long pause. The detector
-// misses 16-bit variables, and deadlines that are not pending at any of these moments. It skips sketches
-// whose behaviour depends on the time since power-on. It also skips sketches that send their clock (in
-// microseconds to minutes) among 64 or more bytes per second: the clock has fewer digits after the wrap.
+// misses wraps of 16-bit variables, and deadlines that are not pending at any of these moments. It skips
+// sketches whose behaviour depends on the time since power-on. It also skips sketches that send 64 or more
+// bytes per second, including their clock in any unit from microseconds to minutes. After the wrap, such a
+// sketch sends fewer digits, which takes less time.
 //
 // To fix such a sketch, compare durations, which are correct across 0: millis() - start >= 50, with an
 // `unsigned long` start.

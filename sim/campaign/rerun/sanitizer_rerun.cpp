@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/build/static_checks.h"
 #include "sim/campaign/rerun/clock_wrap_detector.h"
 #include "sim/launch/client/interrupts.h"
 #include "sim/result/advice.h"
@@ -15,7 +16,7 @@ constexpr double kLongest_of_timeout_s = 60.0;
 // A sketch with checks takes longer to crash.
 constexpr double kMargin_of_crash_s = 1.0;
 
-// Returns a time limit. A check that fails after this time does not explain the first result.
+// Returns the time limit of the second run. A check that fails later does not explain the first result.
 double limit_s(const result::RunResult& first) {
   if (first.verdict == "timeout") return std::min(kLongest_of_timeout_s, first.time_s);
   return first.verdict == "crashed" ? first.time_s + kMargin_of_crash_s : first.time_s;
@@ -35,11 +36,31 @@ void listen_to_nothing(wire::RunRequest& request) {
   request.pins = request.serial = request.notes = request.io = false;
 }
 
+bool has_failed(const result::RunResult& first) {
+  return first.verdict == "lost" || first.verdict == "stuck" || first.verdict == "hung" ||
+         first.verdict == "timeout";
+}
+
+// Returns the messages about variables that may be used before they have a value, without "warning: ".
+std::vector<std::string> about_unset_variables(const std::string& messages) {
+  constexpr std::string_view kMark = "warning: ";
+  std::vector<std::string> found;
+  for (std::size_t at = 0; at < messages.size();) {
+    const std::size_t end = std::min(messages.find('\n', at), messages.size());
+    std::string line = messages.substr(at, end - at);
+    at = end + 1;
+    const std::size_t mark = line.find(kMark);
+    if (mark == line.npos || line.find(build::kUnset) == line.npos) continue;
+    found.push_back(line.erase(mark, kMark.size()));
+  }
+  return found;
+}
+
 }  // namespace
 
 bool deserves_sanitizer_rerun(const build::Request& sketch, const result::RunResult& first) {
-  if (first.crash && !first.crash->check.empty()) return false;
-  if (sketch.target == "host") return !sketch.sanitize && first.verdict == "crashed";
+  if (sketch.sanitize || (first.crash && !first.crash->check.empty())) return false;
+  if (sketch.target == "host") return first.verdict == "crashed";
   return sketch.target == "avr" && first.verdict != "reached" && first.verdict != "interrupted" &&
          first.verdict != "over_budget";
 }
@@ -48,32 +69,51 @@ Checked rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request, 
                               const result::RunResult& first, std::size_t robot) {
   build::Request checked = sketch;
   checked.sanitize = true;
-  checked.warnings = build::Warnings::none;
   checked.coverage = false;
   request.for_ns = std::min(request.for_ns, static_cast<std::int64_t>(limit_s(first) * 1e9));
   listen_to_nothing(request);
   try {
-    (robot == 0 ? request.image : request.agents[robot - 1].image) = build::build(checked).image.string();
+    const build::Image built = build::build(checked);
+    const std::vector<std::string> unset = about_unset_variables(built.messages);
+    (robot == 0 ? request.image : request.agents[robot - 1].image) = built.image.string();
     const client::Interrupts interrupts(runner);
     const result::RunResult all = runner.run(request);
     const result::RunResult& second = robot == 0 ? all : all.others.at(robot - 1);
     if (second.verdict == "interrupted") return {};
-    if (!second.crash) return {.is_clean = true};
-    if (second.crash->check.empty()) return {};
-    return {.finding = result::Finding{*second.crash, second.time_s, second.next}};
+    if (!second.crash) return {std::nullopt, true, unset};
+    if (second.crash->check.empty()) return {std::nullopt, false, unset};
+    return {result::Finding{*second.crash, second.time_s, second.next}, false, unset};
   } catch (const InputError&) {
     return {};
   }
 }
 
 bool deserves_detectors(const build::Request& sketch, const result::RunResult& first) {
-  // With checks, a torn number ends the run before other findings.
+  // In a build with checks, a torn number ends the run, before detectors can find anything else.
   const bool is_torn =
       first.crash && (first.crash->check.starts_with("torn_") || first.crash->check == "lost_update");
   if ((first.verdict == "crashed" && !is_torn) || first.verdict == "interrupted") return false;
-  const bool has_failed = first.verdict == "lost" || first.verdict == "stuck" || first.verdict == "hung" ||
-                          first.verdict == "timeout";
-  return sketch.sanitize || has_failed;
+  return sketch.sanitize || has_failed(first);
+}
+
+std::vector<std::string> unset_variables(const build::Request& sketch, const result::RunResult& first) {
+  if (sketch.sanitize || !has_failed(first)) return {};
+  build::Request checked = sketch;
+  checked.sanitize = true;
+  checked.coverage = false;
+  try {
+    return about_unset_variables(build::build(checked).messages);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+std::string after_unset(const std::vector<std::string>& unset, const std::string& next) {
+  constexpr std::size_t kMost = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(unset.size(), kMost); ++i)
+    text += (text.empty() ? "" : "; ") + unset[i];
+  return text.empty() || next.empty() ? text + next : text + "; " + next;
 }
 
 AsFlashed rerun_with_detectors(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
@@ -109,7 +149,9 @@ std::string next_of(const result::RunResult& result) {
   return result.next + flags;
 }
 
-std::string next_after(const result::RunResult& first, const Checked& second) {
+namespace {
+
+std::string next_without_unset(const result::RunResult& first, const Checked& second) {
   if (const auto& finding = second.finding)
     return fmt::format(
         "{}{}, {:.2f} s after the start: this is the first failed check of a second run with checks "
@@ -127,6 +169,12 @@ std::string next_after(const result::RunResult& first, const Checked& second) {
       "and no division by zero. Not checked: unsigned numbers that wrap, and conversions such as int t = "
       "millis().",
       next_of(told), told.next.empty() ? "" : ". ");
+}
+
+}  // namespace
+
+std::string next_after(const result::RunResult& first, const Checked& second) {
+  return after_unset(second.unset, next_without_unset(first, second));
 }
 
 }  // namespace robosim::campaign

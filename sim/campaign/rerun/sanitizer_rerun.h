@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/build/sketch.h"
 #include "sim/launch/client/runner.h"
@@ -21,6 +22,7 @@ struct Checked {
   /// No check failed in the whole run. If neither this nor `finding` is set, nothing is known: the sketch
   /// does not compile with checks, crashed for another reason, or the user interrupted the run.
   bool is_clean = false;
+  std::vector<std::string> unset = {};  ///< messages of the build, as in unset_variables()
 };
 
 /// Repeats the run with checks, at most as long as the first run. After a timeout, runs at most one minute.
@@ -28,6 +30,12 @@ struct Checked {
 /// robot, if there are several.
 Checked rerun_with_sanitizers(client::Runner& runner, wire::RunRequest request, const build::Request& sketch,
                               const result::RunResult& first, std::size_t robot = 0);
+
+/// Returns messages about variables that may be used before they have a value: "My.ino:9:3: 'sum' may be …".
+/// Only a build with checks gives them. Returns an empty list unless a sketch without checks has failed.
+std::vector<std::string> unset_variables(const build::Request& sketch, const result::RunResult& first);
+/// Returns the first of these messages (`unset`), followed by the hint `next`.
+std::string after_unset(const std::vector<std::string>& unset, const std::string& next);
 
 /// Returns whether detectors may report: the user requested checks, or the sketch has failed.
 bool deserves_detectors(const build::Request& sketch, const result::RunResult& first);

@@ -60,7 +60,7 @@ class SweepPlanner {
   ~SweepPlanner();
 
   /// Makes the plan. Skips sketches that do not compile, unless none compiles. Throws InputError, ToolMissing
-  /// and client::RunnerError.
+  /// and wire::RunnerError.
   SweepPlan plan(const SweepOptions& options);
 
  private:

@@ -29,8 +29,8 @@ enum Column : std::size_t { kSketch, kMap, kRobot, kTarget, kSeed, kVerdict, kTi
 constexpr const char *kScore = "score", *kCommand = "command";
 
 /// Returns the measurements that have columns of their own, in order. Laps have other columns. The score has
-/// a column after `stations`. Junctions and recovered energy have no columns, because existing
-/// tables lack them.
+/// a column after `stations`. Junctions, `run_s` and recovered energy have no columns, because
+/// existing tables lack them.
 const std::vector<Figure>& figure_columns() {
   static const std::vector<Figure> columns = [] {
     std::vector<Figure> chosen;
@@ -267,7 +267,7 @@ SweepTable::SweepTable(fs::path file, bool resume, const SweepPlan& plan, std::v
     next_ = std::max(next_, row.run + 1);
   }
   columns_ = columns_of(first_line(text)).value_or(Columns::all);
-  file_.begin(content_of(rows, columns_));  // without an incomplete row, and without errors
+  file_.begin(content_of(rows, columns_));  // without an incomplete row, and without rows of errors
 }
 
 void SweepTable::take(const std::vector<SweepRow>& rows, std::vector<SweepOutcome>& outcomes) {

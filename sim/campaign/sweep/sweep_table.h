@@ -1,5 +1,5 @@
 // The table of a sweep (--csv): docs/howto/sweeps.md describes its columns. The table is written during the
-// sweep. However the sweep ends, its complete rows remain, and the sweep can be resumed.
+// sweep. However the sweep ends, the table's complete rows remain, and the sweep can be resumed.
 #pragma once
 
 #include <filesystem>
@@ -48,8 +48,8 @@ struct SweepRow {
 std::vector<SweepRow> read_sweep_rows(const std::string& text, const std::string& file,
                                       const SweepPlan& plan);
 
-/// Returns the rows of several tables, in the order of the runs, without errors. Throws InputError like
-/// read_sweep_rows, and if two tables contain the same run.
+/// Returns the rows of several tables, in the order of the runs, except rows with the verdict `error`. Throws
+/// InputError like read_sweep_rows, and if two tables contain the same run.
 std::vector<SweepRow> merged_rows(const std::vector<std::string>& files, const SweepPlan& plan);
 
 class SweepTable {

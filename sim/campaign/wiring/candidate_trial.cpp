@@ -18,7 +18,7 @@ constexpr std::size_t kMostTrials = 64;
 constexpr std::int64_t kSampleEvery_ns = 50'000'000;
 constexpr double kLook_s = 10.0;
 constexpr double kDrive_s = 60.0;
-constexpr double kSquare_mm = 50.0;  // of FollowedLine
+constexpr double kSquare_mm = 50.0;  // side of a square of FollowedLine
 constexpr const char* kGoal = "laps:1";
 
 std::int64_t to_ns(double seconds) { return static_cast<std::int64_t>(seconds * 1e9); }
@@ -31,8 +31,8 @@ bool is_much_better(const Trial& a, const Trial& b) {
   return a.followed_m > kMuch * b.followed_m && a.followed_m > b.followed_m + kSome_m;
 }
 
-// Returns whether `ways` and `follower` differ in exactly one of three properties. Their robots are equal
-// otherwise, and the one of `follower` follows the line. A robot may do so although such a property is wrong.
+// Returns whether `ways` differs from `follower` in exactly one of the three properties below, and in nothing
+// else. The robot of `follower` follows the line, but may do so although one of these properties is wrong.
 bool may_be_better(const Ways& ways, const Ways& follower) {
   int differences = 0;
   for (const bool Ways::*is : {&Ways::black_low, &Ways::other_order, &Ways::other_sides})

@@ -27,12 +27,12 @@ bool follows_a_lap(const result::RunResult& result, bool sensors_beside);
 /// A wiring that was tried, and what the sketch did with it.
 struct Trial {
   Ways ways;
-  double followed_m = 0.0;  ///< length of the line that the robot followed; a line counts once
+  double followed_m = 0.0;  ///< length of line that the robot followed; repetitions do not count
   bool follows = false;     ///< whether the robot followed the line for a lap
   result::RunResult result;
 };
 
-/// Returns all combinations of the ways that are true in `open`, those with the fewest ways first.
+/// Returns all combinations of one or more ways (guess.h) that are true in `open`, the smallest first.
 std::vector<Ways> combinations(const Ways& open);
 
 /// Measures the length of the line that a robot followed: the number of different squares of 5 cm in which
@@ -57,8 +57,8 @@ class CandidateTrial {
   /// build.
   RobotDraft draft();
   /// Tries the variants that `draft` leaves open, at most 64, until one follows the line for a lap. Then
-  /// only tries variants that differ from it in one way, since these may follow the line more closely. Sets
-  /// `draft` to the best variant. Returns all trials, that of the original draft first.
+  /// tries only variants that differ from this variant in one way, since these may follow the line more
+  /// closely. Sets `draft` to the best variant. Returns all trials, that of the original draft first.
   std::vector<Trial> choose(RobotDraft& draft);
 
  private:

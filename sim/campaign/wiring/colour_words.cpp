@@ -15,7 +15,7 @@ bool is_in(const std::string& word, std::initializer_list<const char*> list) {
   return std::any_of(list.begin(), list.end(), [&](const char* one) { return word == one; });
 }
 
-// Returns whether a word such as "no" negates the line next to it.
+// Returns whether the word negates a neighbouring word for the line, as "no" does.
 bool negates(const std::string& word) {
   return is_in(word,
                {"no",      "not",    "off",     "out",     "without", "sin",    "fuera",   "nao",    "sem",
@@ -69,7 +69,7 @@ int line_in_sentence(const WordList& words) {
            is_in(word, {"on", "over", "sobre", "na", "en", "sur", "auf", "su", "sulla", "ve", "encima", "em",
                         "pada", "uzerinde"});
   });
-  // "Continue until both sensors see the line" describes the opposite of the branch.
+  // "Continue until both sensors see the line" describes the opposite of the branch's condition.
   if (std::any_of(words.begin(), words.end(), [](const std::string& word) {
         return is_in(word, {"until", "hasta", "ate", "bis", "jusqu", "fino", "kadar", "sampai"});
       }))

@@ -113,7 +113,7 @@ void ask_for_the_bus(Evidence& evidence, RobotDraft& draft) {
       shown(evidence, data), shown(evidence, clock)));
 }
 
-// Adds a question about the pins of each name that were not used in the runs.
+// For each name, adds a question about its pins that were not used in the runs.
 void ask_for_unused(const Evidence& evidence, RobotDraft& draft) {
   std::vector<std::pair<std::string, std::string>> names;  // where a name is, and its pins
   for (const PinEvidence* clue : evidence.never_used()) {
@@ -205,8 +205,8 @@ void guess_the_rest(Evidence& evidence, RobotDraft& draft) {
   ask_for_unused(evidence, draft);
 }
 
-// Adds a question about a level over black that follows from the names of turns. Only applies if the motors'
-// sides are open.
+// Adds a question about a level over black that was derived from names such as turnLeft(). Applies only if
+// the sides of the motors are unknown.
 void ask_for_level(const Evidence& evidence, RobotDraft& draft) {
   const std::optional<StatedLevel>& level = evidence.names().level;
   if (!draft.open.other_sides || !level || !level->is_by_turns) return;

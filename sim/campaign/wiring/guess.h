@@ -19,11 +19,11 @@ struct PartDraft {
   std::vector<std::string> notes = {};                    ///< evidence for the user
 };
 
-/// Possible differences from the first guess. The names in the source may leave them open, and a run on a
-/// robot without the parts does not show them. A caller can try all combinations.
+/// Possible differences from the first guess. The names in the source may leave them open. A run on a robot
+/// without its sensors and motors does not reveal them. A caller can try all combinations.
 struct Ways {
   bool black_low = false;       ///< sensors read low over black
-  bool close = false;           ///< two sensors are both on the line, not to its sides
+  bool close = false;           ///< two sensors are both on the line, not on both sides of it
   bool other_order = false;     ///< the first sensor is the rightmost
   bool other_sides = false;     ///< the motors are swapped
   bool left_reversed = false;   ///< the left motor turns the other way
@@ -39,7 +39,7 @@ struct Way {
   bool Ways::*is;
   const char* words;
 };
-/// A doubt about a key that a trial has decided.
+/// The remark in a draft about a key whose value trials have decided.
 inline constexpr const char* kByTrial = "chosen by trials: with this, the sketch follows the line further";
 inline constexpr Way kWays[] = {
     {&Ways::black_low, "black reads LOW"},

@@ -118,7 +118,7 @@ class Libraries {
       for (const Pin pin : *pins) clues_.take(pin);
   }
 
-  // Returns whether a block that calls shiftOut() writes no other pin than this one, its latch.
+  // Returns whether a block that calls shiftOut() writes only this pin, which is then the latch.
   bool frames(Pin pin) const {
     for (const PinBlock& block : clues_.names().blocks) {
       const bool is_alone = std::all_of(block.writes.begin(), block.writes.end(),

@@ -20,14 +20,14 @@ bool is_motor_like(const PinEvidence& clue) {
   return clue.facts->pwm || side_of(clue.words) != Side::unknown || clue.name.empty();
 }
 
-// Returns whether the sketch uses PWM. analogWrite(pin, 0) only sets a level, so calls in the source count,
-// too.
+// Returns whether the sketch uses PWM on a pin. In the run, analogWrite(pin, 0) only sets a level, so calls
+// in the source count, too.
 bool is_pwm(const Evidence& evidence, const PinEvidence& clue) {
   return clue.facts->pwm || evidence.is_given_to({"analogWrite"}, clue.pin);
 }
 
-// Returns whether a pin is almost always high and has no side in its name. Such a pin is the driver's enable
-// or standby input.
+// Returns whether a pin is named like an enable input, without a side, and is almost always high. Such a pin
+// is the driver's enable or standby input.
 bool is_enable_of_both(const Evidence& evidence, const PinEvidence& clue) {
   constexpr double kMostly = 0.45;  // the result of lean() is at most 0.5
   return clue.facts->driven && !is_pwm(evidence, clue) && !clue.in_array && says(clue.words, {"en", "ena"}) &&
@@ -72,12 +72,13 @@ int named_order(const PinEvidence& a, const PinEvidence& b) {
   return 0;
 }
 
-// Returns whether two names only differ in the letters a and b. These are channels, and b is not backward.
+// Returns whether the names end with the letters a and b. The letters then name channels, and b does not mean
+// backward.
 bool are_letters(const PinEvidence& a, const PinEvidence& b) {
   return !a.words.empty() && !b.words.empty() && a.words.back() == "a" && b.words.back() == "b";
 }
 
-// Returns whether a name is that of a direction. In Portuguese, "direita" is the right side.
+// Returns whether a name means a direction. In Portuguese, "direita" is the right side.
 bool is_direction(const PinEvidence& clue) {
   return std::any_of(clue.words.begin(), clue.words.end(), [](const std::string& word) {
     return (word.starts_with("dir") && !word.starts_with("direit")) || word.starts_with("ph");
@@ -344,7 +345,7 @@ Pins find_pins(Evidence& evidence, RobotDraft& draft, bool& has_standby) {
       evidence.take(clue->pin);
     } else if (is_of_serial(evidence.board(), clue->pin) &&
                !evidence.is_given_to({"digitalWrite", "analogWrite"}, clue->pin)) {
-      continue;  // pinMode(leftSpeed, OUTPUT) is a slip
+      continue;  // a mistake such as pinMode(leftSpeed, OUTPUT), where leftSpeed is a speed
     } else if (is_motor_like(*clue) && !(clue->name.empty() && clue->pin == evidence.board().led_builtin)) {
       pins.push_back(clue);
     }
@@ -387,7 +388,7 @@ void add_motor(const Motor& motor, const Sides& sides, bool is_left, bool both_l
   if (!sides.paired)
     part.doubts.push_back("which inputs belong to which PWM pin is guessed from the order of the pins");
   // If the robot mostly turns on the spot, one motor runs backwards. The names are therefore wrong only if
-  // both motors do.
+  // both motors run backwards.
   const bool leans_back = is_open ? motor.leans_back() : forward == 0 && both_lean_back;
   const bool other_way = is_left ? ways.left_reversed : ways.right_reversed;
   if ((leans_back || forward < 0) != other_way) part.keys.emplace_back("reversed", "true");

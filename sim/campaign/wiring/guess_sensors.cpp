@@ -10,7 +10,8 @@ namespace {
 
 using Pins = std::vector<const PinEvidence*>;
 
-// Returns whether a pin has a meaningful name. The array `int pins[] = {2, 3, 13}` and inPin have none.
+// Returns whether a pin has a meaningful name. Names such as `inPin`, or `pins` of the array `int pins[] =
+// {2, 3, 13}`, are not meaningful.
 bool is_named(const PinEvidence& clue) {
   const auto says_nothing = [](const std::string& word) {
     return word == "pin" || word == "pins" || word == "in" || word == "io" || word == "input" ||
@@ -89,7 +90,8 @@ void sort_by_number(Pins& sensors) {
       return;
     const int number = std::stoi(words.back());
     words.pop_back();
-    if (words.size() > 1 && (words.back() == "a" || words.back() == "d")) words.pop_back();  // A1, D7
+    if (words.size() > 1 && (words.back() == "a" || words.back() == "d"))
+      words.pop_back();  // the letter of A1 or D7
     if (stem.empty()) stem = words;
     if (words != stem || !numbered.emplace(number, clue).second) return;
   }
@@ -101,7 +103,7 @@ const char* kind_of(const PinEvidence& sensor) {
   return sensor.facts->measured ? "analog" : sensor.facts->discharged ? "rc" : "digital";
 }
 
-// Returns the sensors that a library for line sensors reads, if there is such an array.
+// Returns the sensors in the array that a library for line sensors reads; empty without such an array.
 Pins of_library(const Evidence& evidence, const Pins& sensors) {
   for (const Given& given : evidence.names().given) {
     if (given.type != "setSensorPins" && !given.type.starts_with("QTRSensors")) continue;
@@ -140,8 +142,8 @@ bool is_one_series(const Evidence& evidence, const Pins& sensors) {
          });
 }
 
-// Returns the sensors of one array: those of a library, a series, or those of the most frequent kind. The
-// other sensors become parts of their own.
+// Returns the sensors that form one array: a library's sensors, a series, or the sensors of the most frequent
+// kind. The other sensors become parts of their own.
 Pins alike(const Evidence& evidence, const Pins& sensors) {
   if (sensors.empty()) return {};
   Pins most = of_library(evidence, sensors);
@@ -159,8 +161,8 @@ Pins alike(const Evidence& evidence, const Pins& sensors) {
   return most;
 }
 
-// Returns how the sensors are read. If some are read with the ADC and others as levels, they are digital,
-// unless a pin is only an analog input.
+// Returns how the sensors are read: their common kind. If the kinds differ, returns digital, or analog if one
+// of the pins is only an analog input.
 std::string kind_of_all(const Evidence& evidence, const Pins& sensors) {
   const std::string kind = kind_of(*sensors.front());
   const bool is_same = std::all_of(sensors.begin(), sensors.end(),
@@ -171,7 +173,8 @@ std::string kind_of_all(const Evidence& evidence, const Pins& sensors) {
   return is_same ? kind : has_analog_input ? "analog" : "digital";
 }
 
-// Distance between two elements, and from the axle forward to the elements, as in the stock robots.
+// Values of the stock robots: the distance between two elements, their distance ahead of the axle, and their
+// footprint.
 struct Layout {
   const char* pitch;
   const char* ahead;

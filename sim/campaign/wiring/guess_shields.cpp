@@ -50,7 +50,7 @@ void add_motors(const Ways& ways, RobotDraft& draft, const std::vector<Numbered>
                 const Outputs& outputs) {
   std::vector<Numbered> left, right, unknown;
   for (const Numbered& motor : motors) {
-    // The digit in motor1 only repeats the shield's number.
+    // The digit in motor1 only repeats the motor's number on the shield.
     std::vector<std::string> words = words_of(motor.given->name);
     std::erase_if(words, [](const std::string& word) { return std::isdigit(word[0]) != 0; });
     const Side side = side_of(words);

@@ -166,7 +166,7 @@ class Votes {
     if (why.empty()) why = fmt::format("{}, {}:{}", text, file, line);
   }
 
-  // Adds the level that follows from the name of a turn. If that name is wrong, so is the level.
+  // Adds the level that follows from a name such as turnLeft(). If the name is wrong, so is the level.
   void add_turn(int sign, const std::string& file, int line) {
     ++turns_;
     add(Kind::remark, sign, "the turn", file, line);
@@ -226,7 +226,7 @@ class LevelReader {
   }
 
   std::optional<StatedLevel> read() {
-    // Code that does not run only counts if the rest states nothing.
+    // Code that does not run counts only if running code states nothing.
     for (const bool only_running : {true, false}) {
       for (const SourceText& source : sources_) read_source(source, only_running);
       if (!votes_.is_empty()) break;
@@ -239,7 +239,7 @@ class LevelReader {
     source_ = &source;
     read_library();
     read_constants();
-    std::set<int> idle;  // lines whose comments do not count: blocks that do not run
+    std::set<int> idle;  // lines of blocks that do not run; their comments do not count
     for (const Block& block : source.blocks)
       if (only_running && !block.runs)
         for (int line = block.first_line; line <= block.last_line; ++line) idle.insert(line);
@@ -269,7 +269,8 @@ class LevelReader {
     votes_.add(kind, sign, text, source_->file, line);
   }
 
-  // Pololu's library returns large readings over black, and searches a black or a white line in them.
+  // Pololu's library returns large readings over black, and searches the readings for a black or a white
+  // line.
   void read_library() {
     for (const Token& token : source_->tokens)
       if (token.kind == Token::Kind::word && token.text.starts_with("QTRSensors")) {
@@ -300,7 +301,7 @@ class LevelReader {
 
   static bool is_end(const Token& token) { return token.is(";") || token.is(",") || token.is("}"); }
 
-  // Finds the constants: words that are only assigned once, by a single word.
+  // Finds the constants: words that are assigned only once, and whose value is a single word.
   void find_constants() {
     for (const SourceText& source : sources_)
       for (std::size_t i = 0; i + 2 < source.tokens.size(); ++i) {
@@ -347,7 +348,7 @@ class LevelReader {
     if (says(words, {"led", "butt", "boton", "botao", "puls", "motor", "pin", "buzz"})) return;
     int sign = 0, level = 0, meaning = 0;
     std::size_t since = 0;
-    constexpr std::size_t kFar = 5;  // words between a level and its colour
+    constexpr std::size_t kFar = 5;  // maximum distance in words between a level and its colour
     const bool has_colour = std::any_of(words.begin(), words.end(), is_black) ||
                             std::any_of(words.begin(), words.end(), is_white);
     for (std::size_t i = 0; i < words.size(); ++i) {
@@ -392,7 +393,7 @@ class LevelReader {
     if (equal == tokens.end() || equal == tokens.begin() || equal + 1 == tokens.end() || (equal + 1)->is("="))
       return;
     const WordList words = words_of({tokens.begin(), equal});
-    const bool is_plain = (equal + 1)->is("digitalRead");  // lineLeft = digitalRead(…) is only a name
+    const bool is_plain = (equal + 1)->is("digitalRead");  // the name lineLeft alone states no level
     const int meaning = is_plain && statement.tokens.back().is(")") ? colour_of(words) : meaning_of(words);
     if (meaning == 0) return;
     const auto question = std::find_if(equal, tokens.end(), [](const Token& t) { return t.is("?"); });
@@ -400,8 +401,8 @@ class LevelReader {
     add(Votes::Kind::code, test.sign * meaning, "a variable of this name", statement.line);
   }
 
-  // Reads `value = 1023 - value` and `seen[i] = !digitalRead(pins[i])`. Sketches that also read without an
-  // inversion have a second mode, and show nothing.
+  // Reads `value = 1023 - value` and `seen[i] = !digitalRead(pins[i])`. If a sketch also reads without an
+  // inversion, it has two modes, and the inversion shows nothing.
   void read_inversion(const Statement& statement) {
     const Tokens& tokens = statement.tokens;
     for (std::size_t i = 1; i + 2 < tokens.size(); ++i) {
@@ -533,7 +534,7 @@ class LevelReader {
   TestReader::Constants constants_;
   TestReader tests_;
   const SourceText* source_ = nullptr;
-  bool reads_plainly_ = false;  // assigns a digitalRead() without an inversion
+  bool reads_plainly_ = false;  // the sketch stores a digitalRead() as it is, not inverted
   int line_ = 1;                // colour of the line: 1 = black, -1 = white
   Votes votes_;
 };

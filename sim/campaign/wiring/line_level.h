@@ -14,7 +14,7 @@ namespace robosim::wiring {
 struct StatedLevel {
   bool is_high = true;       ///< HIGH over black, or a large reading
   std::string why;           ///< "BLACK 1, config.h:7"
-  bool is_by_turns = false;  ///< follows only from names of turns
+  bool is_by_turns = false;  ///< follows only from names such as turnLeft()
 };
 
 /// Returns the level over black, if the source states it without contradiction. Code outranks comments.

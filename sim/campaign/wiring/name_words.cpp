@@ -20,7 +20,7 @@ bool contains_one_of(const std::string& word, Words list) {
                      [&](const char* one) { return word.find(one) != std::string::npos; });
 }
 
-// Matches lm, rmf, lpwm, rsensor: a letter, followed by a name of one motor or sensor.
+// Matches lm, rmf, lpwm, rsensor: the letter of a side, followed by the short or full name of a part.
 bool begins_side(const std::string& word, char letter) {
   static const Words rests = {"",    "f",   "b",   "s",   "d",   "e",   "w",     "en",    "in",    "ir",
                               "fwd", "bwd", "rev", "pwm", "dir", "enc", "speed", "wheel", "servo", "sensor"};

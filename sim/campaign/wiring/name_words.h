@@ -13,8 +13,8 @@ using WordList = std::vector<std::string>;  ///< words of a name or of a comment
 
 /// Returns the words of a text in lower case, without accents: "Sağ motor" is sag, motor.
 WordList words_of_text(std::string_view text);
-/// Returns the words of a name, in lower case: "leftMotor_EN1" is left, motor, en, 1. Also separates
-/// `pin` without a border: PINENA is pin, ena.
+/// Returns the words of a name, in lower case: "leftMotor_EN1" is left, motor, en, 1. Also separates `pin` if
+/// no capital letter or `_` marks its end: PINENA is pin, ena.
 WordList words_of(std::string_view name);
 
 enum class Side { unknown, left, right };

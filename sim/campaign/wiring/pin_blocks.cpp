@@ -34,7 +34,7 @@ class BlockResolver {
   }
 
  private:
-  // Returns the direction that the function's name states, or a condition such as `speed >= 0`.
+  // Returns the direction that a condition such as `speed >= 0` or, without one, the function's name states.
   static int sense_of(const Block& block) {
     const WordList words = words_of(block.function);
     int sense = function_goes_forward(words) ? 1 : function_goes_backward(words) ? -1 : 0;
@@ -43,7 +43,7 @@ class BlockResolver {
     return sense == 0 && reads_sensors_alike(block) ? 1 : sense;
   }
 
-  // Returns whether the block runs while two or more sensors read alike, as in `if (left == LOW && right ==
+  // Returns whether the block runs while several sensors read the same level: `if (left == LOW && right ==
   // LOW)`. The robot then drives straight.
   static bool reads_sensors_alike(const Block& block) {
     if (block.conditions.empty() || block.conditions.back().is_negated) return false;
@@ -121,8 +121,8 @@ class BlockResolver {
     return Side::unknown;
   }
 
-  // Returns the side in the comment of a line, or in the last comment above the line that is alone. Only
-  // comments about motors count, not `// turn left`.
+  // Returns the side that the comment in a line names. If it names none, the last full-line comment above
+  // decides. Only comments about motors count, not `// turn left`.
   Side commented_side(const Block& block, int line) const {
     Side side = Side::unknown;
     for (const Comment& comment : comments_) {
@@ -163,7 +163,7 @@ std::vector<Pin> arguments_of(const Tokens& call, const Resolver& resolver) {
   return pins;
 }
 
-// Puts the pins of a call in the place of the function's parameters.
+// Replaces the function's parameters by the pins of a call.
 void substitute(const std::vector<Pin>& pins, std::vector<PinWrite>& writes) {
   for (PinWrite& write : writes) {
     const auto position = static_cast<std::size_t>(write.parameter);

@@ -34,7 +34,7 @@ struct PinBlock {
 
 /// A motor's pins, as in RobotDraft. kNoPin = none.
 struct MotorPins {
-  Pin en = kNoPin, in1 = kNoPin, in2 = kNoPin;  ///< in1 is also the direction of a phase driver
+  Pin en = kNoPin, in1 = kNoPin, in2 = kNoPin;  ///< in1 may be a phase (direction) input
 };
 
 /// Resolves the words of the source.
@@ -47,9 +47,9 @@ struct Resolver {
 /// it calls.
 std::vector<PinBlock> pin_blocks(const std::vector<SourceText>& sources, const Resolver& resolver);
 
-// Blocks that do not run only count if those that run leave the answer open.
+// In the next functions, blocks that do not run count only if the other blocks leave the answer open.
 
-/// Returns the side of a pin, if all blocks that name one agree.
+/// Returns the side of a pin, if all blocks that name a side for it agree.
 Side side_in_blocks(const std::vector<PinBlock>& blocks, Pin pin);
 /// Returns 1 if in1 HIGH and in2 LOW drive forward, -1 for the reverse, 0 if the source leaves it open.
 /// Functions and conditions that name the direction decide. Without them, a motor that the source turns in

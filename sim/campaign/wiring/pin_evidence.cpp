@@ -9,9 +9,9 @@ namespace {
 
 using namespace std::string_literals;
 
-// Replaces letters that mean a side, if other names of the sketch confirm this. Examples: in Spanish pwmi and
-// pwmd with izq or der, in Portuguese motorE with motorD, in French motorG with motorD. A letter for the
-// pin's use may follow: EV, DV. The outermost sensors have the letter twice: EE, DD.
+// Replaces letters that mean a side by words, if other names of the sketch confirm this. Examples: in
+// Spanish pwmi and pwmd with izq or der, in Portuguese motorE with motorD, in French motorG with motorD. A
+// letter for the pin's use may follow: EV, DV. The outermost sensors have the letter twice: EE, DD.
 void read_letters_as_sides(std::vector<PinEvidence>& pins) {
   const auto any = [&](const std::string& word) {
     return std::any_of(pins.begin(), pins.end(), [&](const PinEvidence& clue) {
@@ -134,7 +134,7 @@ Evidence::Evidence(const BoardSpec& board, const SketchNames& names, const PinHi
     if (by_pin_[pin].name.empty()) order_.push_back(pin);
 }
 
-// Names the pins. A name that the sketch passes to a pin function precedes a name whose value may be any
+// Names the pins. A name that is passed to a pin function takes precedence over a name whose value may be any
 // number.
 void Evidence::add_names(const PinHistory& history) {
   std::vector<std::size_t> rank(board_.pin_count);
@@ -197,10 +197,11 @@ Side side_of_channel(const std::map<Side, std::set<Side>>& named, Side channel) 
   return is_open(other) || own == across ? own : Side::unknown;
 }
 
-// Adds the sides and directions that comments and functions of the source name, to pins whose names do not.
+// Adds the sides and directions of pins whose names do not state them. The source's comments and functions
+// provide these.
 void Evidence::add_source_words() {
   std::map<Pin, Side> sides;
-  std::map<Side, std::set<Side>> of_channel;  // by the side of a channel: A, 1 …
+  std::map<Side, std::set<Side>> of_channel;  // key: the side that a channel such as A or 1 usually has
   const bool is_portuguese = std::any_of(names_.remarks.begin(), names_.remarks.end(),
                                          [](const auto& remark) { return says(remark.second, {"esq"}); });
   for (PinEvidence& clue : by_pin_) {

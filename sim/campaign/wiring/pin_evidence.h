@@ -20,7 +20,7 @@ struct PinEvidence {
   bool is_side_from_source = false;       ///< comments or functions name the side, not the pin's name
   bool in_array = false;
   int argument = -1;              ///< position among the object's arguments; -1 = none
-  const Given* object = nullptr;  ///< the object
+  const Given* object = nullptr;  ///< the object or function that receives the pin
   Spot spot;
   const PinFacts* facts = nullptr;
   bool is_assumed = false;  ///< not used in the runs: the facts come from calls in the source

@@ -38,7 +38,8 @@ class PinHistory {
   /// Returns the mean over the run of (duty of `high` - duty of `low`) x duty of `enable`. With kNoPin, `low`
   /// has duty 0.5, and `enable` has duty 1. A result above 0 means that `high` was mostly higher.
   double lean(Pin enable, Pin high, Pin low) const { return mean(enable, high, low, false); }
-  /// Returns the mean of the absolute values, which lean() only reaches if the motor never turns back.
+  /// Returns the mean of the absolute values of what lean() averages. Equals |lean()| only if the motor
+  /// never turns back.
   double effort(Pin enable, Pin high, Pin low) const { return mean(enable, high, low, true); }
 
  private:

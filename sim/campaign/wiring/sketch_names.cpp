@@ -139,10 +139,14 @@ class Reader {
     SketchNames names;
     names.reads_ports = reads_ports_;
     names.reads_levels = reads_levels_;
+    const std::map<std::string, int> assignments = assignments_in(sources_);
     for (const std::string& name : order_) {
       const Value& value = values_.at(name);
       const bool used = used_.count(name) != 0;
       if (!value.is_array && !used && (handed_on_.count(name) == 0 || is_quantity(name))) continue;
+      const auto count = assignments.find(name);
+      const bool varies = count != assignments.end() && count->second > 1;
+      if (!value.is_array && !used && varies) continue;  // such as a state
       Named named{name, {}, value.is_array, used || value.is_array, value.spot};
       const bool is_channel = channels_.count(name) != 0 && numbers_.count(name) == 0;
       for (const std::string& word : value.words)
@@ -172,7 +176,7 @@ class Reader {
     }
     names.blocks = pin_blocks(
         sources_, {[this](const std::string& argument) { return pins_of(argument); },
-                   [this, assignments = assignments_in(sources_)](const std::string& word) {
+                   [&](const std::string& word) {
                      const auto count = assignments.find(word);
                      return count != assignments.end() && count->second > 1 ? word : value_of(word);
                    }});
@@ -209,7 +213,7 @@ class Reader {
       count += std::count_if(block.writes.begin(), block.writes.end(), [&](const PinWrite& write) {
         const bool is_level = write.level && (*write.level == 0 || *write.level >= 255);
         const PinSpec& pin = board_.pins[write.pin];
-        const bool is_of_serial = write.pin < 2;  // analogWrite(0, speed) is a slip
+        const bool is_of_serial = write.pin < 2;  // analogWrite(0, speed) is a mistake
         return write.is_pwm && !is_level && !is_of_serial && pin.analog_channel < 0 && pin.pwm == has;
       });
     return count;
@@ -527,7 +531,7 @@ class Reader {
     given_.push_back({inner[0].str(), outer, {}, list, spot()});
   }
 
-  // Returns the word of the pin: attachInterrupt(digitalPinToInterrupt(BUMPER), …).
+  // Returns the pin's word, such as BUMPER in attachInterrupt(digitalPinToInterrupt(BUMPER), …).
   std::string pin_word_of_interrupt(const std::vector<std::string>& list) const {
     const std::size_t bracket = list[0].find(" ( ");
     if (bracket == std::string::npos) return pin_of_interrupt(list).value_or("");
@@ -535,7 +539,7 @@ class Reader {
     return list[0].substr(begin, list[0].find(' ', begin) - begin);
   }
 
-  // Returns whether an interrupt's function only sets variables to constants, and does not count.
+  // Returns whether an interrupt's function only sets variables to single values, without counting anything.
   bool only_sets_flags(const std::string& handler) const {
     bool sets = false;
     for (const SourceText& source : sources_)
@@ -657,7 +661,7 @@ class Reader {
   std::vector<Given> given_;
   std::vector<std::pair<std::string, std::string>> handlers_;  // pins and functions of interrupts on FALLING
   CountedLoops loops_;
-  std::map<std::size_t, PinRange> ranges_;               // of the arguments of given_, by their index
+  std::map<std::size_t, PinRange> ranges_;               // pins of calls in counted loops, by index in given_
   std::map<std::string, std::map<int, Element>> fills_;  // arrays that are filled element by element
 };
 

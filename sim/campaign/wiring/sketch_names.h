@@ -46,18 +46,17 @@ struct SketchNames {
   std::vector<Given> given;
   /// Pins of interrupts on FALLING that only set a flag.
   std::vector<Pin> flag_interrupts = {};
-  /// Characters with which the sketch compares what it reads from a serial line.
+  /// Characters with which the sketch compares its serial input.
   std::vector<char> serial_keys = {};
-  std::string serial_object = {};  ///< object of that line: "Serial"; empty if the sketch reads none
+  std::string serial_object = {};  ///< object that provides the serial input: "Serial"; empty = none
   std::vector<PinBlock> blocks = {};
-  std::optional<StatedLevel> level = {};  ///< over black
+  std::optional<StatedLevel> level = {};  ///< level of a line sensor over black
   /// Words of the comments next to the declaration of a pin, or next to its pinMode().
   std::map<Pin, std::vector<std::string>> remarks = {};
 };
 
 SketchNames read_names(const build::Sketch& sketch, const BoardSpec& board);
-/// Returns whether a name is that of a number of things or of a limit, in the languages of published
-/// sketches.
+/// Returns whether a name means a count or a limit, in the languages of published sketches.
 bool is_quantity(const std::string& name);
 /// A board with an AVR chip, and a question about it.
 struct GuessedBoard {
@@ -65,9 +64,9 @@ struct GuessedBoard {
   std::string doubt;  ///< empty if a comment of the sketch names the board
 };
 
-/// Returns the board that a comment names, or the first board that has all pins of the sketch's calls, such
-/// as digitalRead(A6). Prefers a board with PWM on the pins of analogWrite(). Without such a board, returns
-/// the usual board.
+/// Returns a board that has all pins of the sketch's calls, such as digitalRead(A6). Prefers the board that a
+/// comment names, then the first such AVR board. If that board has no PWM on the pins of analogWrite(), a
+/// larger board may replace it. If no board has all pins, returns the first AVR board.
 GuessedBoard board_for(const build::Sketch& sketch);
 /// Reads one file's text, for tests.
 SketchNames names_in_text(const std::string& text, const std::string& file, const BoardSpec& board);

@@ -6,9 +6,9 @@
 namespace robosim::wiring {
 namespace {
 
-constexpr int kDeepest = 300;                   // nested blocks, and branches of an if
-constexpr std::size_t kLongestHead = 400;       // tokens of a function's head
-constexpr std::size_t kMostCopied = 1'000'000;  // tokens of conditions in all blocks of a source
+constexpr int kDeepest = 300;                   // maximum depth of nested blocks and of else-if branches
+constexpr std::size_t kLongestHead = 400;       // maximum number of tokens in a function's head
+constexpr std::size_t kMostCopied = 1'000'000;  // maximum number of tokens in all conditions of a source
 
 class BlockReader {
  public:
@@ -124,7 +124,8 @@ class BlockReader {
     }
   }
 
-  // Counts the copied tokens, because nested blocks with long conditions could take any memory.
+  // Copies a block without its statements. Counts the copied tokens, because nested blocks with long
+  // conditions could take too much memory.
   Block without_statements(const Block& block) {
     Block inner = block;
     inner.statements.clear();
@@ -161,7 +162,7 @@ class BlockReader {
     if (block.has_case) block.conditions.pop_back();
     block.has_case = !is_default && !block.conditions.empty();
     if (!block.has_case) return;
-    // The label is a comparison with the value of the switch.
+    // Treats the label as a comparison with the value of the switch.
     Condition condition = block.conditions.back();
     condition.line = block.first_line;
     const Token equal{"=", {}, block.first_line};

@@ -56,8 +56,8 @@ struct SourceText {
   std::vector<Block> blocks;
 };
 
-/// Finds the blocks that run: those that setup(), loop(), an interrupt or the value of a global variable can
-/// reach. All blocks run in a source without setup() and loop().
+/// Finds the blocks that run: those that setup(), loop(), an interrupt handler or the initial value of a
+/// global variable can reach. All blocks run in a source without setup() and loop().
 void mark_running(std::vector<SourceText>& sources);
 
 /// Returns the blocks of all functions, also of methods. Skips initialisers of variables.

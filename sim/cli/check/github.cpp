@@ -16,8 +16,8 @@ std::string environment(const char* name) {
   return value ? value : "";
 }
 
-/// Escapes data for GitHub's workflow commands. Also escapes each character of `special`: properties need
-/// colon and comma.
+/// Escapes data for GitHub's workflow commands. Also escapes each character of `special`, such as the colon
+/// and the comma in a property.
 std::string workflow_text(const std::string& text, const char* special) {
   std::string data;
   for (const char c : text) {

@@ -11,8 +11,8 @@ namespace robosim::cli {
 /// Returns whether the program runs in GitHub Actions: GITHUB_ACTIONS is "true".
 bool on_github();
 
-/// Returns a `::error file=…,line=…::…` for each failure. It points to the [[check]], or to a line of the
-/// sketch.
+/// Returns a line `::error file=…,line=…::…` for each failure. It names the place of the [[check]], or a line
+/// of the sketch.
 std::string github_notes(const std::vector<campaign::SketchResult>& sketches);
 
 /// Returns a Markdown table with a row for each check of each sketch.

@@ -33,7 +33,7 @@ void warn_of_own_files(const std::string& checks) try {
           checks, check.name, missing));
   }
 } catch (const InputError&) {
-  // Ignores the error, because the result of each sketch contains its message.
+  // Ignores the error, because the result of each sketch reports the same error.
 }
 
 }  // namespace

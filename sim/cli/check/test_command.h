@@ -1,4 +1,4 @@
-// `robosim test`: runs the checks of one or more sketches through one pool.
+// `robosim test`: runs the checks of one or more sketches, several runs at a time.
 #pragma once
 
 #include "sim/cli/arguments.h"

@@ -6,7 +6,7 @@
 namespace robosim::cli {
 
 /// Returns the process's exit status: 1 if the targets differ. Throws InputError, ToolMissing and
-/// client::RunnerError.
+/// wire::RunnerError.
 int compare_command(const CompareArguments& arguments);
 
 }  // namespace robosim::cli

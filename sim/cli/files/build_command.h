@@ -18,18 +18,18 @@ namespace robosim::cli {
 std::string size_report(const build::Image& image, const std::string& target, const BoardSpec& board,
                         const std::vector<std::filesystem::path>& files);
 
-/// Returns a sentence for each limit in the robot's [budget] that the image exceeds. The image is for a chip.
+/// Returns a sentence for each limit in the robot's [budget] that `image`, built for a chip, exceeds.
 std::vector<std::string> over_budget(const build::Image& image, const wire::RobotInfo& robot);
 
-/// An image with its board and target.
+/// An image, the board for which it was built, and the robot.
 struct Built {
   build::Image image;
   const BoardSpec& board;
   wire::RobotInfo robot;
 };
 
-/// Selects between two boards for a target that does not suit the chip of the robot's board. `own` keeps the
-/// robot's board; `fitting` takes one that suits the target.
+/// Selects the board if the robot's own board does not suit the target. `own` keeps the robot's board;
+/// `fitting` selects a board that suits the target.
 enum class Boards { own, fitting };
 
 /// Compiles for the board of the robot that `robosim run` would use. The compiler's warnings go to standard

@@ -14,8 +14,8 @@ std::string draw_course(const map::Map& map, const map::Start& start, const map:
   const char32_t arrow = terminal::arrow(pose.yaw());
   terminal::Frame frame(picture.window().columns, picture.window().rows);
   const terminal::Look look{!options.ascii, false};
-  // Passes colour = true, because only pictures with colours draw the line in braille dots. Without colours,
-  // such a line would look like a robot's trail, but this picture has no trail.
+  // Passes colour = true, so that the line is drawn in braille dots. In pictures without colours, the line
+  // consists of other signs, because dots would look like a robot's trail. This picture has no trail.
   picture.draw(frame, 0, 0, {{pose.position, {arrow, terminal::Ink::mark}}}, {!options.ascii, true});
   std::string text = terminal::to_text(frame, look);
   std::string sign;

@@ -11,8 +11,8 @@
 namespace robosim::cli {
 
 /// Returns the words of avrdude's command line. The command writes `file` (.hex or .elf) through Arduino's
-/// boot loader, with the options of the core's platform.txt. The option -D prevents an erase of the whole
-/// chip. No such erase is needed, because the boot loader erases each page before it writes the page.
+/// boot loader, with the options of the Arduino core's platform.txt. The option -D prevents an erase of the
+/// whole chip. No such erase is needed, because the boot loader erases each page before it writes the page.
 std::vector<std::string> avrdude_words(const FlashArguments& arguments, const BoardSpec& board,
                                        const std::filesystem::path& file);
 

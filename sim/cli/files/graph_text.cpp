@@ -25,8 +25,8 @@ struct End {
   int slot;
 };
 
-// Calls visit(end, arm) once for each line: first for lines at stations, then for all others, in numerical
-// order.
+// Calls visit(end, arm) once for each line, where `arm` leads from `end` to the other end. Lines at stations
+// come first, then all others, in numerical order.
 template <typename Visit>
 void for_each_line(const TrueGraph& graph, Visit visit) {
   int id = 0;

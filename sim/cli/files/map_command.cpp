@@ -30,7 +30,7 @@ namespace robosim::cli {
 namespace {
 
 constexpr std::size_t kListed = 20;  // maximum number of listed stations or bends; others are counted
-constexpr double kRoom_m = 0.08;     // free width next to a path: half of a medium stock robot, and a margin
+constexpr double kRoom_m = 0.08;     // free width next to a path: half a medium robot's width, and a margin
 
 struct Survey {
   map::Map map;

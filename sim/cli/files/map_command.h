@@ -18,14 +18,14 @@ namespace robosim::cli {
 ExitStatus check_maps(const std::vector<std::string>& maps, const std::string& start, std::ostream& out,
                       std::ostream& errors, bool json = false);
 
-/// Draws one map with its stations numbered from `start` ("" = the map's start). Throws InputError.
+/// Draws one map. The numbers of its stations depend on `start` ("" = the map's start). Throws InputError.
 ExitStatus show_map(const std::string& map, const std::string& start, const map::PictureOptions& options,
                     std::ostream& out);
 
 /// Returns the true graph of one map as text, JSON or for Graphviz. Throws InputError.
 std::string graph_of_map(const MapArguments& arguments);
 
-/// Performs the action of `arguments`, prints the result, and uses the terminal's width. Returns the exit
+/// Performs the action of `arguments` and prints the result. A drawing fits the terminal. Returns the exit
 /// status. Throws InputError.
 int map_command(const MapArguments& arguments);
 int generate_command(const GenerateArguments& arguments);

@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// Returns the process's exit status. Throws InputError and client::RunnerError.
+/// Returns the process's exit status. Throws InputError and wire::RunnerError.
 int robot_command(const RobotArguments& arguments);
 
 }  // namespace robosim::cli

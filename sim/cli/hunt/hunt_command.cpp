@@ -76,9 +76,13 @@ std::string hunt_summary(const campaign::Hunt& hunt, const campaign::CampaignRun
     text += fmt::format("  {:3}  {} run{}  {}\n", i + 1, hunt.findings()[i].times,
                         hunt.findings()[i].times == 1 ? "" : "s", hunt.findings()[i].symptom.group);
   text += hunt.remark();
-  if (hunt.runs_with_goal() > 0)
-    text += fmt::format("{} of {} runs reached the goal {}\n", hunt.runs_that_reached(),
-                        hunt.runs_with_goal(), hunt.baseline().result.goal);
+  if (hunt.runs_with_goal() > 0) {
+    std::string others;
+    for (const auto& [verdict, runs] : hunt.runs_that_missed())
+      others += fmt::format("{}{} {}", others.empty() ? "; the others: " : ", ", runs, verdict);
+    text += fmt::format("{} of {} runs reached the goal {}{}\n", hunt.runs_that_reached(),
+                        hunt.runs_with_goal(), hunt.baseline().result.goal, others);
+  }
   for (const std::string& map : hunt.baseline().reached() ? runner.left_maps() : std::vector<std::string>{})
     text += fmt::format(
         "{0} was skipped, because the sketch did not reach its goal there: --map {0} includes it\n", map);
@@ -102,7 +106,7 @@ std::string part_of(const HuntArguments& arguments) {
   return arguments.shard.whole() ? "" : arguments.shard.text();
 }
 
-/// Returns a sentence for each shard that was not given.
+/// Returns a message for each shard whose results are missing in `parts`.
 std::vector<std::string> missing_of(const std::vector<campaign::HuntPart>& parts) {
   std::vector<std::string> sentences;
   for (std::uint64_t i = 0; !parts.empty() && i < parts.front().shard.count; ++i) {

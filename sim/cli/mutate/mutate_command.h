@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// Returns the exit status. Throws InputError, ToolMissing and client::RunnerError.
+/// Returns the exit status. Throws InputError, ToolMissing and wire::RunnerError.
 int mutate_command(const MutateArguments& arguments);
 
 }  // namespace robosim::cli

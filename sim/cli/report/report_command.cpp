@@ -20,7 +20,7 @@
 namespace robosim::cli {
 namespace {
 
-/// Reads the command of a run. Throws InputError.
+/// Parses the `robosim run` command of a result. Adds --untrusted if `untrusted` is true. Throws InputError.
 launch::RunSettings run_of(const std::string& command, bool untrusted) {
   std::vector<std::string> words = shell_words(command).value_or(std::vector<std::string>());
   if (!words.empty()) words.erase(words.begin());

@@ -8,9 +8,8 @@
 
 namespace robosim::cli {
 
-/// Returns the folder of --coverage, otherwise $ROBOSIM_COVERAGE, otherwise empty. The environment variable
-/// is meant for whole test suites. It therefore does not apply to runs on a chip, whose lines cannot be
-/// counted.
+/// Returns the folder of --coverage, otherwise $ROBOSIM_COVERAGE, otherwise empty. The environment variable,
+/// meant for whole test suites, applies only to runs on the host.
 std::string coverage_folder(const std::string& option, const std::string& target);
 
 /// Names a file for a run's counters in the folder, and removes the file at the end of the scope. Throws

@@ -11,7 +11,7 @@ namespace robosim::cli {
 void check_debugger(int port, const std::string& target);
 
 /// Returns "avr-gdb -d /…/Blink /…/Blink.elf -ex 'target remote :3333'" for a shell, with the installed
-/// debugger. `sources` is the sketch's folder, which the image does not name; empty = unknown.
+/// debugger. `sources` is the sketch's folder, since `elf` does not contain its path; empty = unknown.
 std::string debugger_command(const std::filesystem::path& elf, const std::filesystem::path& sources,
                              const std::string& target, int port);
 

@@ -17,7 +17,7 @@ struct ScreenSize {
 };
 ScreenSize screen_size();
 
-/// Throws InputError if --view has no terminal.
+/// Throws InputError if --view is given, but the standard output is not a terminal.
 void check_view(const RunArguments& arguments);
 
 /// Returns the map of a run. Random values of the map depend on the run's seed and profile.

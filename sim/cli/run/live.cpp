@@ -176,12 +176,12 @@ class Live {
   const wire::OnEvent& on_event_;
   record::Gatherer gatherer_;  // for the initial part of a recording
   std::size_t started_ = 0;    // number of started robots
-  // events that arrive before all robots have started; they are reported after the recording
+  // events that arrive before all robots have started; they are reported after the report `recording`
   std::string begun_;
   std::string told_;
   Requests requests_;
   terminal::Pacer pacer_ = paused();
-  double next_ns_ = 0.0;  // the time of the next pause
+  double next_ns_ = 0.0;  // simulated time at which the next frame ends
   // at maximum speed: simulated time that takes about one frame of wall-clock time
   std::int64_t leg_ns_ = kTick_ns;
   client::DrivenRun run_;  // last, so that its listeners are constructed before it

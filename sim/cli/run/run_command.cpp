@@ -51,7 +51,7 @@ std::int64_t samples_every_ns(const RunArguments& arguments, bool progress) {
   return terminal::trail_every_ns(arguments.request.for_ns);
 }
 
-/// Returns how far each limit that the firmware declares (build::Limit) could be raised in the free RAM.
+/// Returns the highest value that the free RAM permits for each limit of the firmware (build::Limit).
 std::vector<terminal::Room> rooms(const build::Image& image, const result::RunResult& result) {
   std::vector<terminal::Room> rooms;
   if (!result.resources) return rooms;
@@ -199,6 +199,8 @@ int run_command(const RunArguments& arguments) {
     finding = checked.finding;
     next = campaign::next_after(result, checked);
   }
+  if (!arguments.live && is_built && run.target == "host")  // on an AVR, next_after() adds these messages
+    next = campaign::after_unset(campaign::unset_variables(run.wanted, result), next);
   result.next = std::move(next);
   if (!arguments.live && is_built && campaign::deserves_detectors(run.wanted, result)) {
     progress.say("running " + sketch + " again, watched by detectors …");

@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// Returns the process's exit status. Throws InputError, ToolMissing and client::RunnerError.
+/// Returns the process's exit status. Throws InputError, ToolMissing and wire::RunnerError.
 int run_command(const RunArguments& arguments);
 
 }  // namespace robosim::cli

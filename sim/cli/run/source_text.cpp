@@ -118,6 +118,22 @@ bool writes(const std::string& line, const std::string& name) {
                        R"(\s*(?:\+\+|--)|(?:\+\+|--)\s*)" + name + "\\b"));
 }
 
+/// Finds the first of these lines that names the variable. Returns whether this line only assigns a value to
+/// the variable: `sum = 0;` and `read(&sum);`, but not `sum += 1;`.
+bool assigns_first(const std::vector<std::string>& lines, std::size_t begin, std::size_t end,
+                   const std::string& name) {
+  for (std::size_t i = begin; i < std::min(end, lines.size()); ++i) {
+    const std::string text = without_comment(lines[i]);
+    if (!names(text, name)) continue;
+    if (text.size() > kLongestLine) return false;
+    const std::size_t at = text.find('=');
+    return std::regex_search(
+               text, std::regex("&\\s*" + name + "\\b|\\b" + name + R"((\s*\[[^\]]*\])?\s*=(?!=))")) &&
+           (at == text.npos || !names(text.substr(at), name));
+  }
+  return false;
+}
+
 /// Returns the function that contains the line `at`, counted from 0; empty if unknown.
 std::string function_at(const std::vector<std::string>& lines, std::size_t at) {
   static const std::regex head(R"((?:[A-Za-z_][\w:<>]*[\s*&]+)*([A-Za-z_]\w*)\s*\(.*\{.*)");
@@ -207,8 +223,10 @@ result::Cause SourceText::without_value_in(const std::deque<result::SourceLine>&
     for (auto i = static_cast<std::size_t>(where.line) - 1; i-- > 0 && i < lines.size();) {
       const std::string text = without_comment(lines[i]);
       const std::set<std::string> declared = without_value(text);
-      if (std::any_of(used.begin(), used.end(),
-                      [&](const std::string& name) { return declared.contains(name); }))
+      if (std::any_of(used.begin(), used.end(), [&](const std::string& name) {
+            return declared.contains(name) &&
+                   !assigns_first(lines, i + 1, static_cast<std::size_t>(where.line), name);
+          }))
         add(found, {"", where.file, static_cast<int>(i) + 1}, kMostWithoutValue);
       if (opens_function(text) || (!text.empty() && text[0] == '}')) break;
     }
@@ -304,7 +322,7 @@ const std::vector<std::string>& SourceText::lines_of(const std::string& file) {
 
 // Skips missing files. A sketch can claim any file name with #line. Therefore also skips files outside of the
 // area that build::reach_of() permits, even if a link leads to them. The area of an untrusted sketch is its
-// folder. For a library, the image contains only "libraries/NAME/...".
+// folder. Of a library's path, the image contains only "libraries/NAME/...".
 std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
   std::vector<fs::path> paths;
   if (file.is_absolute() || std::find(file.begin(), file.end(), "..") != file.end()) return paths;

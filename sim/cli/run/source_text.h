@@ -24,8 +24,8 @@ class SourceText {
   std::string line(const result::SourceLine& where);
   /// Removes lines without information, except the first line of a cause. Adds facts from the source that
   /// instructions do not show:
-  /// - writers of the `volatile` variables that the lines read, and uses of these writers' names
-  ///   (attachInterrupt());
+  /// - functions that write the `volatile` variables in these lines, and lines with these functions' names,
+  ///   such as attachInterrupt() calls;
   /// - local variables that are declared without a value;
   /// - constants and objects that the lines or their declarations name, also in files of the same folder.
   void explain(std::vector<result::Cause>& chain);
@@ -34,7 +34,7 @@ class SourceText {
   const std::vector<std::string>& lines_of(const std::string& file);
   std::vector<std::filesystem::path> paths_of(const std::filesystem::path& file) const;
   std::string file_that_declares(const std::string& name, const std::string& file);
-  /// Returns the headers, and the sketch's tabs, that are in the same folder as a file.
+  /// Returns the headers and the .ino files in the folder of a file.
   const std::vector<std::string>& beside(const std::string& file);
   /// Returns constants and objects outside functions, with their lines.
   const std::multimap<std::string, int>& declarations_in(const std::string& file);

@@ -31,8 +31,8 @@ class Progressed final : public cells::MoveWatcher {
 };
 
 /// Runs `work` in a child process. `work` receives the shared memory, prints its output and returns the exit
-/// status. Returns 1 if the child dies, exits by itself, or makes no move in 5 s of processor time. In these
-/// cases, supervise() also writes a sentence about `name` to standard error.
+/// status. Returns 1 if the child crashes, exits before `work` returns, or makes no move in 5 s of processor
+/// time. In these cases, also writes a sentence to standard error; `name` is its subject.
 int supervise(const std::string& name, const std::function<int(Progressed&)>& work);
 
 }  // namespace robosim::cli

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 
 #include "sim/base/terminal_text.h"
+#include "sim/campaign/rerun/sanitizer_rerun.h"
 #include "sim/cli/launching.h"
 #include "sim/cli/output.h"
 #include "sim/cli/run/source_text.h"
@@ -18,11 +21,10 @@ namespace {
 
 constexpr std::size_t kMostLines = 10, kMostFindings = 3;
 
-/// Returns whether the lines of a link ran at the link's time. Returns false if they ran long before, or
-/// never.
+/// Returns whether the lines of a cause ran at its time. Returns false if they ran long before, or never.
 bool is_live(const result::Cause& cause) { return cause.t_s > 0.0 && cause.text != result::kSetBefore; }
 
-/// Keeps the most direct lines of a chain: the first line of each link, then the other lines of live links,
+/// Keeps the most direct lines of a chain: the first line of each cause, then the other lines of live causes,
 /// then the rest. Returns the number of removed lines.
 std::size_t keep_direct(std::vector<result::Cause>& chain) {
   std::size_t all = 0, room = kMostLines;
@@ -41,8 +43,20 @@ std::size_t keep_direct(std::vector<result::Cause>& chain) {
   return all - kMostLines;
 }
 
-std::string chain_text(result::RunResult result, SourceText& source, bool shows_all) {
+/// Moves the sketch's own lines of each cause before those of libraries.
+void put_own_first(std::vector<result::Cause>& chain, const std::string& folder) {
+  const auto is_own = [&](const result::SourceLine& line) {
+    std::error_code none;
+    return std::filesystem::exists(std::filesystem::path(folder) / line.file, none);
+  };
+  for (result::Cause& cause : chain) std::stable_partition(cause.lines.begin(), cause.lines.end(), is_own);
+}
+
+std::string chain_text(result::RunResult result, SourceText& source, const std::vector<std::string>& unset,
+                       bool shows_all) {
   std::string text = fmt::format("{}: {}\n", result.verdict, in_one_line(result.why));
+  for (std::size_t i = 0; i < std::min(unset.size(), kMostFindings); ++i)
+    text += fmt::format("\n{}\n", unset[i]);
   for (std::size_t i = 0; i < std::min(result.detected.size(), kMostFindings); ++i)
     text += fmt::format("\ndetected: {}\n", result::text_of(result.detected[i]));
   if (result.because.empty()) return text;
@@ -80,11 +94,12 @@ int why_command(const WhyArguments& arguments) {
   SourceText source(run.sketch.folder, {run.wanted.libraries.begin(), run.wanted.libraries.end()},
                     !arguments.run.untrusted);
   source.explain(result.because);
+  put_own_first(result.because, run.sketch.folder);
   if (arguments.run.json)
     print(
         launch::run_json(launch::inputs_of(run, runner.hello().version), result, std::nullopt, std::nullopt));
   else
-    print(chain_text(result, source, arguments.all));
+    print(chain_text(result, source, campaign::unset_variables(run.wanted, result), arguments.all));
   return result.status;
 }
 

@@ -20,7 +20,8 @@ int serve_command(const ServeArguments& arguments) {
   if (!fs::exists(program))
     throw ToolMissing("robosim serve was not built: install libcpp-httplib-dev and build Robosim again");
   const std::string port = std::to_string(arguments.port);
-  const char* wrapper = std::getenv("ROBOSIM_WRAPPER");  // in a checkout, this script builds missing runners
+  // In a checkout, the script `robosim` sets this to its own path. It builds missing programs before a run.
+  const char* wrapper = std::getenv("ROBOSIM_WRAPPER");
   const std::string robosim = wrapper ? wrapper : fs::read_symlink("/proc/self/exe").string();
   ::execl(program.c_str(), program.c_str(), folder.c_str(), arguments.address.c_str(), port.c_str(),
           robosim.c_str(), nullptr);

@@ -91,7 +91,7 @@ std::vector<std::string> line_of(const std::vector<std::string>& names, const Co
   return line;
 }
 
-// Returns a line with the totals of each sketch that has several combinations.
+// Returns a line of totals for each sketch that has several combinations.
 Lines totals(const campaign::SweepPlan& plan, const std::vector<Counts>& counts, bool scored) {
   std::vector<std::string> sketches;  // in the table's order
   std::map<std::string, std::vector<std::size_t>> places;
@@ -143,8 +143,8 @@ std::string failures_text(const campaign::SweepPlan& plan, std::size_t combinati
   return text;
 }
 
-/// Reports whether the success rate meets --min-rate, if the runs decide this. Also reports whether the runs
-/// prove the rate in general.
+/// Reports whether the success rate meets --min-rate, if enough runs were made to decide. Adds a hint if the
+/// rate is met, but the runs do not prove it in general.
 std::string demand_text(const campaign::SweepOptions& options, const campaign::SweepPlan& plan,
                         const std::vector<analysis::Tally>& tallies) {
   const analysis::Demand demand = *campaign::demand_of(options);
@@ -210,7 +210,7 @@ std::string sweep_report(const campaign::SweepOptions& options, const campaign::
     counts.push_back(of);
     failed += failures_text(plan, i, tallies.back(), failures, outcomes);
   }
-  if (!options.stop_early) {  // it would give some combinations fewer runs than others
+  if (!options.stop_early) {  // an early stop gives some combinations fewer runs than others
     const Lines sums = totals(plan, counts, scored);
     lines.insert(lines.end(), sums.begin(), sums.end());
   }

@@ -95,8 +95,8 @@ Drafted drafted_on(const std::string& target, const WireArguments& arguments, co
   return {std::move(draft), std::move(trials)};
 }
 
-// Drafts on the given target. Without --target, drafts on the host, or on the AVR if the sketch compiles only
-// there.
+// Drafts the robot with runs on the given target. Without --target, runs on the host, or on the AVR if the
+// sketch compiles only for it.
 Drafted drafted(const WireArguments& arguments, const BoardSpec& board) {
   if (!arguments.target.empty()) return drafted_on(arguments.target, arguments, board);
   try {

@@ -5,7 +5,7 @@
 
 namespace robosim::cli {
 
-/// Returns the process's exit status: 0 if a draft was made, good or bad. Throws the errors of `run`.
+/// Returns the process's exit status: 0 if a draft was made, good or bad. Throws the errors of run_command().
 int wire_command(const WireArguments& arguments);
 
 }  // namespace robosim::cli

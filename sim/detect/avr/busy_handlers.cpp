@@ -54,9 +54,8 @@ void BusyHandlers::end_window(Cycle at) {
               "interrupt handlers took {:.0f} % of the processor's time, so that the sketch hardly ran, "
               "and millis() may have stood still: {:.0f} % in one handler",
               percent(all), percent(*most)),
-          "Let the interrupt come less often, for example by a longer period of its timer, or let its "
-          "handler "
-          "do less.",
+          "Make the interrupt less frequent, for example by a longer period of its timer, or shorten its "
+          "handler.",
           begin ? handler(program_.debug.place(*begin)) : SourceLine{},
           static_cast<double>(began_) / program_.machine.chip().clock_hz(),
           0};

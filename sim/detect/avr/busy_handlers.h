@@ -6,8 +6,8 @@
 // (DS40002061B, 7.7). Handlers with a higher vector number, such as the handler of millis(), may then never
 // run.
 //
-// A finding is a time of 0.5 s in which handlers took 70 % of the processor's time or more. The finding names
-// the handler that took the most. The time of a handler includes the handlers that interrupt it.
+// A finding is a window of 0.5 s in which handlers took 70 % of the processor's time or more. The finding
+// names the handler that took the most. The time of a handler includes the handlers that interrupt it.
 #pragma once
 
 #include <cstdint>

@@ -94,7 +94,7 @@ void FirmwareActions::called(const Function& function) {
     return bytes;
   };
   const auto caller = [&] {
-    return program_.debug.place(function.entry.is_inlined ? function.entry.address : call_site(cpu_));
+    return program_.debug.place(function.entry.is_inlined ? function.entry.address : caller_of(function));
   };
   constexpr std::size_t kByte = 1, kInt = 2, kLong = 4;
   const std::optional<std::int64_t> first = value(0, function.kind == Kind::delay ? kLong : kByte),
@@ -102,6 +102,26 @@ void FirmwareActions::called(const Function& function) {
   if (!first || (function.kind == Kind::analog_write && !second)) return;
   tell(function.kind, *first, function.kind == Kind::analog_write ? static_cast<std::int16_t>(*second) : 0, 0,
        caller);
+}
+
+std::uint32_t FirmwareActions::caller_of(const Function& function) const {
+  using robosim::avr::Op;
+  const std::uint32_t site = call_site(cpu_), last = site / 2, words = cpu_.chip().flash_bytes / 2;
+  const std::uint32_t call = last > 0 && cpu_.instruction(last - 1).op == Op::call ? last - 1 : last;
+  const Op op = cpu_.instruction(call).op;
+  if (op != Op::call && op != Op::rcall) return site;
+  // If the call instruction calls another function, that function has ended with a jump to this one.
+  std::uint32_t pc = robosim::avr::target_of(cpu_.instruction(call), call, words);
+  const std::uint32_t entry = function.entry.address / 2;
+  if (pc == entry) return site;
+  const std::string other = program_.debug.place(2 * pc).function;
+  for (; 2 * pc < program_.firmware.code_end; pc += cpu_.instruction(pc).words) {
+    const Instruction& i = cpu_.instruction(pc);
+    if (program_.debug.place(2 * pc).function != other) break;
+    if ((i.op == Op::jmp || i.op == Op::rjmp) && robosim::avr::target_of(i, pc, words) == entry)
+      return 2 * pc;
+  }
+  return site;
 }
 
 void FirmwareActions::stored(const Store& store, std::uint8_t value) {

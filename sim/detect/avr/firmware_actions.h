@@ -46,6 +46,9 @@ class FirmwareActions final : public ChipDetector {
   void find_stores();
   void converted(int pin, double error);
   void called(const Function& function);
+  /// Returns the flash address of the instruction that called the function, or that jumped to it at the end
+  /// of another function.
+  std::uint32_t caller_of(const Function& function) const;
   void stored(const Store& store, std::uint8_t value);
   void tell(FirmwareAction::Kind kind, int64_t first, int64_t second, int64_t third,
             const std::function<SourceLine()>& where);

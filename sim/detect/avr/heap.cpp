@@ -144,8 +144,8 @@ std::optional<Detected> Heap::growth() const {
   Detected seen;
   seen.detector = result::detector("heap_grows");
   seen.what = fmt::format(
-      "the heap has grown by {} bytes, {:.0f} each second, and keeps growing: in about {:.0f} s it meets the "
-      "stack",
+      "the heap has grown by {} bytes, {:.0f} each second, and keeps growing: it will reach the stack in "
+      "about {:.0f} s",
       grown, rate, left / rate);
   seen.mend =
       "Print a text instead of storing it, or store it in a char array of fixed size; reserve() once, in "

@@ -6,16 +6,17 @@
 // The chip has 2 KB of RAM. Growth in each pass fills the RAM within a minute, although not in a short test
 // on the bench. Then malloc() fails, a String silently becomes empty, and `new` returns a null pointer.
 // Alternatively the stack grows into the heap, and a function returns to an invalid address. A freed block
-// leaves a hole between used blocks. The hole fits only allocations of at most its size. A fragmented heap
-// (strings of many lengths, some freed, some not) therefore grows although enough bytes are free.
+// leaves a hole between used blocks. Only allocations of at most its size fit into the hole. A fragmented
+// heap (strings of many lengths, some freed, some not) therefore grows although enough bytes are free.
 //
-//   heap_grows      after the first second, the heap's end has risen three times in each third of the run
-//   heap_in_pieces  heap_grows does not apply. After the first second, the heap's end has risen three times
+//   heap_grows      after the first second, the heap's end has risen three times in each third of the run, by
+//                   at least 8 bytes in each third
+//   heap_in_pieces  only without heap_grows. After the first second, the heap's end has risen three times
 //                   although enough bytes were free, because each free piece was too small
 //   no_memory       malloc() or realloc() has failed; reports whether fragmentation was the reason
 //
-// A heap that grows only rarely is not detected. The detector does not know whether small objects will soon
-// fill the free pieces.
+// A heap that grows only rarely is not detected. Reported fragmentation may be harmless, because small
+// objects may soon fill the free pieces.
 //
 // To fix the sketch, print text without storing it, or use a buffer of fixed size (char line[32]). One
 // reserve() in setup(), and objects that are created only once, also help.

@@ -70,8 +70,8 @@ void MissedInterrupts::lost(int vector) {
       place->second, 1);
 }
 
-/// Returns the number of cycles between overflows of timer 0; 0 if the sketch has changed the core's timer
-/// mode.
+/// Returns the number of cycles between overflows of timer 0; 0 if the sketch has changed the timer mode
+/// that the Arduino core sets.
 Cycle MissedInterrupts::tick() const {
   const std::uint8_t a = cpu_.data[timer_.control];
   const std::uint8_t b = cpu_.data[timer_.control_b ? timer_.control_b : timer_.control + 1];
@@ -101,7 +101,7 @@ void MissedInterrupts::ticks_lost(std::int64_t ticks, Cycle at) {
     return jumps.size() > i && cpu_.instruction(jumps[i] / 2).op == robosim::avr::Op::reti;
   };
   const bool handler = is_return(1) || is_return(2);
-  // If the handler belongs to the core, reports the last jump in user code while the handler ran.
+  // If the handler belongs to the Arduino core, reports the last jump in user code while the handler ran.
   SourceLine where = handler ? SourceLine{} : program_.debug.place(machine_.chip().interrupted_pc());
   for (std::size_t i = is_return(1) ? 1 : 2;
        handler && where.file.empty() && i < std::min(jumps.size(), kJumpsOfHandler); ++i)

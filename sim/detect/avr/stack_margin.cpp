@@ -44,8 +44,8 @@ int StackMargin::heap_end() const {
   return std::max<int>(end, firmware_.globals_end);
 }
 
-/// Returns the last instruction and its active calls. Stops at the return address `until`, since calls
-/// further out belong to the interrupted code.
+/// Returns the addresses of the last instruction and of the active calls. Stops at the return address
+/// `until`, since calls further out belong to the interrupted code.
 StackMargin::Chain StackMargin::here(std::uint32_t until) const {
   Chain chain = {machine_.chip().last_pc()};
   machine_.stack().each_call(until, [&](const exec::avr::Stack::Call& call) {
@@ -55,7 +55,7 @@ StackMargin::Chain StackMargin::here(std::uint32_t until) const {
   return chain;
 }
 
-/// Returns the innermost line of user code in the chain; empty if the chain contains only core code.
+/// Returns the innermost line of user code in the chain; empty if it contains only the Arduino core's code.
 SourceLine StackMargin::place(const Chain& chain) const {
   for (const std::uint32_t pc : chain)
     if (const SourceLine& where = debug_.place(pc); !where.file.empty()) return where;
@@ -80,7 +80,7 @@ void StackMargin::look() {
   if (open == 0) {
     open_.clear();
     if (cpu_.interrupts_enabled()) look_at_main();
-  } else if (open == open_.size()) {  // if the numbers differ, a handler is about to start
+  } else if (open == open_.size()) {  // if the two counts differ, a handler is about to start
     look_at_handler();
   }
   await_deeper();

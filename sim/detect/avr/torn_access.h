@@ -1,5 +1,5 @@
-// Detects torn reads, torn writes and lost updates in the flashed sketch by RaceAnalysis, which explains
-// these terms (sim/exec/avr/race_analysis.h). A finding does not end the run.
+// Detects torn reads, torn writes and lost updates in the flashed sketch. Uses RaceAnalysis, whose header
+// explains these terms (sim/exec/avr/race_analysis.h). A finding does not end the run.
 #pragma once
 
 #include <vector>

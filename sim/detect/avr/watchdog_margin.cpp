@@ -20,7 +20,7 @@ constexpr int kLongestPower = std::size(kNames) - 1;
 
 double seconds_of(int power) { return kShortest_s * static_cast<double>(1 << power); }
 
-/// Suggests a fix for a timeout of this power.
+/// Suggests a fix for a timeout of kShortest_s * 2^power.
 std::string advice_for(int power) {
   return power < kLongestPower
              ? fmt::format(

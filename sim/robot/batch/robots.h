@@ -15,9 +15,9 @@
 //
 // A robot of a batch behaves like a robot::Robot with the same description, seed and number. With equal
 // commands, both have the same poses and sensor voltages, including noise, bit for bit (tests/unit/batch). A
-// batch takes less time, because its robots have no pins, no edges, and no unused parts. The arithmetic is
-// done for a block of robots at once (bodies.h). Each robot's pose is computed once for all sensors that are
-// read at the same time.
+// batch takes less time, because its robots have no pins, and no parts except motors and line sensors. The
+// arithmetic is done for a block of robots at once (bodies.h). Each robot's pose is computed once for all
+// sensors that are read at the same time.
 //
 // Robots of a batch neither detect nor touch each other.
 #pragma once
@@ -40,7 +40,7 @@ struct SensorBlock {
   Lanes at_x, at_y;  // m
   Lanes light, shift, noise, dark_noise;
   Lanes white, span, supply, adc_noise;  // V
-  Lanes share;                           // of the nominal supply
+  Lanes share;                           // supply / nominal supply
   Lanes lag;                             // ns
   world::FloorProbe probe[kLanes];
   NoiseStream stream[kLanes], adc[kLanes];

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kLongestLine = 200;
 constexpr std::size_t kMostLines = 100;            // lines waiting to be reported; each tick reports one
-constexpr SimTime kLineEnds = 200 * kMillisecond;  // a line ends without line feed after this pause
+constexpr SimTime kLineEnds = 200 * kMillisecond;  // after this pause, a line ends even without line feed
 
 constexpr FaultKind kBluetoothFaults[] = {
     {Failure::ok, "works again"},

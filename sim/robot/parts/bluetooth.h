@@ -1,8 +1,8 @@
 // type = "bluetooth": a serial module (HC-05, HC-06 and similar). A script sends lines to the sketch through
 // the module (`send bt "go\n"`). The sketch's output is reported line by line.
 //
-// serial_line.h describes the line to the board. A frame whose stop bit is low is reported as "?". 9600 baud
-// is the factory setting of such modules (HC-03/05 serial command set).
+// serial_line.h describes the serial line to the board. A frame whose stop bit is low is reported as "?".
+// 9600 baud is the factory setting of such modules (HC-03/05 serial command set).
 //
 // Not modelled: pairing, AT commands and radio transmission.
 #pragma once

@@ -24,7 +24,9 @@ std::shared_ptr<const PartSpec> read_button_keys(PartReader& reader, std::shared
   spec->active_high = reader.high("active", false);
   spec->resistor = reader.table().boolean("resistor", spec->active_high);
   spec->bounce = reader.figure("bounce", Dimension::time, {1.6e-3, 0.0}, 0.0, 0.05);
-  return reader.finish(spec);
+  const std::shared_ptr<const PartSpec> finished = reader.finish(spec);
+  for (Wire& wire : spec->wires) wire.may_float = !spec->resistor;
+  return finished;
 }
 
 std::unique_ptr<Part> ButtonSpec::make(PartContext& context) const {

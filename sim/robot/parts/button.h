@@ -28,7 +28,7 @@ class ButtonSpec : public PartSpec {
   std::unique_ptr<Part> make(PartContext&) const override;
 };
 
-/// Reads a button's keys into `spec`, which may be the spec of a part that contains a button.
+/// Reads the keys of a button's table into a spec, which may belong to a part that contains a button.
 std::shared_ptr<const PartSpec> read_button_keys(PartReader&, std::shared_ptr<ButtonSpec>);
 
 class ButtonPart : public Part, public PinSource, public Pressable, public Breakable {

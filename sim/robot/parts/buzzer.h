@@ -29,7 +29,7 @@ class BuzzerPart final : public Part, public PinWatcher {
 
   void register_with(PartRegistry&) override;
   void pin_changed(Pin, const PinDrive&, SimTime) override;
-  /// Appends the frequency of a passive buzzer in Hz, or 1 for an active buzzer that sounds; 0 = silent.
+  /// Appends a passive buzzer's frequency in Hz, or the share of time for which an active buzzer sounds.
   void read(std::vector<Reading>&) const override;
 
  private:

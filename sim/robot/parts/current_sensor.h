@@ -43,7 +43,7 @@ class CurrentSensorPart final : public Part, public PinSource, public Breakable 
 
  private:
   struct State {
-    double energy = 0.0;  // J, the body's energy at the last tick
+    double energy = 0.0;  // J, net energy that the motors have drawn up to the last tick
     double amps = 0.0;
     std::uint64_t samples = 0;
     bool dead = false;

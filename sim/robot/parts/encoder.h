@@ -53,8 +53,8 @@ class EncoderPart final : public Part, public Breakable {
 
   /// Returns floor(q) at `t`, a time inside the current tick.
   std::int64_t quarter(SimTime t) const;
-  /// Returns the first nanosecond of the tick at which quarter() is at or beyond `edge`, in the direction of
-  /// travel.
+  /// Returns the first time in the tick at which quarter() has reached or passed `edge`. `forward` is the
+  /// direction of travel.
   SimTime time_of(std::int64_t edge, bool forward) const;
   void announce(std::int64_t from, std::int64_t to);
 

@@ -1,11 +1,11 @@
 // Models the HD44780U, the controller of character displays (Hitachi data sheet ADE-207-272). A display part
-// contains this controller, and calls write() on each falling edge of E. E is wired to a pin, or to a port
-// expander.
+// contains this controller, and calls write() on each falling edge of its input E (enable). E is wired to a
+// pin, or to a port expander.
 //
 //   instruction or data   4 or 8 bits, by "function set"; with 4 bits, the high half first
-//   busy                  1.52 ms after clear and home, 37 us after any other instruction (270 kHz);
+//   busy                  1.52 ms after clear and home, 37 us after any other instruction (at 270 kHz);
 //                         meanwhile, writes are lost
-//   memory                80 characters: lines of 40, at 0x00 and 0x40
+//   memory                80 characters: two lines of 40, at addresses 0x00 and 0x40
 //
 // Modelled: clear, home, entry mode with shift, display on and off, cursor and display shift, function set,
 // set address, data. For user-defined characters (codes 0 to 7), the code is stored, not the picture. Not

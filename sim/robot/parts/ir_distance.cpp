@@ -7,7 +7,7 @@ namespace robosim::robot {
 namespace {
 
 constexpr SimTime kMeasurement = 38'300 * kMicrosecond;
-constexpr double kFarthest = 3.0;  // m: no light returns from farther away
+constexpr double kFarthest = 3.0;  // in metres; no light returns from farther away
 
 struct CurvePoint {
   double metres, volts;

@@ -1,7 +1,7 @@
 // type = "lcd": a character display whose HD44780 (hd44780.h) is wired to pins, with 4 or 8 data lines. R/W
 // is wired to a pin or to ground. Text that has stayed the same for 50 ms is reported as an event, with its
-// lines joined by "|". E must be high for at least 230 ns. A sketch that reads the busy flag (R/W high)
-// always finds the display ready.
+// lines joined by "|". A pulse on E (enable) counts if it lasts at least 230 ns. A sketch that reads the busy
+// flag (R/W high) always finds the display ready.
 //
 // Not modelled: contrast, backlight, and the first 40 ms after power-on, in which a real display ignores
 // input.

@@ -4,9 +4,9 @@
 //
 //   P0 RS    P1 R/W    P2 E    P3 backlight    P4 to P7 D4 to D7
 //
-// Data is read on E's falling edge. Text is reported as for an `lcd`. Reading returns the byte that was
-// written. Libraries for such backpacks do not read the busy flag: at 100 kHz a byte takes longer than the
-// display is busy.
+// The display reads data on E's falling edge. Text is reported as for an `lcd`. A read transfer returns the
+// last byte written. Libraries for such backpacks do not read the busy flag: at 100 kHz a byte takes longer
+// than the display is busy.
 #pragma once
 
 #include "sim/robot/parts/hd44780.h"

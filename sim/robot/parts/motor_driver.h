@@ -35,7 +35,7 @@ struct BridgeInputs {
 /// Equal forward and reverse shares hold the motor at 0 V, which brakes it.
 inline world::WheelCommand bridge_command(const DriverChip& chip, const BridgeInputs& inputs);
 
-/// Sums the share of time of each action of the chip.
+/// Adds up, for each action of the chip, the share of time for which the chip performs it.
 class BridgeShares {
  public:
   BridgeShares(const DriverChip& chip, bool phase) : chip_(chip), phase_(phase) {}

@@ -14,7 +14,7 @@ namespace robosim::robot {
 /// and left of the servo's axis, and `facing` is relative to the servo's direction.
 struct MountSpec {
   Vec2 at;              ///< m
-  double facing = 0.0;  ///< rad: 0 ahead, counter-clockwise
+  double facing = 0.0;  ///< rad, counter-clockwise; 0 = ahead
   std::string servo;    ///< name of the servo; "" = fixed to the body
   Place servo_place;    ///< place of the key `on` in the robot file
 };

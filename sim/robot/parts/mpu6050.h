@@ -1,20 +1,21 @@
 // type = "mpu-6050": gyroscope and accelerometer (InvenSense PS-MPU-6000A-00, register map RM-MPU-6000A-00).
 // The sensor lies flat on the robot, with its x axis ahead, y to the left and z up.
 //
-//   gyro         z: the robot's turn rate; x, y: a manual tilt's rate; each times scale, plus bias and noise
+//   gyro         z: the robot's turn rate; x, y: rate of its lean; each times scale, plus bias and noise
 //                131 LSB/(deg/s) at +-250, halved with each step of FS_SEL
-//   accel        x: dv/dt; y: v w; z: 1 g (in a manual tilt, gravity acts on all axes); each + bias + noise
+//   accel        x: dv/dt; y: v w; z: 1 g (during a lean, gravity acts on all axes); each + bias + noise
 //                16384 LSB/g at +-2 g, halved with each step of AFS_SEL
 //   temperature  always 25 degrees; the register holds (T - 36.53) 340
 //   bias         +-20 deg/s at most (zero rate output, 6.1), one per axis and robot
 //   scale        1 +- 3 % from profile typical@2 on (6.1), one for all axes; 1 in earlier profiles
-//   accel_bias   +-50 mg from typical@2 on (6.2; z: 80), one per axis; 0 in earlier profiles
-//   noise        0.05 deg/s RMS; 400 ug / sqrt(Hz) in 94 Hz: 3.9 mg
+//   accel_bias   +-50 mg from typical@2 on (6.2, which states 80 for z), one per axis; 0 in earlier profiles
+//   noise        gyro: 0.05 deg/s RMS; accel: 400 ug / sqrt(Hz) in 94 Hz gives 3.9 mg (mg: 0.001 g)
 //
-// v is the robot's speed, w its turn rate, and dv/dt its acceleration in the last tick. Numbers such as 6.1
-// are sections of the data sheet. The sampling rate is 8 kHz, or 1 kHz with a low-pass filter, divided by 1 +
-// SMPLRT_DIV. Each transfer returns the newest sample. After power-on the sensor is asleep (PWR_MGMT_1 =
-// 0x40) and measures nothing. Other registers store any value written.
+// v is the robot's speed, w its turn rate, and dv/dt its acceleration in the last tick. The robot leans on
+// hills and in a manual tilt. Numbers such as 6.1 are sections of the data sheet. The sampling rate is 8 kHz,
+// or 1 kHz with a low-pass filter, divided by 1 + SMPLRT_DIV. Each transfer returns the newest sample. After
+// power-on the sensor is asleep (PWR_MGMT_1 = 0x40) and measures nothing. Other registers store any value
+// written.
 //
 // Not modelled: FIFO (its count stays 0), motion processor, interrupts on pin INT, the low-pass filter,
 // vibration.

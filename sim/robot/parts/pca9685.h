@@ -22,7 +22,8 @@ std::shared_ptr<const PartSpec> read_pca9685(PartReader&);
 class Pca9685Spec final : public PartSpec {
  public:
   std::uint8_t address = 0;
-  int index = 0;  ///< number of the first Register (netlist.h); the outputs are output_pin(index, 0 .. 15)
+  /// The place of the chip's outputs in the netlist (netlist.h): output_pin(index, 0) to (index, 15).
+  int index = 0;
 
   std::unique_ptr<Part> make(PartContext&) const override;
 };

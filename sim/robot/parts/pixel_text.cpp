@@ -87,7 +87,7 @@ class Reader {
     return bits;
   }
 
-  /// Returns whether each pixel of the letter is a square with sides of `scale` pixels.
+  /// Returns whether each dot of the letter is a square with sides of `scale` pixels.
   bool is_even(int x, int y, int scale) const {
     for (int dy = 0; dy < kRows * scale; ++dy)
       for (int dx = 0; dx < kAdvance * scale; ++dx)

@@ -41,7 +41,7 @@ class PulseTrain {
   }
 
  private:
-  /// Returns the number of flips_ at or before `t`, including all before first_.
+  /// Returns the number of elements of flips_ at or before `t`, counted from the first element.
   std::size_t passed(SimTime t) const {
     const auto first = flips_.begin() + static_cast<std::ptrdiff_t>(first_);
     return static_cast<std::size_t>(std::upper_bound(first, flips_.end(), t) - flips_.begin());

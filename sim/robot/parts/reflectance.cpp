@@ -13,8 +13,8 @@ namespace {
 
 using Read = ReflectanceSpec::Read;
 
-constexpr double kLowest = 0.0005, kHighest = 0.06;  // m: limits of the height on hills
-constexpr double kBestHeight = 0.003;                // m: Pololu, QTR-8A and QTR-8RC user's guide
+constexpr double kLowest = 0.0005, kHighest = 0.06;  // in metres: the limits of the height on hills
+constexpr double kBestHeight = 0.003;                // in metres; Pololu, QTR-8A and QTR-8RC user's guide
 
 // The share of light that white returns, by height (reflectance.h). The points beyond 15 mm continue the
 // power law of 5 to 12 mm, whose exponent is -1.24.
@@ -26,8 +26,8 @@ constexpr Light kLight[] = {{0.0005, 0.64}, {0.001, 0.83}, {0.002, 0.99}, {0.002
                             {0.004, 0.89},  {0.005, 0.78}, {0.006, 0.66}, {0.008, 0.48},  {0.010, 0.36},
                             {0.012, 0.27},  {0.015, 0.20}, {0.020, 0.14}, {0.030, 0.085}};
 
-// The default footprint, relative to the height. All elements of a part share one value. Measured edges
-// suggest ratios of 0.3 and 0.97 (docs/explanation/fidelity.md).
+// The default footprint, relative to the height. All elements of a part share one value. Readings measured
+// across a line's edge suggest ratios of 0.3 and 0.97 (docs/explanation/fidelity.md).
 constexpr Parameter kSpot{2.0, 0.0, Spread{0.6, 0.36}};
 constexpr Parameter kDarkNoise{1.0, 0.0, Spread{0.4, 0.0}};
 constexpr double kLagOfRise = 0.4551196133134187;  // 1 / ln 9: tau relative to the time from 10 to 90 %

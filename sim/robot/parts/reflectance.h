@@ -54,7 +54,7 @@ struct BlacknessTerms {
   double gauss = 0.0;       ///< g
 };
 
-/// Returns the blackness: 0 for white, 1 for black; beyond both with noise or stray light.
+/// Returns the blackness: 0 for white, 1 for black. Noise and stray light can push it beyond these values.
 inline double blackness(const BlacknessTerms& q) {
   const double n = q.dark_noise + (1.0 - q.dark_noise) * q.white;
   return 1.0 - q.light * q.white * q.brightness + q.shift - q.room_light + q.noise * n * q.gauss;
@@ -145,7 +145,7 @@ class Sensor : public Breakable {
   const std::string& part() const { return part_; }
   Vec2 at() const { return state_.at; }
   void cover(bool covered) { state_.covered = covered; }
-  /// Returns the share of the footprint on the line at the start of the tick.
+  /// Returns the share of the footprint that is on the line at the start of the tick.
   double coverage() const {
     const world::Body& body = *context_.view.body;
     return body.lifted() ? 0.0 : context_.view.floor->on_line(body.pose().to_world(state_.at), state_.probe);

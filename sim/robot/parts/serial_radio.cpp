@@ -31,7 +31,7 @@ SerialRadioPart::SerialRadioPart(const SerialRadioSpec& spec, PartContext& conte
     : spec_(spec),
       radio_(*context.view.radio),
       number_(radio_.add_radio(spec.channel)),
-      // Uses at least one tick, so that reception does not depend on the order of the robots in a tick.
+      // Is at least one tick, so that reception does not depend on the order of the robots in a tick.
       delay_(
           std::max(kTick, static_cast<SimTime>(context.sampler.draw(spec.delay, spec.name, "delay") * 1e9))),
       loss_(context.sampler.draw(spec.loss, spec.name, "loss")),

@@ -1,7 +1,7 @@
 // type = "serial-radio": a wireless serial line (HC-12, APC220 and similar). Each byte that the sketch sends
 // reaches all other serial-radios on its channel after `delay`. Each of them loses the byte with the
-// probability `loss`. A script's `send` acts as another sender. serial_line.h describes the line to the
-// board.
+// probability `loss`. A script's `send` acts as another sender. serial_line.h describes the serial line to
+// the board.
 //
 // The HC-12's manual states delays of 4 to 80 ms, depending on mode and baud rate; the default of 20 ms is
 // between them. Not modelled: range, byte collisions, packets, AT commands.

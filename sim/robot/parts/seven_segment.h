@@ -1,4 +1,4 @@
-// type = "seven-segment": one digit, a light for each of its segments:
+// type = "seven-segment": one digit with a light for each segment:
 //
 //    aaa        pins a to g, and dp (the point) if it is wired
 //   f   b       common = "anode": a low pin lights its segment; "cathode": a high pin

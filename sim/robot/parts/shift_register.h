@@ -24,8 +24,8 @@ constexpr std::size_t kMostChained = 8;  ///< maximum number of registers in one
 
 std::shared_ptr<const PartSpec> read_shift_register(PartReader&);
 
-/// Checks that each `after` names a different register, and that each chain begins at pins. Throws
-/// InputError.
+/// Checks that each `after` names an existing register, and that no two registers follow the same one. Each
+/// chain must begin at pins, and have at most kMostChained registers. Throws InputError.
 void check_chains(const Description&);
 
 class ShiftRegisterSpec final : public PartSpec {

@@ -2,9 +2,10 @@
 // or 32 high, on I2C.
 //
 //   control byte   0x00: commands follow; 0x40: data follows; 0x80: one command follows; 0xC0: one data
-//                  byte follows; both are followed by another control byte
+//                  byte follows; after such a single byte, another control byte follows
 //   memory         8 pages of 128 bytes, the lowest bit of each byte on top
-//   addressing     by page (after power-on), horizontal, vertical; each wraps within its window
+//   addressing     by page (after power-on), horizontal, vertical; the last two wrap within the columns and
+//                  pages that the commands 0x21 and 0x22 set
 //
 // A picture is reported when it has changed and then stayed the same for 50 ms: "212 lit in 0,0 to 63,15: Lap
 // 2|12.4 s". The report contains the number of lit pixels, their bounding box (x and y of two corners), and

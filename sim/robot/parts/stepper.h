@@ -6,9 +6,9 @@
 //             coils cancel; without a field, the gear holds the rotor
 //   rotor     follows the field by the shorter way, at `speed` at most; a field that leads by half a period
 //             or more pulls it back, and steps are lost
-//   angle     360 degrees / `steps` per eighth, a half step; 0 at power-on
+//   angle     360 degrees / `steps` for each eighth of a period (a half step); 0 at power-on
 //
-// Sources: 28BYJ-48 data sheet (Kiatronics): 5.625 degrees / 64, idle out-traction frequency above 1000 Hz.
+// Sources: 28BYJ-48 data sheet (Kiatronics): 5.625 degrees / 64, "Idle Out-traction Frequency" above 1000 Hz.
 // The gear ratio is 63.684 : 1 (25792 / 405), so a turn has 4075.77 half steps, not 4096. Not modelled: load,
 // inertia, resonance, PWM of coils.
 #pragma once

@@ -1,9 +1,9 @@
 // type = "tcs34725": a light-to-digital converter with red, green, blue and clear channels (TAOS data sheet
 // TAOS135). The sensor and its own white LED look down at the floor.
 //
-//   command byte   0x80 | register; the next byte belongs to the next register, regardless of bit 5, since
-//                  libraries read words without that bit
-//   integration    2.4 ms (256 - ATIME); at most 1024 counts per 2.4 ms, or 65535
+//   command byte   0x80 | register; the next byte belongs to the next register, even without bit 5
+//                  (auto-increment), since libraries read words without that bit
+//   integration    2.4 ms (256 - ATIME); at most 1024 counts per 2.4 ms, and 65535 in total
 //   counts         full scale x gain (1, 4, 16, 60) x share
 //   share          on white 0.008 x (red 0.36, green 0.36, blue 0.28), on black a tenth; on other colours
 //                  in between, by their reflectance (sim/map/colour.h); clear is the sum of the three

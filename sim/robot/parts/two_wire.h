@@ -19,7 +19,7 @@ namespace robosim::robot {
 std::uint8_t read_two_wire(PartReader&, int usual_address);
 
 /// A device with registers. The first byte written is a register's number; further bytes go to that register
-/// and to the following registers. Reads begin at the register that is next in this order.
+/// and to the following registers. Reads continue at the next register in this order.
 class RegisterDevice : public TwoWireDevice {
  public:
   /// State that each device adds to the part's state.

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSound = 343.0;                      // m/s
 constexpr double kNearest = 0.02;                     // m
-constexpr SimTime kTrigger = 9500;                    // ns: 10 us, less a tolerance for the sketch's delay
+constexpr SimTime kTrigger = 9500;                    // in ns: 10 us, less a tolerance for the sketch's delay
 constexpr SimTime kBurst = 450 * kMicrosecond;        // from the trigger's end to the echo's beginning
 constexpr SimTime kNothingHeard = 38 * kMillisecond;  // timeout of the echo
 

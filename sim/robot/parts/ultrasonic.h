@@ -7,12 +7,12 @@
 //
 // d is the distance to the nearest point of a wall, obstacle, map edge or other robot in the beam. The
 // distance is measured when the trigger ends. v = 343 m/s (air at 20 degrees). The echo lasts 38 ms if
-// nothing is within 4 m; an object nearer than 20 mm counts as 20 mm. A trigger before the end of an echo is
-// ignored. With one wire, `pins = { sig }`, trigger and echo share the wire.
+// nothing is within `reach` (default 4 m). An object nearer than 20 mm counts as 20 mm. A trigger before the
+// end of an echo is ignored. With `pins = { sig }`, trigger and echo share one wire.
 //
-// Sources: Elecfreaks' data sheet (10 us, 8 periods, 2 cm to 4 m, 15 degrees, 3 mm). The data sheet states
-// neither the time before the echo rises nor the 38 ms. Users of modules measured both: 0.25 to 0.5 ms
-// (clones 2.3 ms), and 38 to 200 ms.
+// Sources: Elecfreaks' data sheet (trigger of 10 us, burst of 8 periods, range of 2 cm to 4 m, beam of 15
+// degrees, accuracy of 3 mm). The data sheet states neither the time before the echo rises nor the 38 ms.
+// Users of modules measured both: 0.25 to 0.5 ms (clones 2.3 ms), and 38 to 200 ms.
 //
 // Not modelled: echoes that oblique walls deflect, soft objects, and other robots' sound.
 #pragma once

@@ -2,8 +2,8 @@
 // usual libraries need. Its registers are not documented; their meaning is derived from ST's own driver.
 //
 //   0xC0 to 0xC2   model and revision: 0xEE, 0xAA, 0x10
-//   0x00           bit 0 starts a measurement, and always reads 0; 0x02 and 0x04 repeat measurements
-//   0x13           bits 0 to 2: a measurement is ready; 0x0B clears them
+//   0x00           bit 0 starts a measurement, and always reads 0; bits 1 and 2 start repeated measurements
+//   0x13           bits 0 to 2: a measurement is ready; a write to 0x0B clears them
 //   0x1E, 0x1F     the last result, mm; 8190 if nothing is near
 //   0x83           never 0, since the driver's start-up waits until this register is not 0
 //

@@ -1,8 +1,7 @@
-// type = "voltage": a constant voltage on a pin: a battery divider, a potentiometer, a jumper.
+// type = "voltage": an analog voltage on a pin: a battery divider, a potentiometer, a jumper.
 //
-// The voltage is `volts`, or `share` times the battery's voltage ([motors] supply), plus normal noise with
-// the standard deviation `noise`. The sum is limited to the range from 0 to the board's
-// supply.
+// The voltage is `volts`, or `share` times the battery's present voltage, plus normal noise with the standard
+// deviation `noise`. The sum is limited to the range from 0 to the board's supply.
 #pragma once
 
 #include "sim/base/noise.h"

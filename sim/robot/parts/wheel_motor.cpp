@@ -5,7 +5,7 @@ namespace {
 
 constexpr FaultKind kMotorFaults[] = {
     {Failure::ok, "works again"},
-    {Failure::dead, "a lead is off: the motor turns freely"},
+    {Failure::dead, "a lead is disconnected: the motor turns freely"},
     {Failure::weak, "it gets this share of its voltage, such as 0.8 or 80%", FaultKind::Argument::number, 0.0,
      1.0},
     {Failure::reversed, "its leads are swapped"},

@@ -9,7 +9,7 @@
 // RRGGBB per LED, when they have changed and then stayed the same for 50 ms.
 //
 // Only firmware on an emulated chip can make such short pulses in loops. On the target host, the replacement
-// of the Adafruit_NeoPixel library (hal/libraries) makes the pulses.
+// for the Adafruit_NeoPixel library (hal/libraries) makes the pulses.
 #pragma once
 
 #include "sim/robot/part.h"

@@ -4,12 +4,12 @@
 // - Power. The board's regulator gives the chip min(supply, battery - regulator_drop_volts). Below
 //   brown_out_volts, the chip is held in reset; it restarts when the voltage rises again. The BoardSpec
 //   contains both values. If even the healthy battery gives the chip less than brown_out_volts, or less than
-//   kLogicKeeps, the board must have another supply. In that case no sag resets the chip.
+//   kLogicKeeps, the board must have a supply other than this battery. In that case no sag resets the chip.
 // - Serial. Loses, doubles or corrupts bytes on their way to the firmware. A hash of (seed, number of the
 //   byte) selects the affected bytes.
 // - EEPROM. Writing a byte takes kEepromWriteTime. After a power failure in that time, the byte may have any
-//   value; the script selects the value. A used chip contains another sketch's bytes: each byte is a hash of
-//   (seed, address).
+//   value; the script selects the value. The fault `eeprom used` fills the EEPROM with bytes as if another
+//   sketch had left them: each byte is a hash of (seed, address).
 #pragma once
 
 #include <cstdint>
@@ -28,11 +28,11 @@
 
 namespace robosim::scenario {
 
-constexpr double kLogicKeeps = 2.0;  ///< V: with a lower supply, a 74HC's registers lose their state
-/// V: below this supply, an AVR is off. This is the typical V POT for a falling supply; the range is 0.6 to
-/// 1.6 V (data sheet 8025I of the ATmega48P to 328P, table 26-3). RAM is assumed to keep its content down to
-/// this voltage. No retention voltage was found for an ATmega328P; for an ATmega164P it is 50 mV (7674F,
-/// 26.4).
+constexpr double kLogicKeeps = 2.0;  ///< V; below this supply, a 74HC595 loses its state
+/// V; below this supply, an AVR is off. The value is the typical power-on reset threshold for a falling
+/// supply; the range is 0.6 to 1.6 V (data sheet 8025I of the ATmega48P to 328P, table 26-3). RAM is assumed
+/// to keep its content down to this voltage. The voltage that RAM needs is 50 mV in an ATmega164P (7674F,
+/// 26.4); for an ATmega328P, no value was found.
 constexpr double kPowerOnReset = 1.3;
 
 /// The faults that a script can request, parsed and checked. A default-constructed fault represents the
@@ -119,7 +119,7 @@ class BoardFaults final : EepromWatcher {
     SimTime changed = 0;       ///< when `powered` last changed
     int resets = 0;            ///< number of resets because of low voltage
     bool browned_out = false;  ///< the chip is off because of low voltage
-    SimTime recovered = 0;     ///< when the chip last ran again after low voltage
+    SimTime recovered = 0;     ///< when the chip last restarted after low voltage
     bool was_gone = false;  ///< the supply was off after the chip last ran, so the next start is a power-on
     std::uint64_t boots = 1;
     double chip_volts = 0.0;  ///< V, supply voltage of the chip

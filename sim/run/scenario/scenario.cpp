@@ -85,14 +85,14 @@ void parse_obstacle(ScriptLine& line, Action& action) {
   action.duration = line.optional_duration();
 }
 
-// Parses paint X,Y X,Y [for TIME], and erase.
+// Parses paint X,Y X,Y [for TIME], or erase with the same arguments.
 void parse_paint(ScriptLine& line, Action& action) {
   action.text = line.take("the cell where it begins, as X,Y").text;
   action.text += " " + line.take("the cell where it ends, as X,Y").text;
   action.duration = line.optional_duration();
 }
 
-/// Parses one of two words. `what` names the object that has this state.
+/// Parses the state of an object, which is one of two words. `what` names the object.
 void parse_state(ScriptLine& line, Action& action, const char* what, const char* one, const char* other) {
   action.part = line.take(fmt::format("{} or {}", one, other).c_str()).text;
   if (action.part != one && action.part != other)
@@ -166,7 +166,8 @@ void parse_tilt(ScriptLine& line, Action& action) {
   if (action.period < kTick) line.refuse("the tilt is too fast: expected at least 1ms after \"in\"");
   if (*action.duration < 2 * action.period)
     line.refuse(
-        "the duration is too short: a tilt goes over and back, each in the time after \"in\" (500ms if it is "
+        "the duration is too short: a tilt goes there and back, each in the time after \"in\" (500ms if it "
+        "is "
         "not given)");
 }
 

@@ -40,11 +40,11 @@ struct Trigger {
 /// bits set), then clears bits, so that the byte may have any value.
 struct HalfWritten {
   enum class Kind { done, before, value };
-  Kind kind = Kind::done;  ///< done: the new content, since the write finishes; before: the old content
+  Kind kind = Kind::done;  ///< done: the write finishes, with the new content; before: the old content
   std::uint8_t value = 0xFF;
 };
 
-constexpr double kObstacleRadius = 0.033;  ///< m: a drinks can of 330 ml
+constexpr double kObstacleRadius = 0.033;  ///< m, the radius of a drinks can of 330 ml
 
 /// The action of a step.
 struct Action {
@@ -77,8 +77,8 @@ struct Action {
   std::string text;
   std::string to;                   ///< for obstacle: the cell to which the obstacle moves; empty = no move
   SimTime held = 0;                 ///< for send to a remote control: how long its key is held down
-  double radius = kObstacleRadius;  ///< m, for obstacle: its radius
-  double reach = 0.0;               ///< m, for sweep: the distance to each side
+  double radius = kObstacleRadius;  ///< in metres; for obstacle: its radius
+  double reach = 0.0;               ///< in metres; for sweep: the distance to each side
   SimTime period = 0;        ///< duration of a sweep's cycle, of tilting, or of an obstacle's move to `to`
   double angle = 0.0;        ///< rad, for tilt: the angle
   Vec2 side;                 ///< for tilt: the side that goes down, a unit vector in the robot's frame

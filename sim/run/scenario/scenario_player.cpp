@@ -184,7 +184,8 @@ void ScenarioPlayer::end_what_is_over(SimTime t, judge::Events& events) {
   }
 }
 
-// Keeps a button pressed, or a sensor covered, until the last finger leaves.
+// Notes a finger that presses or covers a part until `due`. The verb `release` removes all fingers from a
+// button.
 void ScenarioPlayer::note_finger(const Action& action, const Moment& due) {
   if (action.verb == Action::Verb::release) {
     const auto all = state_.fingers.extract("press " + action.part);

@@ -35,7 +35,7 @@ struct Stage {
   exec::Executor& executor;
   std::uint64_t seed;
   std::uint32_t number;  ///< number of the robot in its world
-  Profile profile;       ///< `ideal` uses the middle of each spread in a script
+  Profile profile;       ///< with `ideal`, each value with a spread gets the middle of its spread
 };
 
 /// Limits of a script, which bound the cost of a tick. kMostSteps limits the number of steps. kMostAwaited
@@ -59,13 +59,13 @@ class ScenarioPlayer {
     if (next_act(t) <= t) act_now(t, progress, events);
   }
   /// Returns the time of the next action. Steps that are added later may be due earlier. Returns the current
-  /// time `t` if an action is possible at any time.
+  /// time `t` if an action may be due in any tick.
   SimTime next_act(SimTime t) const {
     if (!state_.awaiting.empty() || state_.sweep || state_.tilt || changes_.go_on()) return t;
     return std::min(state_.timed.empty() ? kNever : state_.timed.begin()->first.first,
                     state_.undo.empty() ? kNever : state_.undo.begin()->first.first);
   }
-  /// Sets the voltage of a [battery], which sags and recovers by itself, at the beginning of a tick.
+  /// Sets the voltage that a [battery] supplies, at the beginning of a tick. It sags and recovers by itself.
   void feed(double volts, SimTime t, judge::Events& events);
   /// Receives a text that a part shows or sends to people.
   void hear(const robot::PartText& told);
@@ -104,7 +104,8 @@ class ScenarioPlayer {
     Due<Pending> timed;
     std::vector<Pending> awaiting;  ///< steps that wait for an event, in the script's order
     Due<Undo> undo;
-    /// For each subject: the key in `undo` that a later action on the same subject cancels.
+    /// For each result of subject_of(): the key in `undo` of the last action's end. A later action with the
+    /// same result cancels this end.
     std::map<std::string, Moment> lasting;
     /// For each result of finger_of(): the fingers on the part. Each finger is a key in `undo`, with the time
     /// at which the finger leaves. If that time is kNever, the finger stays, and `undo` has no such key.
@@ -137,8 +138,7 @@ class ScenarioPlayer {
   result::RunEvent::What perform(const Action& action, const std::optional<ReadFault>& fault, SimTime t);
   result::RunEvent::What break_or_repair(const Action& action, const ReadFault& fault, SimTime t);
   result::RunEvent::What switch_power(const Action& action, SimTime t);
-  /// Undoes an action of limited duration. Returns nullopt for the release of a remote control's key: that
-  /// is not an event of the script, because the part itself times the release.
+  /// Undoes an action of limited duration. Returns nullopt for verbs that cannot have a duration.
   std::optional<result::RunEvent::What> end(const Undo& undo, SimTime t);
   void bring_about(const ReadFault& fault, SimTime t);
   void repair(const ReadFault& fault, SimTime t);

@@ -21,11 +21,11 @@ struct Word {
   int column = 1;
 };
 
-/// Reads the words of a line. All functions throw InputError, with the place of the word.
+/// Reads the words of a line. Reports invalid words by InputError, with the place of the word.
 class ScriptLine {
  public:
-  /// Splits the part of the line before any comment into words. `place` is the beginning of the line. For
-  /// each number with a spread ("12+-2"), `share` gives its position in the spread, -1 to 1.
+  /// Splits the line, without its comment, into words. `place` is the beginning of the line. For each number
+  /// with a spread ("12+-2"), `share` gives its position in the spread, -1 to 1.
   ScriptLine(std::string_view line, Place place, const Share& share);
   /// Returns whether the line has values with a spread.
   bool varies() const { return varies_; }

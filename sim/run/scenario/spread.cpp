@@ -21,7 +21,7 @@ struct Unit {
   Dimension dimension;
   const char* name;  ///< name of the SI unit
 };
-// The units of scripts.
+// The units in which drawn() writes numbers that are neither integers nor times.
 constexpr Unit kUnits[] = {{Dimension::length, "m"},  {Dimension::angle, "rad"}, {Dimension::voltage, "V"},
                            {Dimension::current, "A"}, {Dimension::speed, "m/s"}, {Dimension::ratio, ""}};
 
@@ -37,7 +37,7 @@ std::string drawn(const std::string& value, const std::string& spread, double sh
   const auto whole = parse_unsigned(value), wide = parse_unsigned(spread);
   if (whole && wide && *whole <= INT32_MAX && *wide <= INT32_MAX) {
     const auto most = static_cast<double>(*wide);
-    const double step = std::floor((share + 1.0) * 0.5 * (2.0 * most + 1.0)) - most;  // equally likely
+    const double step = std::floor((share + 1.0) * 0.5 * (2.0 * most + 1.0)) - most;  // uniform integer
     return fmt::format("{}", static_cast<std::int64_t>(*whole) + std::llround(std::min(step, most)));
   }
   const auto time = parse_duration_ns(value), around = parse_duration_ns(spread);

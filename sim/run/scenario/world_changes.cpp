@@ -15,8 +15,8 @@ namespace {
 using enum Action::Verb;
 
 constexpr double kErased_m = 0.005;   // width that is erased beyond each edge of the line
-constexpr double kDoorRadius = 0.01;  // m, of the discs that form a door
-constexpr double kDoorStep = 0.015;   // m, between two discs
+constexpr double kDoorRadius = 0.01;  // in metres; radius of the discs that form a door
+constexpr double kDoorStep = 0.015;   // in metres; distance between the middles of two discs
 constexpr double kLongestDoor = 5.0;  // m
 
 struct Box {

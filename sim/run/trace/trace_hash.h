@@ -1,4 +1,4 @@
-// The fingerprint of a run: two runs are equal if and only if their hashes are equal.
+// Computes the fingerprint of a run. Equal runs have equal hashes; different runs practically never do.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Draws curves over time, all in one time span. The mouse wheel with Ctrl, Alt or Shift zooms the span.
-// Dragging changes the shown time.
+// Draws curves over time. All curves show the same time span. The mouse wheel with Ctrl, Alt or Shift zooms
+// the span. Dragging changes the shown time.
 
 import { seen, series, style } from './colours.js';
 import { extent, indexAt, valueAt } from './run.js';

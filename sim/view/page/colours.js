@@ -20,7 +20,7 @@ export function more(share) {
 
 export const GRADIENT = `linear-gradient(to right, ${[0, 1, 2, 3, 4, 5, 6, 7, 8].map((i) => more(i / 8)).join(', ')})`;
 
-/** Returns the colour of a line sensor's reading: 0 = no line, 1 = only line. */
+/** Returns the colour of a line sensor's reading: 0 = only white, 1 = only black. */
 export function seen(level) {
   const mix = (from, to) => Math.round(from + Math.min(Math.max(level, 0), 1) * (to - from));
   return `rgb(${mix(255, 230)} ${mix(255, 110)} ${mix(255, 0)})`;

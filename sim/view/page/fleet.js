@@ -18,7 +18,7 @@ export function liveRunsOf(header, state) {
   return all.map((own, number) => new LiveRun({ ...shared(header), ...own }, number === 0 ? state : state.others[number - 1], number));
 }
 
-/** A list to choose one of several robots. Keys and clicks on the floor also choose. */
+/** A list to choose one of several robots. The r key and a click on the floor also choose a robot. */
 export class Chooser {
   /** `chosen(number)` is called for each choice. */
   constructor(box, runs, chosen) {

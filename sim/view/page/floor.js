@@ -20,8 +20,8 @@ export function areaOf(runs) {
   return { x, y, width: most(xs) + 150 - x, height: most(ys) + 150 - y };
 }
 
-// In a run with more samples than LONG, draws the last LATELY samples as the trail. The others become a thin
-// line.
+// In a run with more samples than LONG, draws the last LATELY samples as the trail. The other samples become
+// a thin line.
 const LONG = 30_000, LATELY = 12_000;
 // With more robots than CROWD, draws the other robots' trails for the last CROWD_S seconds only.
 const CROWD = 12, CROWD_S = 3;
@@ -45,7 +45,7 @@ export class FloorPicture {
       this.picture.onload = whenLoaded;
       this.picture.src = `data:image/png;base64,${floor.picture.png}`;
     }
-    this.lines = [];  // paths, each drawn with one pen
+    this.lines = [];  // paths, each with one width, colour and wear
     this.unseen = new Path2D();
     for (const { line: [x, y, toX, toY], arc, painted = true, width = floor.line, colour, worn = 0 } of floor.stripes) {
       const pen = this.lines.at(-1);
@@ -124,7 +124,7 @@ export class FloorPicture {
     ctx.fill(this.dark);
     this.drawAreas(floor, false);
     ctx.fillStyle = style(paint);
-    ctx.lineCap = ctx.lineJoin = 'round';  // the simulation also paints up to half a width from the path
+    ctx.lineCap = ctx.lineJoin = 'round';  // as in the simulation, which paints half a width around the path
     for (const { path, width, colour = style(paint), worn } of this.lines) {
       ctx.lineWidth = width;
       ctx.strokeStyle = colour;
@@ -165,9 +165,9 @@ export class FloorPicture {
     ctx.restore();
   }
 
-  /** Calls visit(from, to) for each segment to draw until t, with the indices of its samples. Begins at index
-   *  `first`. Skips samples that are less than a pixel apart. Returns the last segment, which ends at the
-   *  pose at t. */
+  /** Calls visit(from, to) for each segment to draw until t, with the indices of the segment's two samples.
+   *  Begins at index `first`. Skips samples that are less than a pixel apart. Returns the coordinates of the
+   *  last segment, which ends at the pose at t. */
   walk(run, t, visit, first = 0) {
     const { x_mm: x, y_mm: y } = run.columns;
     const last = indexAt(run.t, t);

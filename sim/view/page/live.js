@@ -1,5 +1,5 @@
-// Represents a run in progress, read from the lines of `robosim run --live`, and its player. A LiveRun has
-// the interface of any other Run, and its data grow.
+// Represents a run in progress (LiveRun) and its player. The data are lines from `robosim run --live`. A
+// LiveRun has the interface of any other Run, but its data grow.
 
 import { Player } from './player.js';
 import { bytesOfBase64, column } from './recording.js';
@@ -185,7 +185,8 @@ export class LivePlayer extends Player {
   }
 }
 
-/** Passes the lines of a run to its page. Redraws once per frame, and expensive parts ten times a second. */
+/** Passes the lines of a run to its page. Redraws the page once per frame, and its expensive parts only ten
+ *  times a second. */
 export class LiveFeed {
   constructor(page) {
     Object.assign(this, { page, due: false, drawn: 0, pins: false });

@@ -380,7 +380,7 @@ function complain(error) {
   if (!known) throw error;
 }
 
-/** In a page without a recording, lets the page that contains this one show a live run. That page calls
+/** Prepares this page, which has no recording, for a live run. The page that contains this one calls
  *  robosimLive(header, paused), which returns { page, feed }. */
 function awaitRun() {
   $('subtitle').textContent = 'waiting for the run …';

@@ -16,7 +16,7 @@ export function indexAt(times, t) {
 
 const extents = new WeakMap();  // caches results: an hour's values would take milliseconds in every frame
 
-/** Returns the minimum and maximum of the values and 0. */
+/** Returns the minimum and maximum of the values; 0 counts as one of them. */
 export function extent(values) {
   let known = extents.get(values);
   if (known) return known;
@@ -214,7 +214,7 @@ export function changesBy(notes) {
       end(t, (one) => one.disc && one.argument === argument);
       if (disc) add({ disc, moves });
     } else if (box) {
-      const isDoor = part !== '';  // also for the verb `restore`, which undoes a change
+      const isDoor = part !== '';  // independent of the verb, which is `restore` when a change is undone
       end(t, (one) => one.box && one.argument === argument && (one.verb === 'door') === isDoor);
       if (isDoor ? part === 'shut' : verb !== 'restore') add({ verb: isDoor ? 'door' : verb, box });
     } else if (verb === 'light' || verb === 'restore') {
@@ -237,7 +237,7 @@ export function isLit(changes, number, t) {
   return last?.on ?? true;
 }
 
-/** Returns for each sample whether a script moved the robot there. */
+/** Returns for each sample whether a script has moved the robot since the sample before. */
 function handOf(t, notes) {
   const acts = notes.filter(({ verb }) => ['place', 'lift', 'lower', 'sweep'].includes(verb));
   if (!acts.length) return undefined;

@@ -10,7 +10,7 @@ namespace {
 
 using cells::Ending;
 
-// Limits a walk or a scan: each line cell is entered at most a few times.
+// Returns a limit for the moves of a walk or a scan, which enters each line cell at most a few times.
 std::uint64_t enough_moves(const map::Map& map) { return 100 * map.cells.size() + 100'000; }
 
 map::Start start_of(const cells::CellPose& pose) { return {pose.cell, pose.facing}; }

@@ -1,4 +1,4 @@
-// Lets a session (session.h) control the simulated robot that moves from cell to cell (sim/map/cells).
+// Implements CellDriver (session.h) with the simulated robot that moves from cell to cell (sim/map/cells).
 #pragma once
 
 #include <memory>

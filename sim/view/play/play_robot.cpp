@@ -44,8 +44,8 @@ Act act_of(Algorithm algorithm) {
 
 bool begins(const std::string& text, const char* with) { return text.rfind(with, 0) == 0; }
 
-/// Matches lines after which AiNavigator waits for the user. After the first two kinds of line, AiNavigator
-/// waits for a destination. After the last kind, it waits to be put on a line for a scan.
+/// Matches output after which AiNavigator waits for the user. After the first two texts, AiNavigator waits
+/// for a destination. After the last text, it waits until the user puts the robot on a line, for a scan.
 constexpr const char* kWaits = "^(destination\\?|refused|Put me on)";
 
 class Drive {

@@ -15,7 +15,7 @@ constexpr std::size_t kMostListed = 40;  // junctions of a route
 
 constexpr const char* kTurnLetters = " (R: the first way out to the right, L: the last, S: between them)";
 
-// Formats the turns by directions on the map: "east at J1, north at J2".
+// Formats the turns as directions on the map: "east at J1, north at J2".
 std::string directions_text(const map::TrueGraph& graph, int from, const RouteReport& route) {
   std::string text;
   const map::Arm* arm = &graph.stations[static_cast<std::size_t>(from - 1)].arm;

@@ -14,7 +14,7 @@ using Kind = terminal::Press::Kind;
 constexpr double kSlowest = 0.5;  // moves per second
 constexpr double kFastest = 2000.0;
 constexpr std::int64_t kFrame_us = 1'000'000 / 30;
-// Number of moves between two checks for a signal, without a terminal or at full speed.
+// Number of moves between two checks for a key or a signal, after the user has asked to end a walk.
 constexpr std::uint64_t kLookEvery_moves = 4096;
 
 }  // namespace
@@ -111,7 +111,7 @@ std::optional<WalkReport> Session::watch(const std::string& title,
       const std::int64_t left_us = paused_ ? 200'000 : due_us_ - now;
       const terminal::Press press = console_.wait(static_cast<int>(left_us / 1000 + 1));
       if (press.kind != Kind::nothing) obey(press);
-      changed = true;  // or the terminal was resized
+      changed = true;  // a key or a resize may have changed the display
       if (single_) break;
     }
     ++moves;

@@ -48,8 +48,8 @@ fs::path place_of(const HeldFolder& folder, const std::string& name) {
   return has_ending(name, ".ino") ? fs::path(name).stem() / name : fs::path(name);
 }
 
-// Writes through open folders. So no symbolic link can lead out of the served folder, even if the link
-// appears during the write.
+// Writes through descriptors of open folders. So no symbolic link can lead out of the served folder, even if
+// the link appears during the write.
 void write_below(const HeldFolder& folder, const fs::path& place, const Offered& offered) {
   const auto foreign = [&] {
     return InputError(offered.name + " exists, but is not a regular file of this folder");

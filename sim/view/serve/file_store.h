@@ -10,7 +10,7 @@ namespace robosim::serve {
 
 /// A file that a page wants to save.
 struct Offered {
-  /// "Mine.ino", "Mine.hex", "robot.toml" or "hall.map", or a map of Choices: "./floors/hall.map"
+  /// "Mine.ino", "Mine.hex", "robot.toml" or "hall.map"; or a map in Choices::maps: "./floors/hall.map"
   std::string name;
   std::string text;      ///< content; the bytes of an image
   bool replace = false;  ///< replaces an existing file
@@ -27,7 +27,7 @@ struct IsThere {
 /// such as "./Mine/Mine.ino". Throws InputError for other names, for invalid text, and for an invalid map.
 std::string keep(const HeldFolder& folder, const Offered& offered);
 
-/// Returns the text of a map of Choices. Throws InputError.
+/// Returns the text of the map `name` in Choices::maps (folder.h). Throws InputError.
 std::string map_text(const HeldFolder& folder, const std::string& name);
 
 /// Returns the floor of a map's text, as JSON (docs/reference/recordings.md). Throws InputError with the map

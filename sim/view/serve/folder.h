@@ -15,8 +15,8 @@ struct Choices {
   std::vector<std::string> sketches, robots, maps;
 };
 
-/// Reads the folder again, three levels deep. Skips hidden files, and does not follow symbolic links out of
-/// the folder. Returns at most 500 names of each kind.
+/// Reads the folder on each call, three levels deep. Skips hidden files, and does not follow symbolic links
+/// out of the folder. Returns at most 500 names of each kind.
 Choices choices_in(const HeldFolder& folder);
 /// Returns whether a file with this name is firmware for a chip, built by another tool (.hex or .elf).
 bool is_image(const std::string& name);

@@ -1,5 +1,5 @@
-// Runs the simulations that the web page of `robosim serve` requests. Each one is a `robosim run` of its own,
-// whose replay page is stored for the browser. A run that is watched live is a `robosim run --live`.
+// Runs the simulations that the web page of `robosim serve` requests. Each simulation is a separate process
+// `robosim run`, or `robosim run --live` if it is watched live. Its replay page is stored for the browser.
 #pragma once
 
 #include <atomic>

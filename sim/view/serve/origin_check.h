@@ -1,4 +1,4 @@
-// Decides which requests are answered at all. A page of another site can make a user's browser send requests
+// Decides which requests are answered. A page of another site can make a user's browser send requests
 // to `robosim serve`. Such a page can neither read the answers nor choose these headers:
 //
 //   Host             must be this server; otherwise another site's name leads here (DNS rebinding)
@@ -24,7 +24,7 @@ namespace robosim::serve {
 /// The relevant headers of a request; "" = missing.
 struct RequestHead {
   std::string method;
-  std::string path;  ///< unchanged, with percent signs
+  std::string path;  ///< not decoded: may contain percent signs
   std::string host;
   std::string origin;
   std::string fetch_site;

@@ -19,13 +19,13 @@ class RequestDeadline {
   struct Connection;
 
  public:
-  /// `port` is the server's port. A client that needs more than `most` receives `answer`, and its connection
+  /// `port` is the server's port. A client that needs longer than `most` gets `answer`, and its connection
   /// is closed.
   RequestDeadline(int port, std::chrono::milliseconds most, std::string answer);
   ~RequestDeadline();
 
-  /// Finds the connection that the HTTP library has just accepted: the library does not pass on the socket.
-  /// Returns null if the connection is already closed.
+  /// Finds the connection that the HTTP library has just accepted, because the library does not provide its
+  /// socket. Returns null if the connection is already closed.
   Connection* accepted();
   /// Answers a connection's request by calling `work`, in this thread. The time limit starts now.
   void answer(Connection* connection, const std::function<void()>& work);

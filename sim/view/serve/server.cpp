@@ -29,8 +29,8 @@ using httplib::Response;
 
 constexpr std::size_t kLongestBody = 256 * 1024;
 constexpr std::size_t kLongestImage = 3 * 1024 * 1024;  // about 2 MB, in base64
-constexpr const char* kFiles = "/api/file";             // path that accepts files of this size
-constexpr std::size_t kLongestRequest = 4000;           // bytes, to a watched run
+constexpr const char* kFiles = "/api/file";             // path that accepts such images
+constexpr std::size_t kLongestRequest = 4000;           // bytes of a request to a watched run
 constexpr std::size_t kThreads = 64;                    // each waits for one client
 constexpr std::uintmax_t kBlock = 4096;                 // bytes in a block of a disk
 constexpr int kUsualPort = 8080;
@@ -113,9 +113,9 @@ int number_of(std::string_view name) {
   return whole ? number : 0;
 }
 
-/// A pool of threads, each of which answers a connection within its time limit. In some releases of the
-/// library, enqueue() returns whether there was room; in others, it returns nothing. The library's own pool
-/// may be a final class.
+/// A pool of threads, each of which answers a connection within its time limit. The result of enqueue() is
+/// bool or void, depending on the library's release. The library's own pool is a member, because it may be a
+/// final class.
 class Threads : public httplib::TaskQueue {
  public:
   explicit Threads(RequestDeadline& deadline) : deadline_(deadline), pool_(kThreads) {}
@@ -161,8 +161,9 @@ struct Server::Impl {
         origin_check(settings.address, port, is_loopback(settings.address) ? "" : random_token()),
         deadline(port, settings.deadline, too_slow(settings.deadline)) {
     http.new_task_queue = [this] { return new Threads(deadline); };
-    // The library does not read the body of a refused request, and would treat this body as the next request.
-    // So another site's page could put a request into a body, with headers that the page itself may not send.
+    // Serves one request per connection. The library does not read the body of a refused request, and would
+    // treat this body as the next request. So another site's page could put a request into a body, with
+    // headers that the page itself may not send.
     http.set_keep_alive_max_count(1);
     http.set_logger([this](const Request& request, const Response&) {
       if (request.body.empty() && has_body(request)) deadline.read_away();
@@ -377,7 +378,7 @@ void Server::serve() {
   if (!impl_->stopped) impl_->http.listen_after_bind();
   impl_->serving = false;
 }
-// Waits until the library listens, because the library ignores an earlier stop().
+// Waits until the library listens, because it ignores a call of its stop() before that.
 void Server::stop() {
   impl_->stopped = true;
   impl_->jobs.end();

@@ -1,6 +1,6 @@
 // `robosim serve`: serves the page for a folder by HTTP.
 //
-//   GET  /                    the page; /bench.css, /bench.js, /watch.js, /editor.js
+//   GET  /                    the page; its files have their own paths, such as /bench.js
 //   GET  /api/folder          the choices: sketches, robots and maps (folder.h)
 //   POST /api/run             runs a request; the answer is a line of JSON for each piece of output,
 //                             {"say": "…"}, and at its end {"done": {"status", "recording", "sentence"}}
@@ -11,7 +11,7 @@
 //   POST /api/live/N          sends a request to run N: {"id": 1, "do": "pause"}
 //   POST /api/map             {"name"}: a map's text
 //   POST /api/floor           {"text"}: the floor of a map's text, or its error
-//   POST /api/file            {"name", "text", "replace"}: writes a sketch, robot or map (file_store.h)
+//   POST /api/file            {"name", "text" or "base64", "replace"}: writes a file (file_store.h)
 //   GET  /live.html           the page of a run, without the run's data
 #pragma once
 
@@ -28,7 +28,7 @@ struct Settings {
   std::filesystem::path folder;
   std::filesystem::path robosim;               ///< the program
   std::string address = "127.0.0.1";           ///< to listen on; if not loopback, a token is required
-  int port = 0;                                ///< 0 = 8080, or any free port
+  int port = 0;                                ///< 0 = 8080, or any free port if 8080 is in use
   std::chrono::milliseconds deadline{10'000};  ///< for receiving a request, head and body
   /// The number of bytes that the server may write into its folder until it ends. Each file counts as at
   /// least 4096 bytes.

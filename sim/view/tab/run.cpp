@@ -78,7 +78,7 @@ wire::Answer answer_to(const wire::Asked<wire::Request>& asked) {
 
 extern "C" {
 
-/// Runs the `request`, a line of the runner protocol. Returns the answer's last line.
+/// Runs the `request`, a line of the runner protocol. Returns the line with the result or an error.
 EMSCRIPTEN_KEEPALIVE const char* robosim_run(const char* request) {
   recording.clear();
   const auto asked = wire::parse_request(request);

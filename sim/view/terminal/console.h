@@ -21,8 +21,8 @@ class Console {
   /// that wait for an answer are shown, without delays.
   virtual bool is_live() const = 0;
   virtual void show(const Frame& frame) = 0;
-  /// Returns the next key. Returns `nothing` after at most `timeout_ms`, and after a resize, which requires a
-  /// redraw. A negative `timeout_ms` means no limit; `nothing` is still returned after a resize, for example.
+  /// Returns the next key, or `nothing` after at most `timeout_ms`. A negative `timeout_ms` means no limit.
+  /// The result may be `nothing` at any time, for example after a resize: redraw, and call this again.
   virtual Press wait(int timeout_ms) = 0;
   /// Returns the time of a clock for pacing, in microseconds.
   virtual std::int64_t now_us() = 0;

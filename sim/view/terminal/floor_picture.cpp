@@ -15,7 +15,7 @@ constexpr double kMostDotsPerCell = 16.0;
 // An offset in dots. A point between two dots, such as the centre of a cell, belongs to the right and lower
 // dot.
 constexpr Vec2 kAside{-0.1, 0.1};
-// Returns an upper limit of the distance from a stripe to a painted dot, m.
+// Returns an upper limit of the distance from a stripe to a painted dot, in metres.
 double reach(const map::Map& map) {
   double most = std::max(map.line_m, map.cell_m);
   for (const map::Paint& paint : map.course.paints) most = std::max(most, paint.width);
@@ -74,7 +74,7 @@ void FloorPicture::look_at(const Window& window) {
       const map::CellAt cell = cell_of(map_, middle);
       const auto i = static_cast<std::size_t>(row * window.columns + column);
       wall_[i] = map_.contains(cell) && map_.at(cell) == map::Cell::wall;
-      // Every second character is enough, so that the line stays dominant.
+      // Only every second character gets a symbol, so that the line stays dominant.
       if ((row + column) % 2 == 0) relief_[i] = static_cast<std::uint8_t>(relief_at(middle));
     }
   }

@@ -49,7 +49,7 @@ class FloorPicture {
   explicit FloorPicture(const map::Map& map);
 
   const Window& window() const { return window_; }
-  /// Redraws walls, hills and line for another window. Clears the trail.
+  /// Redraws walls, hills and line for a new window. Clears the trail.
   void look_at(const Window& window);
 
   void add_trail(Vec2 from, Vec2 to);

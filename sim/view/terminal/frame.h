@@ -60,8 +60,8 @@ void append(std::string& bytes, char32_t c, bool utf8);
 
 /// Returns the frame's lines without trailing spaces, each with a line feed.
 std::string to_text(const Frame& frame, Look look);
-/// Returns the bytes that change a terminal from `before` to `after`, by cursor movements. If the sizes
-/// differ, clears the screen and draws everything.
+/// Returns the bytes that change a terminal from `before` to `after`: cursor movements and new characters. If
+/// the sizes differ, the bytes clear the screen and draw everything.
 std::string changes(const Frame& before, const Frame& after, Look look);
 
 /// Returns the escape sequence that selects an ink; empty without colours.

@@ -118,7 +118,8 @@ void LiveScene::choose_window(int columns, int rows) {
   if (window.columns == now.columns && window.rows == now.rows && window.dot_m == now.dot_m) return;
   const Vec2 top_left = now.columns ? now.top_left : window.top_left;
   floor_.look_at(window);
-  // Looks outside the map, so that move_window() redraws the trail, which look_at() has cleared.
+  // Moves the window off the map. move_window() then finds a change, and redraws the trail that look_at() has
+  // cleared.
   Window nowhere = window;
   nowhere.top_left = {-1.0, -1.0};
   floor_.look_at(nowhere);

@@ -21,7 +21,7 @@ class LiveView {
   struct Options {
     double speed = 1.0;  ///< simulated seconds per second of wall time; 0 = as fast as possible
     Look look;
-    std::function<bool()> stopped;  ///< returns whether the user has pressed Ctrl-C: the view stops waiting
+    std::function<bool()> stopped;  ///< returns whether the user has pressed Ctrl-C, which ends all waiting
     std::function<void()> quit;     ///< called when `q` is pressed: ends the run
   };
 

@@ -228,9 +228,11 @@ void write_figures(Writer& out, const Report& report) {
   }
 }
 
-/// Returns whether `robosim why` can trace the verdict.
-bool has_causes(const std::string& verdict) {
-  return verdict != "reached" && verdict != "interrupted" && verdict != "over_budget";
+/// Returns whether `robosim why` can trace the verdict. If the goal was reached, it traces only runs with
+/// advice: the robot was off the line for a long time.
+bool has_causes(const result::RunResult& r) {
+  if (r.verdict == "reached") return !r.next.empty();
+  return r.verdict != "interrupted" && r.verdict != "over_budget";
 }
 
 std::string chip_hint(const Report& report) {
@@ -327,7 +329,7 @@ std::string end_screen(const Report& report, const map::Map* map, int columns, L
   }
   out.line();
   if (!r.next.empty()) out.labelled("next:", r.next, Ink::strong);
-  if (report.target == "avr" && has_causes(r.verdict))
+  if (report.target == "avr" && has_causes(r))
     out.labelled(
         "why:", "robosim why, with the same arguments, traces this verdict to the lines that caused it",
         Ink::faint);

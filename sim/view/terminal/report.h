@@ -76,7 +76,7 @@ struct Report {
 std::string end_screen(const Report& report, const map::Map* map, int columns, Look look);
 
 /// Returns marks for the stations and the beginning of the trail, or the start's cell if there is no trail.
-/// Visited stations have another ink.
+/// The marks of visited stations have the ink `good`.
 struct Mark;
 std::vector<Mark> floor_marks(const map::Map& map, const wire::Started& started, const Trail& trail,
                               const std::vector<std::string>& visited);

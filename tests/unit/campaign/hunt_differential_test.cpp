@@ -343,7 +343,7 @@ TEST(HuntTwin, IsTheSameWorldOnTheHostOrWithoutTheClock) {
     const TestCase differential = counterpart_of(test_case, space);
     if (test_case.differential == Differential::clock) {
       // The counterpart's clock starts earlier than the test case's clock, and therefore does not wrap. It
-      // starts at kPast_ms or later, when a sketch has already finished its one-time actions.
+      // starts at kPast_ms or later, because by that time a sketch has finished its one-time actions.
       EXPECT_GE(differential.clock_ms, kPast_ms);
       EXPECT_LT(differential.clock_ms, test_case.clock_ms);
       EXPECT_TRUE(differential.clock_ms == kPast_ms ||

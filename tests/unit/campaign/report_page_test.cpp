@@ -1,4 +1,4 @@
-// Tests how `robosim report` reads its input files, and the page that it writes.
+// Tests how `robosim report` reads its input files, and how it writes its page.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// Tests the hint `next` after a second run with checks (sim/campaign/rerun/sanitizer_rerun.h).
+// Tests the hint `next` of a run's result after a second run with --sanitize
+// (sim/campaign/rerun/sanitizer_rerun.h).
 #include "sim/campaign/rerun/sanitizer_rerun.h"
 
 #include <gmock/gmock.h>
@@ -41,6 +42,14 @@ TEST(NextStepAfterARun, IsTheFindingOfTheRunWithChecks) {
             "failed check of a second run with checks (--sanitize). On the chip int has 16 bits.");
   EXPECT_EQ(next_after(run_that_ended("lost", result::kWatch), {}), result::kWatch)
       << "the sketch does not compile with checks, or the user interrupted";
+}
+
+TEST(NextStepAfterARun, BeginsWithVariablesThatMayBeUnset) {
+  const std::string unset = "My.ino:9:3: 'sum' may be used before it has a value: give it one";
+  EXPECT_EQ(next_after(run_that_ended("lost", "look at the line"), {.unset = {unset}}),
+            unset + "; look at the line");
+  EXPECT_EQ(after_unset({unset, "b", "c", "d"}, ""), unset + "; b; c") << "at most three";
+  EXPECT_EQ(after_unset({}, "look at the line"), "look at the line");
 }
 
 TEST(NextStepAfterARun, SaysIfARunWithChecksWasClean) {

@@ -1,4 +1,4 @@
-// Tests the time that a robot drives without reading a sensor (sim/detect/blind_driving.h).
+// Tests the detection of robots that drive too long without reading a sensor (sim/detect/blind_driving.h).
 
 #include <gmock/gmock.h>
 
@@ -41,8 +41,8 @@ class Distracted : public test::FakeFirmware {
   bool plans_;
 };
 
-/// Firmware that reads a sensor every millisecond, and starts to drive after two seconds. Its last read of
-/// the sensor is `later` nanoseconds before the drive begins.
+/// Firmware that starts to drive after two seconds. Before that, it reads a sensor every millisecond. Its
+/// last read of the sensor is `later` nanoseconds before the drive begins.
 class Starts final : public Distracted {
  public:
   explicit Starts(SimTime later) : Distracted(kSecond, false), later_(later) {}

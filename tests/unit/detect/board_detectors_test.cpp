@@ -1,11 +1,15 @@
-// Tests the detectors of a board (sim/detect/detectors.h) in complete runs.
+// Tests the detectors that observe the board (sim/detect/detectors.h), mostly in complete runs.
 
 #include <gmock/gmock.h>
+
+#include <fstream>
+#include <string>
 
 #include "sim/detect/slow_source.h"
 #include "tests/support/built_in_driver.h"
 #include "tests/support/fake_firmware.h"
 #include "tests/support/one_robot.h"
+#include "tests/support/temporary_folder.h"
 
 namespace robosim::detect::board_detectors_test {
 
@@ -13,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// Firmware that writes to the LED pin and to a byte of the EEPROM every tenth of a second.
+/// Firmware that sets the LED pin every millisecond, and writes a byte of the EEPROM every 100 ms.
 class Blinker final : public test::FakeFirmware {
  public:
   enum class Led { forgotten, high_first };
@@ -65,6 +69,41 @@ TEST(BoardDetectors, SayNothingOfAPinThatIsHighFirstAndAnOutputThen) {
   const auto found = detected(Blinker::Led::high_first);
   ASSERT_THAT(found, SizeIs(1));
   EXPECT_EQ(found[0].detector, "eeprom_wear");
+}
+
+/// Firmware that reads pin 4 every millisecond.
+class ButtonReader final : public test::FakeFirmware {
+ public:
+  explicit ButtonReader(PinMode mode) : mode_(mode) {}
+
+  void power_on(SimTime t) override { board_.set_drive(kPin, {mode_, false, false, 0.0}, t); }
+  void run_until(SimTime t) override {
+    for (; now_ < t; now_ += kMillisecond) board_.read_level(kPin, now_);
+  }
+
+ private:
+  static constexpr Pin kPin = 4;
+  const PinMode mode_;
+};
+
+TEST(BoardDetectors, NameAButtonThatIsReadWithoutPullUp) {
+  const test::TemporaryFolder folder;
+  const std::string robot = folder.path() / "button_without_resistor.toml";
+  std::ofstream(robot)
+      << "base = \"uno5\"\n[[part]]\nname = \"start\"\ntype = \"button\"\nresistor = false\n";
+  const auto found_with = [&](PinMode mode, const std::string& robot_name) {
+    ButtonReader firmware(mode);
+    test::OneRobot one(firmware, "none", "", robot_name.c_str());
+    one.setup.detect = true;
+    return one.run(kSecond).detected;
+  };
+  const auto found = found_with(PinMode::input, robot);
+  ASSERT_THAT(found, SizeIs(1));
+  EXPECT_EQ(found[0].detector, "floating_input");
+  EXPECT_THAT(found[0].what, HasSubstr("pin 4 (start) floats while start is not pressed"));
+  EXPECT_THAT(found[0].mend, HasSubstr("pinMode(4, INPUT_PULLUP)"));
+  EXPECT_THAT(found_with(PinMode::input_pullup, robot), IsEmpty());
+  EXPECT_THAT(found_with(PinMode::input, "uno5"), IsEmpty()) << "this button has a resistor";
 }
 
 TEST(BoardDetectors, TellOfAPinThatIsReadBeforeItsWeakSourceHasChargedTheConverter) {

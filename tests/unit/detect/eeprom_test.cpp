@@ -24,7 +24,7 @@ struct Told final : test::FakeFirmware {
 
 class EepromTest : public testing::Test {
  protected:
-  /// Writes a byte as EEPROM.write() does, which waits until the previous byte is written.
+  /// Writes a byte as EEPROM.write() does: first waits until the previous byte is written.
   void write(std::uint16_t address, std::uint8_t value) {
     std::uint8_t& cell = cells_.try_emplace(address, 0xFF).first->second;
     now = std::max(now, ready_);
@@ -102,8 +102,8 @@ TEST_F(EepromTest, ARecordWhoseBytesAllGoToOneAddressIsLost) {
 TEST_F(EepromTest, ARecordIsStoredWhereItsAddressIsCountedOnOrTheSameByteIsKeptUpToDate) {
   for (std::uint16_t i = 0; i < 64; ++i) write(i, static_cast<std::uint8_t>(i));              // ascending
   for (int i = 0; i < 30; ++i) write(i % 2, static_cast<std::uint8_t>(i));                    // alternately
-  for (int i = 0; i < 30; ++i, now += kSecond / 100) write(7, static_cast<std::uint8_t>(i));  // a log
-  for (int i = 0; i < 2000; ++i) write(9, static_cast<std::uint8_t>(i));                      // wear
+  for (int i = 0; i < 30; ++i, now += kSecond / 100) write(7, static_cast<std::uint8_t>(i));  // with pauses
+  for (int i = 0; i < 2000; ++i) write(9, static_cast<std::uint8_t>(i));                      // takes 6.8 s
   EXPECT_THAT(overwritten.found(now), IsEmpty());
 }
 

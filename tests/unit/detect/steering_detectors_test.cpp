@@ -104,8 +104,8 @@ TEST(MotorsLeftOn, IsNobodyWhoSearchesByPlan) {
               IsEmpty());
 }
 
-/// Returns a step that reads the sensors once per `every`, and roughly follows the line. In each millisecond,
-/// the step sends a byte, and the firmware reports that it executes `call`.
+/// Returns a step that reads the sensors once per `every`. If `drives` is true, it roughly follows the line.
+/// In each millisecond, the step sends a byte, and the firmware reports that it executes `call`.
 Driven::Step sends(SimTime every, const char* call, bool drives = true) {
   return [=](Driven& robot, SimTime t) {
     robot.call = call;

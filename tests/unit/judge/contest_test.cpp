@@ -202,7 +202,7 @@ TEST(RescueLine, ALackOfProgressBringsItBackAndCostsPoints) {
   run.push({1.2, 0.7});
   run.push({1.5, 0.7});
   run.push({1.55, 0.45});
-  EXPECT_EQ(run.score().score, 35.0 + 20.0 + 3 * 1.0);  // each tile gives 5 - 2 x 2 points
+  EXPECT_EQ(run.score().score, 35.0 + 20.0 + 3 * 1.0);  // 5 points per tile, minus 2 per lack of progress
   run.wait(5100 * kMillisecond);
   EXPECT_EQ(run.score().score, 58.0 + 50.0);
 }

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "sim/result/advice.h"
+
 namespace robosim::judge::explain_test {
 
 using ::testing::AllOf;
@@ -53,9 +55,9 @@ class Explain : public ::testing::Test {
       robot_is_at(t, pose, now);
     }
   }
-  /// Reports that the robot drives circles around the middle of cell 5,2 for 10 s. Each quarter of a circle
-  /// takes 250 ms; `direction` is 1 for anticlockwise. If `crosses` is true, the robot sees the line once in
-  /// each circle.
+  /// Reports that the robot drives in circles around the middle of cell 5,2 for 10 s, one circle per second.
+  /// `direction` is 1 for anticlockwise, and -1 for clockwise. If `crosses` is true, the robot sees the line
+  /// once in each circle.
   void drive_circles(double radius_m, int direction, bool crosses) {
     const Vec2 around[] = {{1.0, 0.0},  {0.7, 0.7},   {0.0, 1.0},  {-0.7, 0.7},
                            {-1.0, 0.0}, {-0.7, -0.7}, {0.0, -1.0}, {0.7, -0.7}};
@@ -118,6 +120,18 @@ TEST_F(Explain, LapsThatWereDrivenBesideTheLineAreSaidToBe) {
   EXPECT_THAT(why(Verdict::reached), Not(HasSubstr("off the line"))) << "as in gaps";
   e.off_line = e.t / 2;
   EXPECT_THAT(why(Verdict::reached), EndsWith(", but the robot was off the line for 6.00 s."));
+  EXPECT_EQ(next(Verdict::reached), result::kWatch);
+  EXPECT_EQ(decisive_moment(e).text, "") << "no time at which the robot left the line";
+  lose_the_line();
+  robot_is_at(2500 * kMillisecond, {5, 1}, true, true);
+  EXPECT_THAT(
+      why(Verdict::reached),
+      EndsWith(", but the robot was off the line for 6.00 s, first from 2.00 s near column 3, row 1."));
+  EXPECT_EQ(decisive_moment(e).t, 2 * kSecond);
+  EXPECT_EQ(decisive_moment(e).text, "the robot left the line for the first time");
+  e.off_line = 0;
+  EXPECT_EQ(decisive_moment(e).text, "");
+  EXPECT_EQ(next(Verdict::reached), "");
 }
 
 TEST_F(Explain, ATimeoutSaysWhatIsMissingAndWhatTheSketchWaitsFor) {
@@ -127,8 +141,8 @@ TEST_F(Explain, ATimeoutSaysWhatIsMissingAndWhatTheSketchWaitsFor) {
   e.pin_level = true;
   EXPECT_EQ(why(Verdict::timeout),
             "The 60.00 s of simulated time are up before the goal tour: 0 of 3 stations visited; the sketch "
-            "keeps reading pin 4 (button \"start\") with digitalRead(4) in loop, My.ino:9, and finds it "
-            "HIGH.");
+            "keeps reading pin 4 (button \"start\") with digitalRead(4), and finds it "
+            "HIGH; it was last in loop, My.ino:9.");
 }
 
 TEST_F(Explain, ATimeoutSaysSinceWhenTheSketchIsSilent) {
@@ -346,6 +360,7 @@ TEST_F(Explain, ARobotThatSpinsIsSaidToSpinAndNotToHaveLeftTheLineOrSteeredAway)
   EXPECT_THAT(why(Verdict::timeout),
               EndsWith("; the robot has been spinning clockwise near column 5, row 2 since 2.00 s."));
   EXPECT_EQ(next(Verdict::timeout), "");
+  EXPECT_EQ(decisive_moment(e).text, "the robot spins from here on");
   std::swap(e.left_command, e.right_command);
   EXPECT_THAT(why(Verdict::timeout), Not(HasSubstr("spinning"))) << "the robot turns back";
   std::swap(e.left_command, e.right_command);
@@ -448,6 +463,8 @@ TEST_F(Explain, ACrashNamesItsReasonAndPlaceAsFarAsTheyAreKnown) {
   EXPECT_EQ(why(Verdict::crashed), "The sketch crashed: division by zero at My.ino:3.");
   e.crash->where = {"setup", "My.ino", 3};
   EXPECT_EQ(why(Verdict::crashed), "The sketch crashed: division by zero in setup, My.ino:3.");
+  e.crash->check = "divrem_overflow";
+  EXPECT_EQ(why(Verdict::crashed), "A check (--sanitize) failed: division by zero in setup, My.ino:3.");
 }
 
 TEST_F(Explain, ADivisionByZeroIsNamedIfTheRunFails) {
@@ -705,6 +722,8 @@ TEST_F(Explain, AnOverflowOnAChipIsExplainedByItsInt) {
   e.crash = exec::Crash{"2000000000 + 2000000000 does not fit a long, which holds … here", {}};
   e.crash->check = "add_overflow";
   EXPECT_EQ(next(Verdict::crashed), "") << "the number's type is already long";
+  e.crash->reason = "-32500 + -2500 does not fit an int, which holds -32768 to 32767 here";
+  EXPECT_THAT(next(Verdict::crashed), HasSubstr("declare the variables as long, or limit the result"));
 }
 
 }  // namespace robosim::judge::explain_test

@@ -146,9 +146,10 @@ TEST(Judge, SumsTheTurnsOfARobotInOnePlaceAndAroundIt) {
   };
   d.run(10 * kSecond, [&] { turn(0.004); });
   EXPECT_NEAR(d.judge.turned_during(d.judge.place()), 40.0, 0.1);
+  EXPECT_NEAR(1e-9 * static_cast<double>(d.judge.turns_since(d.judge.place())), 0.05, 0.01);
   d.run(10 * kSecond, [&] { turn(-0.004); });
   EXPECT_NEAR(d.judge.turned_during(d.judge.place()), 0.0, 0.1) << "turns back and forth cancel each other";
-  d.run(10 * kSecond, [&] {  // a circle of 0.6 m
+  d.run(10 * kSecond, [&] {  // a circle with a radius of 0.3 m
     turn(0.002);
     d.pose.position = d.pose.position + d.pose.heading * 0.0006;
   });
@@ -156,6 +157,24 @@ TEST(Judge, SumsTheTurnsOfARobotInOnePlaceAndAroundIt) {
   EXPECT_LT(std::abs(d.judge.turned_during(d.judge.place())), 1.0) << "the robot has left each place";
   EXPECT_NEAR(d.judge.turned_during(d.judge.surroundings()), 20.0, 0.1);
   EXPECT_EQ(d.judge.surroundings().since, 0);
+}
+
+TEST(Judge, KnowsSinceWhenARobotThatSwungFirstTurnsInOneDirection) {
+  Driver d;
+  d.now.driven = true;
+  const auto turn = [&](double rad_per_ms) {
+    const Vec2 h = d.pose.heading;
+    const double s = std::sin(rad_per_ms), c = std::cos(rad_per_ms);
+    d.call();
+    d.pose.heading = {h.x * c - h.y * s, h.x * s + h.y * c};
+  };
+  for (int swing = 0; swing < 3; ++swing) {
+    d.run(kSecond / 2, [&] { turn(0.002); });
+    d.run(kSecond / 2, [&] { turn(-0.002); });
+  }
+  const SimTime began = d.now.t;
+  d.run(5 * kSecond, [&] { turn(-0.004); });
+  EXPECT_NEAR(1e-9 * static_cast<double>(d.judge.turns_since(d.judge.place()) - began), 0.05, 0.02);
 }
 
 TEST(Judge, KnowsSinceWhenARobotThatWaitedFirstDrivesInOnePlace) {

@@ -18,7 +18,7 @@ class Sensor final : public PinSource {
 
 class UsageTest : public testing::Test {
  protected:
-  result::Usage usage() { return usage_of(uno_, wiring, was_output, board); }
+  result::Usage usage() { return usage_of(uno_, wiring, was_output, board, now); }
   static std::vector<std::string> told(const std::vector<result::Usage::Loose>& pins) {
     std::vector<std::string> text;
     for (const auto& pin : pins) text.push_back(pin.pin + " " + pin.how);
@@ -38,6 +38,7 @@ class UsageTest : public testing::Test {
 
   const BoardSpec& uno_ = *find_board("uno");
   exec::BoardState board{uno_};
+  SimTime now = 10 * kMillisecond;
   std::vector<bool> was_output = std::vector<bool>(uno_.pin_count);
   std::vector<robot::WiredPin> wiring = {{"left", "motor", "in1", 7},
                                          {"left", "motor", "in2", 8},
@@ -57,8 +58,9 @@ TEST_F(UsageTest, ATimerThatListensToItsUnwiredCaptureInputDoesNotMeanThatTheSke
   const BoardSpec& mega = *find_board("mega");
   exec::BoardState with_registers_of_uno{mega};
   with_registers_of_uno.set_wants_edges(8, true, 0);
-  EXPECT_THAT(told(usage_of(mega, wiring, std::vector<bool>(mega.pin_count), with_registers_of_uno).unwired),
-              testing::IsEmpty());
+  EXPECT_THAT(
+      told(usage_of(mega, wiring, std::vector<bool>(mega.pin_count), with_registers_of_uno, now).unwired),
+      testing::IsEmpty());
 }
 
 TEST_F(UsageTest, AnUnwiredCaptureInputWithAPullUpOrAsAnOutputIsNamed) {
@@ -117,6 +119,18 @@ TEST_F(UsageTest, AnInputThatGaveTheSameThroughoutIsSteadyAndOneThatChangedIsNot
     board.read_volts(15, i * kMillisecond);
   }
   EXPECT_THAT(told(usage().steady), ElementsAre("start LOW", "S1 4.3 V"));
+}
+
+TEST_F(UsageTest, AnInputThatTheSketchStoppedReadingIsSteadyWithTheTimeOfTheLastRead) {
+  Sensor s1;
+  board.connect(14, s1);
+  board.read_level(4, 20 * kMillisecond);
+  board.read_volts(14, kSecond);
+  now = 2 * kSecond;
+  EXPECT_THAT(told(usage().steady),
+              ElementsAre("start LOW, last read at 0.02 s", "S1 0.0 V, last read at 1.00 s"));
+  now -= kMillisecond;
+  EXPECT_THAT(told(usage().steady), ElementsAre("start LOW, last read at 0.02 s", "S1 0.0 V"));
 }
 
 }  // namespace robosim::judge::wiring_usage_test

@@ -1,4 +1,5 @@
-// Tests guesses from evidence outside of the pins' names: comments, functions, loops, interrupts.
+// Tests guesses of the wiring from evidence other than the pins' names: comments, functions, loops and
+// interrupts.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -52,6 +52,15 @@ TEST(SketchNames, ANumberForAnalogReadIsAChannel) {
   EXPECT_THAT(found.named[1].pins, ElementsAre(pin("D3")));
 }
 
+TEST(SketchNames, AVariableThatChangesIsNoPinUnlessAFunctionOfPinsTakesIt) {
+  const SketchNames found = names(
+      "int currentState = 1, motor = 5;\n"
+      "void act(int state) {}\n"
+      "void loop() { act(currentState); currentState = 2; analogWrite(motor, 9); motor = 6; act(motor); }\n");
+  ASSERT_EQ(found.named.size(), 1u);
+  EXPECT_EQ(found.named[0].name, "motor");
+}
+
 TEST(SketchNames, ACountIsNoPin) {
   const SketchNames found = names(
       "#define NUM_SENSORS 6\n#define sensorSayisi 8\n#define EMITTER 3\n"

@@ -192,7 +192,7 @@ function lose() {
   }, 1000);
 }
 
-// Also notices a lost server while the user does nothing.
+// Notices a lost server even while the user does nothing.
 setInterval(() => {
   if (!document.hidden && !running && !isLost) fetch('/bench.css', { cache: 'no-store' }).catch(lose);
 }, 2000);

@@ -12,7 +12,8 @@ const base64 = (file) => new Promise((done, failed) => {
   reader.readAsDataURL(file);
 });
 
-/** Saves files. `tell` has the functions say(sentence, bad), ask(question, yes), listed() and put(place). */
+/** Saves files. `tell` has the functions say(sentence, bad), ask(question, yes, then), listed() and
+ *  put(place). */
 export async function put(files, tell) {
   for (const file of files) {
     const image = /\.(hex|elf)$/.test(file.name), most = image ? LARGEST_IMAGE_KB : LARGEST_KB;

@@ -16,9 +16,9 @@ export function parts(text) {
 }
 export const join = ({ front, rows }) => `${front ? `+++\n${front}+++\n` : ''}${rows.map((row) => `${row}\n`).join('')}`;
 
-/** Keeps the surface of a cell on which a tool is used, if the legend names the surface. Returns { digit,
- *  front }: the legend's digit for the tool on this surface, and the settings with this digit. Otherwise
- *  returns null. */
+/** Chooses a legend digit for drawing with `tool` on a cell with the digit `found`. The cell keeps its surface.
+ *  Returns { digit, front }: the digit, and the settings with this digit. Returns null if `found` has no
+ *  surface, the tool cannot have one, or no digit is free. */
 export function onSurface(front, found, tool) {
   const words = Object.fromEntries([...(/^\[legend\]\r?\n((?:(?!\[).*\n?)*)/m.exec(front)?.[1] ?? '').matchAll(/^([3-9])\s*=\s*"(.*?)"/gm)].map(([, digit, means]) => [digit, means]));
   const [, kind] = /^(?!floor|line|wall|gap|obstacle)(\w+)/.exec(words[found] ?? '') ?? [];

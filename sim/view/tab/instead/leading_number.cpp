@@ -1,4 +1,4 @@
-// Replaces std::from_chars for a double, which libc++ 13 lacks. strtod() of musl rounds equally.
+// Replaces std::from_chars for a double, which libc++ 13 lacks. strtod() of musl rounds in the same way.
 #include "sim/base/leading_number.h"
 
 #include <cmath>

@@ -1,8 +1,8 @@
-// Converts firmware images to flash content, the bytes from address 0 on, and back. This content makes a link
-// as short as possible.
+// Converts firmware images to flash content, the bytes from address 0 on, and back. A link contains the flash
+// content instead of the image, because it is shorter.
 
 const kData = 0, kEnd = 1, kSegment = 2, kUpper = 4;
-const SECOND = 0x800000;  // avr-gcc puts all but flash above this address (sim/base/elf/avr_addresses.h)
+const SECOND = 0x800000;  // avr-gcc puts all memories except flash from here on (sim/base/elf/avr_addresses.h)
 
 const filled = (parts) => {
   const size = parts.reduce((most, { at, bytes }) => Math.max(most, at + bytes.length), 0);

@@ -1,5 +1,5 @@
 // Runs sketches with the WebAssembly module (sim/view/tab/run.cpp). Writes the files that a run needs to the
-// module's file system. This is a plain script, for the worker and for tests without a browser.
+// module's file system. This is a script, not a JavaScript module, so that the worker and tests can load it.
 
 class Bench {
   /** `robots` contains the texts of the stock robots by name. `options` are the module's options; the module

@@ -1,5 +1,5 @@
 // Caches the folder's files, so that the page works without a network. The build inserts their list and a
-// hash of their contents (sim/view/tab/folder.mjs), so a folder with any difference has another cache.
+// hash of their contents (sim/view/tab/folder.mjs), so a folder with different files gets a new cache.
 const FILES = [/* files */], CONTENT = '/* content */';
 
 const MINE = `robosim ${registration.scope} `, NAME = MINE + CONTENT;

@@ -33,8 +33,8 @@ function fill(select, stockNames, kind) {
   if ([...select.options].some((option) => option.value === before)) select.value = before;
 }
 
-/** Returns the possible robots. A stock sketch is an image for one board; a user's image may be for any board. No
- *  STM32 runs here, but a robot may be based on a robot with an STM32. */
+/** Returns the possible robots. A stock sketch is an image for one board; a user's image may be for any board. Omits
+ *  robots with an STM32, which does not run here. The folder has them, because other robots may be based on them. */
 function robotsFor(sketch) {
   const board = stock.sketches[sketch]?.board;
   return Object.keys(stock.robots).filter((name) => board ? stock.robots[name].board === board : stock.robots[name].board !== 'bluepill');

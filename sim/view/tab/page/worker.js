@@ -11,7 +11,7 @@ async function rec(content) {
   return new Uint8Array(await new Blob([MAGIC, packed]).arrayBuffer());
 }
 
-let bench, hear;  // receives the progress of the current run
+let bench, hear;  // hear() receives the progress of the current run
 
 onmessage = async ({ data: { robots, files, request, silent } }) => {
   const tell = silent ? () => {} : postMessage;

@@ -1,4 +1,4 @@
-// A tick of millis() decides whether a target prints "odd" or "even". No tick changes the value of 7 / 0.
+// A tick of millis() decides between "odd" and "even". The value of 7 / 0 depends only on the target.
 volatile int nothing = 0;
 
 void setup() { Serial.begin(115200); }

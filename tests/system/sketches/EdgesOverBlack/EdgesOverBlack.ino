@@ -1,5 +1,5 @@
-// Attaches an interrupt to the digital sensor on pin 3, which stays over the line. Prints the number of
-// edges, which is 0.
+// Attaches an interrupt to the digital sensor on pin 3. Because the sensor stays over the line, the sketch
+// prints 0 edges.
 volatile int edges = 0;
 
 void onEdge() { edges++; }

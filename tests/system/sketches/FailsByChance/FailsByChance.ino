@@ -1,4 +1,4 @@
-// Crashes if a noisy reading is odd, which depends on the seed. Otherwise the sketch runs forever.
+// Crashes if a noisy reading is odd, and runs forever if it is even. The reading depends on the seed.
 void setup() {
   if (analogRead(A2) % 2 == 1) abort();
 }

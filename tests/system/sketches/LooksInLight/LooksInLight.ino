@@ -32,7 +32,7 @@ void look() {
 
 bool is_scaled() { return way == 'c' || way == 'm'; }
 
-// Returns 0 over white to 1000 over black.
+// Returns a value from 0 (white) to 1000 (black), or the raw reading for `r`.
 int share(byte i) {
   if (way == 'r') return raw[i];
   if (!is_scaled()) return raw[i] > 511 ? 1000 : 0;

@@ -1,5 +1,5 @@
 // Follows a line up to a bar that darkens all sensors. A letter on the serial line selects when it stops:
-//   o  at the first reading  b  after 30 ms of such readings
+//   o  as soon as all sensors are dark  b  after all were dark for 30 ms
 const byte PIN[5] = {A0, A1, A2, A3, A4};
 char way;
 
