@@ -11,8 +11,9 @@ namespace robosim::testing {
 /// The name of the saved page that replays the run in a browser.
 inline constexpr const char* kPage = "run.html";
 
-/// Returns the folder for the current test's next run, below ROBOSIM_ARTIFACTS or ./robosim-artifacts.
-/// Returns "" if ROBOSIM_ARTIFACTS is "none", and in silent runs. Does not create the folder.
+/// Returns the folder for the current test's next run. It is below the folder that the environment variable
+/// ROBOSIM_ARTIFACTS names, or below ./robosim-artifacts. Returns "" if the variable is "none", and in silent
+/// runs. Does not create the folder.
 std::string artifact_folder();
 
 /// Returns the robosim command that repeats a resolved trial, without --for. `script` selects whether the
@@ -36,7 +37,8 @@ std::string record_again(const launch::Fleet& fleet, const std::vector<ResolvedT
                          const std::vector<std::string>& scripts, const result::RunResult* expected,
                          std::int64_t until_ns, const std::string& folder, client::Runner& runner);
 
-/// Runs one robot again without stops, and writes the folder. Returns an error message, or "" on success.
+/// Runs one robot again without pauses, and writes the run's artifact folder. Returns an error message, or ""
+/// on success.
 std::string keep(const RunLog& log, const ResolvedTrial& resolved_trial, const std::string& script,
                  client::Runner& runner);
 

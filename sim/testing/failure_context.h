@@ -1,4 +1,5 @@
-// Reports the robots' state when an unrelated expectation fails, such as EXPECT_EQ(robot.station(), "3").
+// Reports the robots' state when an expectation without a matcher of this library fails, such as
+// EXPECT_EQ(robot.station(), "3").
 #pragma once
 
 #include <gtest/gtest.h>

@@ -210,8 +210,8 @@ Requirement SerialSays(std::string text) {
   });
 }
 
-// Limits the length of a line, since std::regex uses stack for each character. Waiting for a line has the
-// same limit.
+// Limits the length of a line, since std::regex uses stack for each character. serial_matches() has the same
+// limit.
 constexpr std::size_t kLongestLine = 1000;
 
 Requirement SerialMatches(std::string regex) {

@@ -18,9 +18,9 @@ void record_trace(const std::string& trace_hash);
 /// Records the artifact folder of a run of the current test. One property lists all such folders.
 void record_kept(const std::string& folder);
 
-/// Reports failures to GitHub if GITHUB_ACTIONS is set. Each later failure also becomes an annotation of its
-/// source line. At the end, a table is appended to the file that GITHUB_STEP_SUMMARY names. Further calls do
-/// nothing.
+/// Reports failures to GitHub if the environment variable GITHUB_ACTIONS is set. Each later failure also
+/// becomes an annotation of its source line. At the end, a table is appended to the file that the variable
+/// GITHUB_STEP_SUMMARY names. Further calls do nothing.
 void report_to_github();
 
 }  // namespace robosim::testing

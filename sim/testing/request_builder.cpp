@@ -99,7 +99,7 @@ Borrowed::~Borrowed() {
 }
 
 std::string target_of(const Trial& trial) {
-  // "host" is the default target of a Trial.
+  // "host" is the default target of a Trial, and counts as no choice.
   return launch::choose_target(trial.target == "host" ? "" : trial.target, choose_sketch(trial));
 }
 
@@ -161,7 +161,7 @@ ResolvedFleetTrial resolve_fleet_trial(const FleetTrial& trial) {
     launch::Launch& launch = member.launch;
     launch.sketch = in_place_of(robot.sketch);
     launch.robot = name_of(robot.robot, robot.name + ".toml", all.scratch);
-    launch.target = robot.target == "host" ? "" : robot.target;  // "host" is the default
+    launch.target = robot.target == "host" ? "" : robot.target;  // as in target_of()
     launch.libraries = robot.libraries;
     launch.request.start = robot.start;
     launch.request.goal = robot.goal;

@@ -40,7 +40,7 @@ struct Built {
   build::Image image;
 };
 
-/// The resolved names of a Trial.
+/// A Trial after its names (sketch, map, robot) were resolved.
 struct ResolvedTrial {
   wire::RunRequest request;
   wire::RobotInfo robot;
@@ -59,7 +59,7 @@ Graph graph_of_floor(const wire::RunRequest& request);
 /// Resolves a Trial. Throws the same exceptions as Simulation's constructor.
 ResolvedTrial resolve_trial(const Trial& trial, client::Runner& runner);
 
-/// The resolved names of a FleetTrial.
+/// A FleetTrial after its names (sketches, map, robots) were resolved.
 struct ResolvedFleetTrial {
   std::vector<Trial> trials;  ///< for each robot: a Trial for a run without the others
   launch::Fleet fleet;

@@ -53,9 +53,15 @@ Moment moment_of(const RunLog& log, const wire::Sample& sample) {
   moment.station = sample.at_station;
   moment.readings = sample.readings;
   bool senses = false, sees = false;
+  // A reading is 0 over white, and 1 over black. In the profile `typical`, a sensor's reading of the floor
+  // alone may be 0.1 more or less.
+  constexpr double kLeast = 0.25;
+  const auto is_line = [&](double reading) {
+    return (log.has_light_line ? 1.0 - reading : reading) >= kLeast;
+  };
   for (std::size_t i = 0; i < std::min(sample.readings.size(), log.is_line_sensor.size()); ++i) {
     senses = senses || log.is_line_sensor[i];
-    sees = sees || (log.is_line_sensor[i] && sample.readings[i] > 0.0);
+    sees = sees || (log.is_line_sensor[i] && is_line(sample.readings[i]));
   }
   moment.off_line = senses && !sees;
   return moment;

@@ -1,4 +1,4 @@
-// Records a run until now. A Drive is a view of a part of this record.
+// Records a run up to its present time. A Drive is a view of a part of this record.
 #pragma once
 
 #include <optional>
@@ -39,6 +39,7 @@ struct RunLog {
   std::vector<Said> said;
   std::vector<Entry> events;  ///< actions, notes and the sketch's output
   std::vector<bool> is_line_sensor;
+  bool has_light_line = false;  ///< the map's line is white, and its floor black
   std::optional<result::Resources> resources;
   std::optional<result::RunResult> result;
   std::string replay;                  ///< the command without its duration

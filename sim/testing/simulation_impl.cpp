@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "sim/base/error.h"
+#include "sim/map/map.h"
 #include "sim/testing/artifacts.h"
 #include "sim/wire/agent_of.h"
 
@@ -60,6 +61,7 @@ Simulation::Impl::Impl(const Trial& trial, std::shared_ptr<SharedRun> run, Resol
 void Simulation::Impl::begin() {
   log->samples.push_back(state().sample);
   log->resources = state().resources;
+  log->has_light_line = map::read_map(shared->robots.front()->resolved_trial.request.map).light_line;
   for (const std::string& reading : log->started.readings) {
     const auto& sensors = resolved_trial.robot.sensors;
     log->is_line_sensor.push_back(std::any_of(sensors.begin(), sensors.end(),

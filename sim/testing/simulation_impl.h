@@ -24,7 +24,8 @@ struct SharedRun {
   explicit SharedRun(const std::string& target) : runner(target) {}
   /// Begins the run, and notifies `robots`.
   void begin(const wire::RunRequest& request);
-  /// Runs a leg until `to_ns`, the first of the stops, or a robot's verdict. Does nothing if the run is over.
+  /// Runs a leg. It ends at `to_ns`, when one of the stops is met, or when a robot gets its verdict. Does
+  /// nothing if the run is over.
   void go_on(std::int64_t to_ns, const std::vector<result::Stop>& stops, Spot spot);
   /// Returns the result of robot `number` after the run is over.
   const result::RunResult& result(std::size_t number) const;

@@ -26,7 +26,7 @@ std::size_t workers() {
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// Removes the files with the map and robot that the trial contains as texts.
+/// A trial can contain the map and the robot as texts, which were written to files. Removes these files.
 struct Cleaner {
   const ResolvedTrial& resolved_trial;
   ~Cleaner() {

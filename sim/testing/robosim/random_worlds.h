@@ -41,19 +41,19 @@ rc::Gen<std::string> trees(int lines = 10);
 /// Limits of closed loops of line that do not cross themselves.
 struct Tracks {
   int squares = 6;         ///< joined squares whose outline is the loop; one square has four bends
-  int apart = 4;           ///< cells: the shortest side of a square; the longest is at most twice as long
+  int apart = 4;           ///< shortest side of a square, in cells; the longest is at most twice as long
   double cell_mm = 100.0;  ///< side of a cell
-  double corner_mm = 0.0;  ///< radius of the bends; above apart · cell / 2, some bends are smaller
+  double corner_mm = 0.0;  ///< radius of the bends; some are smaller if this exceeds apart · cell_mm / 2
   int gaps = 0;            ///< single cells of straight line that are not painted
 };
 /// Generates maps with the goal laps:1 and the start on the loop, between two bends. They shrink to one small
 /// square without gaps.
 rc::Gen<std::string> tracks(Tracks limits = {});
 
-/// Generates robots within the spread of a robot file (a stock robot's name, or a path). Each parameter with
-/// a spread in the file gets a value within this spread. Floor sensors are up to `mounting_mm` off their
-/// positions, to the front or side. Robots shrink to the values in the file, except for parameters that the
-/// failure needs.
+/// Generates robots within the spread of a robot file. `file` is a stock robot's name, or a path. Each
+/// parameter with a spread in the file gets a value within this spread. Floor sensors are up to `mounting_mm`
+/// off their positions, to the front or side. Robots shrink to the values in the file, except for parameters
+/// that the failure needs.
 rc::Gen<std::string> robots(const std::string& file = "uno5", double mounting_mm = 1.0);
 
 /// The faults to draw, with their maximum severity; 0 = never. docs/reference/robots.md describes each fault.
@@ -82,7 +82,7 @@ struct Worlds {
 /// Generates trials in these worlds.
 rc::Gen<Trial> trials(const Worlds& worlds);
 
-/// The number of worlds to try. ROBOSIM_TEST_SEEDS=N overrides it.
+/// The number of worlds to try. The environment variable ROBOSIM_TEST_SEEDS=N overrides it.
 struct Runs {
   int count = 20;
 };
@@ -90,8 +90,8 @@ Runs runs(int count);
 
 /// Runs `body` in `runs` random worlds. `body` drives the robot and contains expectations like any test.
 /// After the first failure, smaller worlds are tried repeatedly until none of them fails. The test then fails
-/// with the smallest failing world, and prints its content. The test draws the same worlds each time;
-/// RC_PARAMS="seed=7" selects other worlds.
+/// with the smallest failing world, and prints its content. The test draws the same worlds each time. The
+/// environment variable RC_PARAMS="seed=7" selects other worlds.
 void InRandomWorlds(const Worlds& worlds, Runs runs, const std::function<void(Simulation&)>& body,
                     const char* file = __builtin_FILE(), int line = __builtin_LINE());
 

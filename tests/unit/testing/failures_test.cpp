@@ -22,7 +22,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// Replaces every number with #.
+/// Replaces every number, and the spaces before it, with #.
 std::string without_figures(const std::string& text) {
   return std::regex_replace(text, std::regex(" *[0-9]+([.][0-9]+)?"), "#");
 }

@@ -1,4 +1,5 @@
-// Tests which fleets of several robots are rejected, and that the printed command repeats the run.
+// Tests fleets, which are runs of several robots. Checks the messages for invalid fleets. Also checks that a
+// robot's run in a fleet equals the run of this robot alone.
 #include <gmock/gmock.h>
 #include <robosim/testing.h>
 

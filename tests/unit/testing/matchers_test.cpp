@@ -45,6 +45,21 @@ TEST(Follows, NeedsADriveAndEveryMillisecondOfIt) {
   EXPECT_THAT(robot, Follows(line(), within(worst))) << "a Simulation stands for the run so far";
 }
 
+TEST(NeverDrives, KnowsTheLineByItsColour) {
+  for (const char* paint : {"black on white", "white on black"}) {
+    const std::string map = "+++\npaint = \"" + std::string(paint) +
+                            "\"\ngoal = \"none\"\n+++\n"
+                            "____________\n____________\n__S11111111_\n____________\n____________\n"
+                            "____________\n____________\n____________\n____________\n";
+    for (const char* profile : {"ideal", "typical"}) {
+      Simulation robot({.sketch = "PidFollower", .map = map, .profile = profile});
+      EXPECT_FALSE(robot.moment().off_line) << paint << ", " << profile;
+      robot.place(6, 2, 'S');  // its sensors are ahead of it, over the floor
+      EXPECT_THAT(robot.run_for(100_ms), Not(NeverDrives(off_the_line()))) << paint << ", " << profile;
+    }
+  }
+}
+
 TEST(NeverDrives, LooksAtTheDriveAlone) {
   Simulation robot(pid_on_oval());
   const Drive start = robot.run_for(2_s);

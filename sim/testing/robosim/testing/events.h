@@ -36,8 +36,8 @@ class Event {
 };
 
 /// Occurs when the sketch has sent this text. The search begins after the last text that was found, and after
-/// the last action (press, send, …). Text that the sketch sent before send() is therefore not taken for the
-/// answer.
+/// the last action (press, send, …). Text that the sketch sent before send() is therefore not mistaken for
+/// the answer.
 Event serial_says(const std::string& text);
 /// Occurs when this regular expression matches part of a complete line; the line end is not included. The
 /// syntax is RE2, which is the syntax of ECMAScript without lookahead and back references. The search begins
@@ -66,7 +66,7 @@ Event motors_start();
 Event motors_stop();
 /// Occurs when no wheel has turned for this duration.
 Event stands_still(Duration time = 500_ms);
-/// Occurs when the robot has hit a wall, an obstacle or the map's edge.
+/// Occurs when the robot has hit a wall, an obstacle, the map's edge or another robot.
 Event collides();
 /// Occurs when the run has ended with this verdict, such as "lost" or "crashed" (docs/reference/verdicts.md).
 /// A test that waits for a verdict does not fail because of this verdict.

@@ -66,8 +66,8 @@ class Fleet {
   bool over() const;
   /// Returns the verdicts in the order of the robots; "" for a robot without a verdict.
   std::vector<std::string> verdicts() const;
-  /// Returns success if all robots have reached their goals, for EXPECT_TRUE. Otherwise names the robots
-  /// without success, with the reasons.
+  /// Returns success if all robots have reached their goals, for EXPECT_TRUE. Otherwise names the robots that
+  /// have not, with the reasons.
   ::testing::AssertionResult all_reached() const;
   /// Returns the command that reproduces this run until now. If the test fails, the files that the command
   /// names are saved.

@@ -68,8 +68,8 @@ Requirement Visits(std::vector<std::string> stations);
 /// visits again counts twice. The station at which the drive began counts only if the robot returns.
 Requirement VisitsInOrder(std::initializer_list<int> stations);
 
-/// Require that no wheel turns after this time, or after this distance, both counted from the drive's
-/// beginning.
+/// Require that the robot does not move after this time, or after this distance, both counted from the
+/// drive's beginning.
 Requirement StopsWithin(Duration time);
 Requirement StopsWithin(Length way);
 
@@ -85,7 +85,7 @@ Doing faster_than(Speed speed);
 Doing onto(int column, int row);  ///< the axle's centre is over this cell
 /// Requires that the robot never does `what`. Example: NeverDrives(backwards()). Checks a sample every 10 ms.
 Requirement NeverDrives(Doing what);
-/// Requires no contact with walls, obstacles or the map's edge.
+/// Requires no contact with walls, obstacles, the map's edge or other robots.
 Requirement NeverCollides();
 
 /// SerialSays() requires that the sketch has sent this text. SerialMatches() requires that the regular

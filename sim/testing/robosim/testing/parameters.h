@@ -9,11 +9,13 @@
 
 namespace robosim::testing {
 
-/// Returns the names of all targets, "host" first. ROBOSIM_TARGETS="host" selects some of them.
+/// Returns the names of all targets, "host" first. The environment variable ROBOSIM_TARGETS="host" selects
+/// some of them.
 std::vector<std::string> target_names();
 inline auto AllTargets() { return ::testing::ValuesIn(target_names()); }
 
-/// Returns seeds from `first` to `last`. ROBOSIM_TEST_SEEDS=N overrides the number of seeds.
+/// Returns seeds from `first` to `last`. The environment variable ROBOSIM_TEST_SEEDS=N overrides the number
+/// of seeds.
 std::vector<std::uint64_t> seeds(std::uint64_t first, std::uint64_t last);
 /// Returns seeds from 1 to `count`.
 inline std::vector<std::uint64_t> seeds(std::uint64_t count) { return seeds(1, count); }

@@ -7,10 +7,10 @@
 
 namespace robosim::testing {
 
-/// Runs `body`, which drives the robot and contains expectations like any test, first without a power cut.
-/// Then repeats the run for each write of a byte to the EEPROM. The power is off for 20 ms in the middle of
-/// this write. Each cut is repeated with three contents of the byte: the old value, erased (0xFF),
-/// and the new value.
+/// Runs `body` first without a power cut. `body` drives the robot and contains expectations, like any test.
+/// Then repeats the run for each write of a byte to the EEPROM. In the middle of this write, the power goes
+/// off for 20 ms. Each cut is repeated with three contents of the byte: the old value, erased (0xFF), and the
+/// new value.
 ///
 /// The expectations of `body` must hold with and without a cut. Ends after the first run that fails. The
 /// message names the write, and the command that replays the run.

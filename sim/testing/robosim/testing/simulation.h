@@ -20,14 +20,14 @@ struct Trial {
   std::string map;     ///< name, path, or the map itself (several lines); "" = the only map next to
                        ///< the sketch, else oval
   std::string robot;   ///< name, path, or a robot file's text; "" = robot.toml next to the sketch, else
-                       ///< uno5 (on stm32 bluepill5)
+                       ///< uno5 (bluepill5 for the target stm32)
   std::string target = "host";
   std::uint64_t seed = 1;
   std::string profile = "typical";         ///< or "ideal": no noise, no spread
   std::string start;                       ///< "X,Y,DIR"; "" = the map's start
   std::string goal = "none";               ///< the goal that ends the run; docs/reference/verdicts.md
   std::string script;                      ///< a scenario, from the beginning of the run
-  Duration limit = std::chrono::hours(1);  ///< the run ends here at the latest
+  Duration limit = std::chrono::hours(1);  ///< the run ends at this time at the latest
   Duration clock_start{};                  ///< initial value of millis(); chip targets only
   std::vector<std::string> libraries;      ///< folders of further Arduino libraries
   bool detect = true;                      ///< a detector's finding fails the test: docs/howto/sanitizers.md

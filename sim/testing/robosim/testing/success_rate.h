@@ -32,8 +32,9 @@ constexpr MinimumRate surely_at_least(double rate) { return {rate, true}; }
 /// the interval of the true rate (Wilson's, 95 %). It also prints the command that replays the first failed
 /// run.
 ///
-/// ROBOSIM_JOBS=N runs N trials at a time (default: the number of processors), with the same result. Throws
-/// the same exceptions as Simulation, and InputError if these seeds are too few to prove the rate.
+/// The environment variable ROBOSIM_JOBS=N runs N trials at a time (default: the number of processors), with
+/// the same result. Throws the same exceptions as Simulation, and InputError if these seeds are too few to
+/// prove the rate.
 ::testing::AssertionResult success_rate(const Trial& trial, MinimumRate least,
                                         const std::vector<std::uint64_t>& seeds);
 
