@@ -7,7 +7,7 @@
 # These calls build PidFollower-uno.elf and the file to flash, and print the sketch's size as Arduino does.
 # The including file must define
 #
-#   robosim_board(BOARD)           makes the targets arduino-BOARD, the core, and arduino-BOARD-flags
+#   robosim_board(BOARD)           makes the targets arduino-BOARD (the Arduino core) and arduino-BOARD-flags
 #   robosim_finish(TARGET BOARD)   makes further files from a linked sketch
 set(ARDUINO_AVR /usr/share/arduino/hardware/arduino/avr CACHE PATH "Arduino's AVR platform")
 if(NOT EXISTS ${ARDUINO_AVR}/cores/arduino/Arduino.h)

@@ -11,7 +11,7 @@ find_program(AVR_AR avr-gcc-ar)
 find_program(AVR_RANLIB avr-gcc-ranlib)
 set(CMAKE_AR ${AVR_AR} CACHE FILEPATH "")
 set(CMAKE_RANLIB ${AVR_RANLIB} CACHE FILEPATH "")
-# CMake's trial builds create only libraries, because a program cannot be linked without a board's core.
+# CMake's trial builds create only libraries, because linking a program needs a board's Arduino core.
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 set(CMAKE_EXECUTABLE_SUFFIX_C .elf)
 set(CMAKE_C_FLAGS_INIT -mmcu=atmega328p)

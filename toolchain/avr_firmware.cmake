@@ -1,6 +1,6 @@
 # Builds a .elf and a .hex file of each Arduino sketch for the boards uno and nano, with avr-atmega328p.cmake.
-# The core is Arduino's own core from the package arduino-core-avr. As in sim/build/target.cpp, the flags are
-# those of its platform.txt.
+# The core is Arduino's own core from the package arduino-core-avr. The flags are those of this package's
+# platform.txt, as in sim/build/target.cpp.
 include(${CMAKE_CURRENT_LIST_DIR}/arduino_firmware.cmake)
 find_program(AVR_OBJCOPY avr-objcopy)
 find_program(AVR_SIZE avr-size)
@@ -10,7 +10,8 @@ set(ROBOSIM_AVR_uno ARDUINO_AVR_UNO standard 32256)
 set(ROBOSIM_AVR_nano ARDUINO_AVR_NANO eightanaloginputs 30720)
 set(ROBOSIM_AVR_RAM 2048)
 
-# Creates the target arduino-BOARD-flags, with the compile and link options of a board, and the board's core.
+# Creates two targets for a board: arduino-BOARD-flags, with the compile and link options, and arduino-BOARD,
+# the Arduino core.
 function(robosim_board board)
   if(TARGET arduino-${board})
     return()

@@ -5,9 +5,9 @@
 #   run       as root: the README's first command, which installs missing packages and builds
 #   samples   as root: the checks of every sample, on the targets that they name
 #   commands  as root: run and compare of every sample, and one minute of hunt
-#   test      as root: the README's second command
+#   test      as root: Robosim's own tests, by `./robosim test`
 #   pi        as root: the golden tests, cross-built for a Raspberry Pi with 64 and 32 bits, under qemu-user
-#   user      as an ordinary user, with the packages installed: both commands
+#   user      as an ordinary user, with the packages installed: the commands of `run` and `test`
 #
 # Prints a table at the end: the versions, and the seconds and the last line of each step. Exits with status 1
 # if a step fails. Requires root and mmdebstrap. Downloads only packages, from this machine's mirror. The root

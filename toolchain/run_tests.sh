@@ -58,7 +58,7 @@ summary='
     if (text !~ /^(Test command: |Working Directory: |Test timeout |Running main|Note: Google Test filter|\[[-=]+\])/)
       written[number] = written[number] text "\n"
   }
-  # "3/8 Test #5: NAME ....***Failed  0.01 sec"; the count distinguishes it from output of a failed test.
+  # "3/8 Test #5: NAME ....***Failed  0.01 sec": the 3 is the expected count, unlike in the output of a failed test.
   /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: .* sec *$/ && $1 + 0 == finished + 1 {
     number = $0; sub(/^[^#]*#/, "", number); sub(/:.*/, "", number)
     name = $0; sub(/^[^:]*: /, "", name); sub(/ ?\.\.\..*/, "", name)

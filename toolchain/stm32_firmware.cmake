@@ -1,6 +1,6 @@
 # Builds a .elf and a .bin file of each Arduino sketch for the boards bluepill (72 MHz) and bluepill8 (8 MHz),
-# with stm32f103.cmake. The core consists of hal/stm32, hal/arduino and the portable sources of the package
-# arduino-core-avr. The flags are those of sim/build/target.cpp.
+# with stm32f103.cmake. The Arduino core consists of hal/stm32, hal/arduino and the portable sources of the
+# package arduino-core-avr. The flags are those of sim/build/target.cpp.
 include(${CMAKE_CURRENT_LIST_DIR}/arduino_firmware.cmake)
 find_program(STM32_OBJCOPY arm-none-eabi-objcopy)
 find_program(STM32_SIZE arm-none-eabi-size)
@@ -21,7 +21,8 @@ foreach(name ${ROBOSIM_STM32_PORTABLE})
   file(CREATE_LINK ${ARDUINO_AVR}/cores/arduino/${name} ${ROBOSIM_STM32_STAGE}/${name} SYMBOLIC)
 endforeach()
 
-# Creates the target arduino-BOARD-flags, with the compile and link options of a board, and the board's core.
+# Creates two targets for a board: arduino-BOARD-flags, with the compile and link options, and arduino-BOARD,
+# the Arduino core.
 function(robosim_board board)
   if(TARGET arduino-${board})
     return()

@@ -5,6 +5,6 @@ if(NOT EXISTS ${emscripten})
 endif()
 include(${emscripten})
 
-# Emscripten needs Node's module acorn from Debian, which Node versions other than Debian's do not find by
-# themselves.
+# Emscripten needs the Node module acorn from Debian. A Node that is not Debian's finds the module only with
+# this path.
 set(CMAKE_CXX_LINKER_LAUNCHER ${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs)

@@ -16,7 +16,7 @@ def ask(**request):
 
 
 def step(ms, order=None):
-    """Sends an order, lets `ms` pass, and returns the robot's state: place, heading, speed, readings."""
+    """Sends an order, simulates `ms` milliseconds, and returns the robot's state: place, heading, speed, readings."""
     if order:
         ask(do="script", lines="send " + json.dumps(order))
     ask(do="step", ms=ms)

@@ -3,10 +3,10 @@
 #   awk -F, -f paired.awk TABLE
 #   awk -F, -v value=lap_best_s -v off_line_s=0.2 -f paired.awk TABLE
 #
-# For each other sketch and map, prints the mean difference of `value` (default time_s; that sketch minus the first
-# one) with its 95 % confidence interval (of the normal distribution: use 30 seeds or more). A pair is one seed, robot
-# and target for which both sketches reached the goal, and neither was off the line for more than `off_line_s` seconds
-# (default 1).
+# For each other sketch and map, prints the mean difference of `value` (default time_s): the other sketch's value minus
+# the first one's. Adds the 95 % confidence interval of the normal distribution, which needs 30 seeds or more. A pair
+# is one seed, robot and target for which both sketches reached the goal. Neither sketch may be off the line for more
+# than `off_line_s` seconds (default 1).
 BEGIN { if (value == "") value = "time_s"; if (off_line_s == "") off_line_s = 1 }
 NR == 1 {
   for (i = 1; i <= NF; i++) column[$i] = i

@@ -2,7 +2,7 @@
 //
 // A motor driver (H-bridge) needs two inputs for each motor: a direction and a duty cycle, the share of time
 // for which the motor is connected to the battery. There are two common ways to wire a driver. The number of
-// pins that you pass selects one:
+// pins that you pass to DriveMotor selects the way:
 //
 //   DriveMotor(en, in1, in2)   L298N: EN gets the PWM, IN1 HIGH and IN2 LOW is forward.
 //                              TB6612: as L298N, with its PWM pin as `en`; its STBY pin must be HIGH

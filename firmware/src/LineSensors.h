@@ -29,8 +29,8 @@
 // right. Five sensors return -2000 to 2000.
 //
 // If no sensor detects the line, position() is the end of the array nearest to the line's last position. A
-// robot that has run off the line therefore turns back. If the last position was more than one sensor away
-// from both ends, the robot cannot have run off: this is a gap in the line. position() is then 0, so the
+// robot that has run off the line therefore turns back. If the last position was more than 1000 (one sensor)
+// away from both ends, the robot cannot have run off: this is a gap in the line. position() is then 0, so the
 // robot crosses the gap without swerving.
 //
 // The sums have 32 bits: with five sensors sum(value * place) reaches millions, and an int on an Uno is

@@ -14,8 +14,8 @@
 //     duty_per_speed * speed + duty_per_mm * (target position - actual position).
 //
 // Landmarks.
-//   arm       an outer sensor gets dark while more of the row is dark than a line alone can cover.
-//             The sensor stays dark for the width of a line. The arm's centre line is halfway.
+//   arm       an outer sensor gets dark, and more of the row is dark than one line can cover.
+//             The sensor stays dark for a line's width; the middle of this width is the arm's centre line.
 //   ahead     a line is still under the row when the row has passed the arms.
 //   bend      one arm and nothing ahead. The robot rolls on until its axle is over the corner, and turns.
 //   junction  two or more lines lead on. The robot rolls on until its axle is over the junction.
@@ -29,8 +29,8 @@
 // follows them. At a radius of about 130 mm it may mistake a bend for a corner, and lose the line.
 //
 // Position. The wheels measure the distance (ds) and the turn: (left - right) / track. The heading is stored
-// as quarter turns and a remaining angle. Lines run at multiples of a quarter turn, so a remaining angle of
-// less than 0.15 rad decays with ds / 150 mm. Differences between the wheels therefore do not accumulate.
+// as quarter turns and a remaining angle. Lines run at multiples of a quarter turn, so each step reduces a
+// remaining angle below 0.15 rad by the share ds / 150 mm. So errors of unequal wheels do not add up.
 // When the robot leaves a landmark along a line, the coordinate across the line is set to the landmark's.
 //
 // follow(), leave() and begin() return after the robot has finished the motion.
@@ -71,7 +71,7 @@ struct LineWalkerSettings {
   static constexpr float creeping = 60;        ///< speed at the end of a roll or a turn
   static constexpr float acceleration = 1500;  ///< mm/s2
   static constexpr float steering = 0.2f;      ///< rad/s for each mm that the line is off
-  static constexpr float slowing = 6;          ///< reduction in mm/s for each mm that the line is off
+  static constexpr float slowing = 6;          ///< speed reduction, mm/s, for each mm that the line is off
   static constexpr float duty_per_mm = 4;      ///< duty for each mm that a wheel lags
 
   static constexpr uint16_t patience_ms = 4000;  ///< time for which the robot waits for an obstacle to leave

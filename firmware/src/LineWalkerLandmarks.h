@@ -52,7 +52,7 @@ nav::Landmark LineWalkerOf<S>::begin() {
   steps_ = 0;
   if (!found) return landmark(nav::LandmarkKind::lost, 0);
   const uint8_t count = nav::slotCount(arms);
-  if (count > 2 && ahead != 0) {  // on a junction, facing no line: turn back to the initial heading
+  if (count > 2 && ahead != 0) {  // a junction without a line ahead: turns back to the initial heading
     turned_ = ahead * line_walker::kQuarter;
     while (turned_ > line_walker::kTurnedEarly) spin(-S::turning);
     brake();
@@ -171,7 +171,7 @@ typename LineWalkerOf<S>::Met LineWalkerOf<S>::cross() {
 template <class S>
 void LineWalkerOf<S>::leave(nav::Turn turn) {
   due_us_ = micros();
-  deaf_ = returned_ || passed_ == Passed::nothing;  // true after `blocked`
+  deaf_ = returned_ || passed_ == Passed::nothing;  // that is, after `blocked`
   if (returned_ && passed_ == Passed::corner)
     turn = nav::turnBetween(heading_, nav::opposite(passed_heading_));
   const float angle =

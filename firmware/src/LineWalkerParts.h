@@ -19,8 +19,8 @@ static constexpr float kSideMm = 150;         // search distance for a line lost
 static constexpr float kBackUpMm = 35;
 static constexpr float kNearMm = 40;  // a blocked robot backs up to a landmark within sensors_ahead + kNearMm
 static constexpr float kLoopNear = 100, kLoopLeast = 500;  // tolerance and minimum length of a loop, mm
-static constexpr int16_t kTurnLead = 300;  // turns brake if the line is this near the middle, 0.001 pitches
-// If the sensor values add up to this, an arm is present. A line alone gives 2100, or 2700 at 38 degrees.
+static constexpr int16_t kTurnLead = 300;  // a turn brakes if the line is this near the middle, 0.001 pitches
+// An arm is present if the sensor values add up to this. A line alone gives 2100, or 2700 at 38 degrees.
 static constexpr uint16_t kLineAndArm = 2700;
 static constexpr uint16_t kClearMs = 500;  // time with a free bumper before the robot continues
 static constexpr uint8_t kStillSteps = 4;

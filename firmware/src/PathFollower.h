@@ -17,8 +17,8 @@
 // line. If that sensor gets dark, it has found a branch and nothing else.
 //
 // Turning. The sensors are ahead of the axle. After detecting a branch, the robot must roll on until its axle
-// is over the branch. Without encoders it cannot measure the distance directly. It uses the branch that it
-// has just crossed as a ruler, since a branch is as wide as the line. If the sensor was dark for 70 ms, then
+// is over the branch. Without encoders it cannot measure the distance directly. As a ruler, it uses the
+// branch that it has just crossed, since a branch is as wide as the line. If the sensor was dark for 70 ms,
 // one line's width ("width") takes 70 ms, with a full or an empty battery. Then the robot turns on the spot
 // until the middle sensor finds the line.
 //
@@ -62,7 +62,7 @@ class PathFollower {
     int16_t counter = 130;       ///< reverse speed to stop; 0 relies on the motors' brakes
     uint8_t stop_ms = 50;        ///< duration of braking before a turn ...
     uint8_t settle_ms = 25;      ///< ... and at the end of a turn
-    uint16_t leave_ms = 280;     ///< in a turn, a line found before this time is the line of arrival
+    uint16_t leave_ms = 280;     ///< in a turn to a branch, a line before this time is the line of arrival
     uint8_t noise_ms = 8;        ///< shorter signals are ignored
     uint8_t end_tenths = 12;     ///< distance without a line after which the line has ended
     uint8_t past_tenths = 4;     ///< further distance until the axle is over the line's end

@@ -29,8 +29,8 @@ class PushButton {
   explicit PushButton(uint8_t pin, PressedIs pressed_is = PressedIs::low, uint8_t debounce_ms = 20)
       : pin_(pin), debounce_ms_(debounce_ms), pressed_is_(pressed_is) {}
 
-  /// Sets the pin's mode and uses its present level as the state. A button held at power-on is therefore
-  /// pressed at once.
+  /// Sets the pin's mode and uses its present level as the state. A button held at power-on therefore counts
+  /// as pressed at once.
   void begin();
   /// Reads the pin.
   void update();

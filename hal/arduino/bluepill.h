@@ -1,6 +1,6 @@
-// Declares names that sketches for a Blue Pill use, but that the core of an Uno does not have. These are the
-// chip's pin names of STM32duino, and functions for the resolution of analog values. The targets host and
-// stm32 include this header. PA13, PA14 and PB2 are missing: the debugger uses PA13 and PA14, and PB2 is
+// Declares names that sketches for a Blue Pill use, but that the core of an Uno does not have. These are
+// STM32duino's names of the chip's pins, and functions for the resolution of analog values. The targets host
+// and stm32 include this header. PA13, PA14 and PB2 are missing: the debugger uses PA13 and PA14, and PB2 is
 // BOOT1.
 #pragma once
 
@@ -54,7 +54,7 @@ extern "C" {
 #endif
 
 /// Makes analogRead return values from 0 to 2^bits - 1. `bits` is 1 to 16; the default is 10. The STM32F103's
-/// converter has 12 bits, and the host's has 10. If `bits` is larger, the lowest bits of a result are zero.
+/// converter has 12 bits, and the host's has 10. If `bits` is larger, a result's lowest bits are zero.
 void analogReadResolution(int bits);
 /// Makes analogWrite accept values from 0 to 2^bits - 1. `bits` is 1 to 16; the default is 8. The resolution
 /// of PWM itself stays at 8 bits.

@@ -57,7 +57,7 @@ char* dtostrf(double value, signed char width, unsigned char decimals, char* tex
 
 char* dtostre(double value, char* text, unsigned char decimals, unsigned char flags) {
   char format[8] = "%.";
-  // avr-libc prints at most 7 decimals here.
+  // The dtostre() of avr-libc prints at most 7 decimals.
   strcat(ultoa(decimals < 7 ? decimals : 7, format + 2, 10), flags & DTOSTR_UPPERCASE ? "E" : "e");
   char* number = text;
   if (!signbit(value)) {

@@ -1,6 +1,6 @@
 // Defines a board's pins on the host. The build (sim/build/compile.cpp) passes the pins' numbers and
-// functions as macros, from the BoardSpec. Ports and timers are those of an Uno, whose registers cover pins 0
-// to 19.
+// functions as macros; they come from hal/board/board_spec.h. Ports and timers are those of an Uno, whose
+// registers cover pins 0 to 19.
 #pragma once
 #ifndef Pins_Arduino_h
 #define Pins_Arduino_h

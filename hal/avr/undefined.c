@@ -1,7 +1,7 @@
 /* The handlers of gcc's UndefinedBehaviorSanitizer for an AVR. A sketch that is built with checks
  * (--sanitize) calls a handler when a check fails. The handler executes an instruction that no AVR has, so
- * the emulator stops. The emulator then examines the check. The handler's arguments (data and values) are
- * still in the registers r25 to r20.
+ * the emulator stops. To describe the failure, the emulator reads the handler's arguments (data and values).
+ * They are still in the registers r25 to r20.
  *
  * The build compiles this file together with the genuine core. Only images with checks contain the code. */
 #include <stdint.h>

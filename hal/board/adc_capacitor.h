@@ -6,8 +6,8 @@
 //
 // t is the time from the selection of the channel to the sample. If the previous conversion ends later than
 // the selection, t begins at that end. In analogRead() on an Uno, t is 12 to 20 us. With a source of up to
-// about 100 kOhm, nothing of the old voltage remains. With 1 MOhm, 24 to 43 % remain. A source whose
-// resistance is not stated counts as 0 Ohm.
+// about 100 kOhm, nothing of the old voltage remains. With 1 MOhm, 24 to 43 % remain. A Source
+// (board.h) has 0 Ohm unless it states a resistance.
 #pragma once
 
 #include "hal/board/board.h"
@@ -16,8 +16,8 @@ namespace robosim {
 
 constexpr double kAdcFarads = 14e-12, kAdcOhms = 10e3;
 
-/// Returns an approximation of e^-part for a small `part` >= 0. adc_decay() returns the 16th power of the
-/// approximation, which is accurate within 1e-5.
+/// Returns an approximation of e^-part for a small `part` >= 0. adc_decay() raises it to the 16th power. The
+/// result of adc_decay() is accurate within 1e-5.
 constexpr double adc_decay_16(double part) {
   return 1.0 / (1.0 + part * (1.0 + part / 2.0 * (1.0 + part / 3.0 * (1.0 + part / 4.0))));
 }
@@ -32,7 +32,7 @@ struct AdcCapacitor {
   double error = 0.0;  ///< `volts` minus the source's voltage
   bool slow = false;   ///< the source had a resistance
 
-  /// Lets `source` charge the capacitor for `seconds`. Not inlined, because few robots have slow sources.
+  /// Charges the capacitor from `source` for `seconds`. Not inlined, because few robots have slow sources.
   __attribute__((noinline, cold)) void charge(Source source, double seconds) {
     slow = source.ohms > 0.0;
     error = slow ? (volts - source.volts) *

@@ -3,8 +3,8 @@
 //
 // A conversion takes 13 ADC clocks, and samples its input after 1.5 clocks. The first conversion after the
 // ADC is enabled takes 25 clocks, and samples after 13.5 clocks (table 24-1). A reference is either the
-// supply or the bandgap. AVCC selects the supply, and so does AREF, because the pin AREF is not wired. The
-// temperature sensor, and the differential channels that some chips have, read 0.
+// supply or an internal voltage. AVCC selects the supply, and so does AREF, because the pin AREF is not
+// wired. The temperature sensor, and the differential channels that some chips have, read 0.
 #pragma once
 
 #include <stdint.h>
@@ -63,8 +63,8 @@ constexpr uint16_t adc_data(uint8_t multiplexer, uint16_t code) {
 }
 
 /// Samples the input that ADMUX and ADCSRB select, and returns the conversion result. `source(channel)`
-/// returns the source at an analog input, which has charged `capacitor` for `seconds()`. Calls
-/// `report(channel)` if this source or the previous one is slow.
+/// returns the source at an analog input. This source charges `capacitor` for `seconds()`. Calls
+/// `report(channel)` if this source or the previous one has a resistance.
 template <typename Seconds, typename SourceAt, typename Report>
 __attribute__((always_inline)) inline uint16_t adc_sample(const AdcSpec& adc, uint8_t multiplexer,
                                                           uint8_t control_b, double supply_volts,

@@ -2,7 +2,7 @@
 // target host and for the emulated chip.
 //
 //   read    set EERE: EEDR contains the byte at once
-//   write   set EEMPE, then EEPE in a short window: EEPE reads 1 until the end of the write
+//   write   set EEMPE, and within a short window EEPE, which then reads 1 until the write ends
 //
 //   EEPM   0 erase and write, 3.4 ms      new value: EEDR
 //          1 erase only, 1.8 ms           new value: 0xFF
@@ -18,7 +18,7 @@
 namespace robosim {
 namespace avr {
 
-/// `Time` is the unit of the caller's clock. The caller stores EECR without EEMPE and EEPE as `control`.
+/// `Time` is the type of the caller's times. The caller stores EECR without EEMPE and EEPE as `control`.
 template <typename Time>
 struct EepromControl {
   Time ready = 0;           ///< when the last write ends
@@ -30,8 +30,8 @@ struct EepromControl {
     return static_cast<uint8_t>(control | (now <= unlocked_until ? kEempe : 0) |
                                 (is_writing(now) ? kEepe : 0));
   }
-  /// Writes the bits `written` of EECR. A write of EEMPE opens the window for the time `window`. Returns EERE
-  /// and EEPE if the caller must read or write a byte.
+  /// Writes the bits `written` of EECR. A write of EEMPE opens the window for the time `window`. The result
+  /// contains EERE if the caller must read a byte, and EEPE if the caller must write one.
   int write(uint8_t& control, uint8_t value, uint8_t written, Time now, Time window) {
     const bool unlocked = now <= unlocked_until;
     control = static_cast<uint8_t>((value & kEerie) | ((is_writing(now) ? control : value) & kEepm));
@@ -40,7 +40,8 @@ struct EepromControl {
   }
 };
 
-/// A write: the new value, and its duration in ns; 0 = EEPM is reserved, and nothing is written.
+/// A write: the byte's new value, and the duration. A duration of 0 means that EEPM has the reserved value 3,
+/// and nothing is written.
 struct EepromWrite {
   uint8_t value;
   SimTime takes;  ///< ns

@@ -6,9 +6,9 @@
 //   period              TOP + 1 ticks, or 2 TOP if the timer counts up and down (phase correct)
 //   fast PWM            high for OCR + 1 of TOP + 1 ticks
 //   phase correct PWM   high for OCR of TOP ticks
-//   COM = 1             toggles at each match: high half the time, one match per period. In PWM modes,
-//                       only OCnA can toggle: if TOP is OCRnA, or if TOP is ICRn in a mode with a
-//                       single slope
+//   COM = 1             toggles at each match, once per period: high half the time. In PWM modes,
+//                       only OCnA can toggle, and only if TOP is OCRnA, or ICRn in a mode with a single
+//                       slope
 #pragma once
 
 #include <stdint.h>
@@ -40,9 +40,9 @@ struct Counting {
 };
 
 /// Returns the mode that WGM in TCCRnA and TCCRnB selects (tables 15-8, 16-4, 18-8). Reserved modes count as
-/// normal mode. Rows have the modes' numbers in these tables. An ATtiny85's timer 1 has other modes (data
-/// sheet 2586Q, 12.2 and 12.3): mode 0 is normal. Mode 2 clears on a match with OCR1C. Mode 3 is PWM up to
-/// OCR1C.
+/// normal mode. The comment before each row is the mode's number in these tables. An ATtiny85's timer 1 has
+/// other modes (data sheet 2586Q, 12.2 and 12.3): mode 0 is normal. Mode 2 clears on a match with OCR1C. Mode
+/// 3 is PWM up to OCR1C.
 constexpr Counting counting(const TimerSpec& timer, uint8_t control_a, uint8_t control_b) {
   using Kind = Counting::Kind;
   using Top = Counting::Top;
@@ -95,7 +95,7 @@ constexpr int64_t period_of(const Counting& how, int64_t top) {
 constexpr uint8_t connection(uint8_t control_a, int channel) { return control_a >> (6 - 2 * channel) & 3; }
 
 /// Returns whether a timer drives a channel's pin when DDRx makes the pin an output. In PWM modes, COM = 1
-/// connects only OCnA, and only in some modes (see the table above).
+/// connects only OCnA, and only in some modes (see the start of this file).
 constexpr bool drives_pin(const Counting& how, uint8_t com, int channel) {
   return com != 1 ? com != 0
                   : how.kind != Counting::Kind::pwm ||

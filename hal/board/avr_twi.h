@@ -51,8 +51,9 @@ class TwiMaster {
     step_ = next(control);
     return runs();
   }
-  /// Completes the step, and sets TWINT. Returns whether another step begins instead. `bus` has the functions
-  /// two_wire_address(), two_wire_write(), two_wire_read() and two_wire_stop() of FirmwarePort.
+  /// Completes the step, and sets TWINT, except after STOP. Returns whether a START follows the STOP at once.
+  /// `bus` has the functions two_wire_address(), two_wire_write(), two_wire_read() and two_wire_stop() of
+  /// FirmwarePort.
   template <typename Bus, typename Time>
   bool end(Bus& bus, uint8_t& control, uint8_t& data, Time at) {
     const Step done = step_;

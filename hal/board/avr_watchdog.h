@@ -24,10 +24,10 @@ constexpr int watchdog_power(uint8_t control) {
   return control & kWdp3 ? 8 + ((control & 7) != 0) : control & 7;
 }
 
-/// `Time` is the unit of the caller's clock. The caller stores WDTCSR without WDCE as `control`.
+/// `Time` is the type of the caller's times. The caller stores WDTCSR without WDCE as `control`.
 template <typename Time>
 struct WatchdogControl {
-  Time origin = 0;          ///< when the present timeout began
+  Time origin = 0;          ///< when the present timeout period began
   Time unlocked_until = 0;  ///< WDCE reads 1 up to this time
 
   uint8_t read(uint8_t control, Time now) const {

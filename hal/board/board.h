@@ -52,11 +52,11 @@ inline bool operator==(const PinDrive& a, const PinDrive& b) {
 }
 inline bool operator!=(const PinDrive& a, const PinDrive& b) { return !(a == b); }
 
-/// The time to erase and write a byte of EEPROM (datasheet, table 8-1).
+/// The time to erase and write a byte of EEPROM (data sheet of the ATmega328P, table 8-1).
 constexpr SimTime kEepromWriteTime = 3400 * kMicrosecond;
 
-/// Why a pin's level is read: for the pin itself, or together with its whole port, or by a peripheral. In the
-/// latter cases, firmware may not use the level.
+/// Why a pin's level is read. `pin`: firmware reads this pin alone. `port`: firmware reads the whole port, or
+/// a peripheral reads the pin. Whether firmware uses the level is then unknown.
 enum class ReadIntent : uint8_t { pin, port };
 
 /// Describes what is connected to an analog input: a voltage, and the resistance in series with it

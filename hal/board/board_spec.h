@@ -1,6 +1,6 @@
 // Describes boards and their pins as data. To add a board, add an entry to kBoards in board_spec.cpp. Also
-// add a table of its pins, if no other board has the same pins. A variant of a board lists only the
-// differences.
+// add a table of its pins, if no other board has the same pins. If a board is a variant of another board,
+// list only the differences.
 #pragma once
 
 #include <stdint.h>
@@ -55,7 +55,7 @@ struct BoardSpec {
   uint16_t usb_id = 0;                ///< USB product id; the vendor id is 0x2341, Arduino
 };
 
-/// Returns the board called `name`, or null if it does not exist. board_at lists the names.
+/// Returns the board called `name`, or null if it does not exist. board_at() returns all boards, one by one.
 const BoardSpec* find_board(const char* name);
 /// Returns the board at the index `number`, or null if there are fewer boards.
 const BoardSpec* board_at(int number);
@@ -65,8 +65,8 @@ Pin find_pin(const BoardSpec& board, const char* name);
 /// Returns the highest number of a digital pin.
 Pin last_digital_pin(const BoardSpec& board);
 
-/// Returns the lowest number of the chip pin that has the number `pin`. Wires are stored under the lowest
-/// number: a Leonardo's A6, number 24, is also its pin 4.
+/// Returns the lowest of the Arduino numbers that denote the same chip pin as `pin`. Wires are stored under
+/// the lowest number. For example, a Leonardo's A6 has the numbers 24 and 4.
 inline Pin first_number(const BoardSpec& board, Pin pin) {
   const ChipPin& place = board.pins[pin].chip_pin;
   for (Pin first = 0; first < pin; ++first) {
@@ -81,9 +81,9 @@ inline const BoardSpec& host_model(const BoardSpec& board) {
   return board.host_model ? *board.host_model : board;
 }
 
-/// Returns the value from 0 to 255 that acts like `value` in analogWrite() on a pin with PWM. An 8-bit
-/// timer's register takes the low byte. In a 16-bit timer's register, a value outside this range is above
-/// TOP, which is full power. An STM32's core limits the value.
+/// Returns the value from 0 to 255 with which analogWrite() has the same effect as with `value`. The pin must
+/// have PWM. An 8-bit timer's register takes the low byte. In a 16-bit timer's register, a value outside 0 to
+/// 255 is above TOP, which means full power. An STM32's core limits the value.
 inline uint8_t pwm_effect(const BoardSpec& board, Pin pin, int64_t value) {
   constexpr uint8_t kFull = 255;
   if (value >= 0 && value <= kFull) return static_cast<uint8_t>(value);
@@ -94,8 +94,8 @@ inline uint8_t pwm_effect(const BoardSpec& board, Pin pin, int64_t value) {
 }
 
 /// Returns whether a timer can capture the pin's edges, on the chip or in the host's model of it. As soon as
-/// firmware reads such a timer's flags, the timer awaits these edges, even if nothing uses the captures. The
-/// Servo library reads the flags.
+/// firmware reads such a timer's flags, the timer requests these edges, even if nothing uses the captures.
+/// The Servo library reads the flags.
 inline bool can_capture(const BoardSpec& board, Pin pin) {
   const BoardSpec& model = host_model(board);
   return board.pins[pin].chip_pin.captured_by >= 0 ||

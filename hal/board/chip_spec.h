@@ -46,11 +46,11 @@ struct TimerSpec {
   uint16_t reduction = 0;      ///< address of PRR
   int8_t reduction_bit = -1;   ///< the bit of PRR that stops the timer
   // Registers; the defaults are an ATmega's:
-  uint16_t control_b = 0;    ///< address of TCCRnB; 0 = the address after TCCRnA
-  uint16_t top = 0;          ///< address of OCR1C of an ATtiny85's timer 1, whose TCCRnA is TCCR1; 0 = none
-  const char* pins[2] = {};  ///< names of OCnA and OCnB, if ChipSpec::pins gives them to another timer
-  uint8_t overflow_vector = 0;       ///< vector of overflow; 0 = after the vectors of the matches
-  uint8_t match_b_vector = 0;        ///< vector of compare B; 0 = after the vector of compare A
+  uint16_t control_b = 0;       ///< address of TCCRnB; 0 = the address after TCCRnA
+  uint16_t top = 0;             ///< address of an ATtiny85's OCR1C (`control` is then TCCR1); 0 = none
+  const char* pins[2] = {};     ///< the pins OCnA and OCnB, if ChipSpec::pins lists them for another timer
+  uint8_t overflow_vector = 0;  ///< vector of overflow; 0 = after the vectors of the matches
+  uint8_t match_b_vector = 0;   ///< vector of compare B; 0 = after the vector of compare A
   uint8_t flag_bits[3] = {0, 1, 2};  ///< bits of overflow, compare A and B in TIFR and TIMSK
 };
 
@@ -131,7 +131,7 @@ struct AvrRegisters {
   uint16_t change_enables = 0x68;                ///< PCICR
   uint16_t change_flags = 0x3B;                  ///< PCIFR
   uint8_t change_bit = 0;                        ///< number of the first group's bit in PCICR and PCIFR
-  uint16_t change_masks = 0x6B;                  ///< PCMSK0, followed by the others
+  uint16_t change_masks = 0x6B;                  ///< PCMSK0, followed by the other PCMSKn
   uint8_t pull_ups_off = 0x10;                   ///< PUD in MCUCR
   uint16_t sleep = 0x53;                         ///< SMCR
   uint8_t sleep_enable = 0x01;                   ///< SE in SMCR
@@ -146,13 +146,13 @@ struct AvrRegisters {
   uint16_t adc_control = 0x7A;                   ///< ADCSRA
   uint16_t adc_control_b = 0x7B;                 ///< ADCSRB
   uint16_t adc_multiplexer = 0x7C;               ///< ADMUX
-  uint16_t digital_off[3] = {0x7E, 0x7F, 0x7D};  ///< DIDR0 to DIDR2; equal = one register for all pins
+  uint16_t digital_off[3] = {0x7E, 0x7F, 0x7D};  ///< DIDR0 to DIDR2; equal if one register serves all pins
   uint16_t general[2] = {0x3E, 0x4A};            ///< GPIOR0, GPIOR1
 };
 
 /// A USB device controller. It is a serial line to the computer, numbered after the UARTs.
 struct UsbSpec {
-  uint16_t address = 0;  ///< address of an AVR's USBCON, followed by the others; 0 = none
+  uint16_t address = 0;  ///< address of an AVR's USBCON, followed by the other registers; 0 = none
   uint16_t pll = 0;      ///< address of PLLCSR
   uint8_t vector = 0;    ///< the general vector, followed by the endpoints' vector
   uint16_t reduction = 0;

@@ -1,5 +1,5 @@
-// The firmware's view of the board, by function. Executors call these interfaces. On the target `host`, the
-// firmware's image calls them, too. The shortest example of a board is BreadBoard in
+// The firmware's view of the board, grouped by function. Executors call these interfaces. On the target
+// `host`, the firmware's image calls them, too. The shortest example of a board is BreadBoard in
 // tests/unit/board/bread_board_test.cpp.
 //
 // Contract of all calls:
@@ -17,7 +17,7 @@ namespace robosim {
 /// The pins of a board.
 class PinPort {
  public:
-  /// Changes how `pin` is driven. Watchers are called, before this call returns, if the drive has changed.
+  /// Changes how `pin` is driven. If the drive has changed, watchers are called before this call returns.
   virtual void set_drive(Pin pin, const PinDrive& drive, SimTime t) = 0;
   /// Returns the result of a digital read of `pin`. An input pin has the level of its source, and an output
   /// pin has the level that it drives. An unconnected input is high with a pull-up and low without a pull-up.

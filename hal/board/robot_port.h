@@ -3,9 +3,9 @@
 // Contract:
 //   - While firmware runs, the board calls sources, watchers and devices, in order of time. A time may be
 //     earlier than the previous one by at most one instruction.
-//   - From inside such a call, they may call schedule_edge(), receive_byte(), and all const functions, but
-//     not connect(), feed() or watch…().
-//   - The board owns none of them. They must exist as long as the firmware runs.
+//   - Inside such a call, sources, watchers and devices may call schedule_edge(), receive_byte(), and all
+//     const functions. They must not call connect(), feed() or watch…().
+//   - The board does not own sources, watchers and devices. They must exist as long as the firmware runs.
 #pragma once
 
 #include "hal/board/board.h"

@@ -1,5 +1,5 @@
-// Divides a register access into steps, for code that receives the written value only after the beginning of
-// the access (register_memory.cpp).
+// Divides a register access into steps. This is for code that knows the value to write only after the access
+// has begun (register_memory.cpp).
 #pragma once
 
 #include <stdint.h>

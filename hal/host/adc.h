@@ -22,8 +22,8 @@ class Adc {
   /// Returns the result in the format of the register ADC: left-adjusted if ADLAR is set.
   uint16_t data() const;
 
-  /// Returns the conversion result of the selected channel. The pin is read now, but the chip samples `late`
-  /// later. Pass 0 for analogRead(), which waits until the time of the sample.
+  /// Returns the conversion result of the selected channel. Reads the pin now, although the chip samples it
+  /// only `late` ns from now. Pass 0 for analogRead(), which waits until the time of the sample.
   uint16_t sample(SimTime late);
   /// Connects the converter's capacitor to the selected channel from now on. Call this function when the
   /// selection changes and after a conversion.
@@ -40,8 +40,8 @@ class Adc {
   }
   bool on() const { return control_ & kAden; }
   /// Returns whether a conversion that starts now is the first one since ADEN was set, and records its start.
-  /// The first conversion takes longer (24.4). Exception: if init() has set ADEN, the first analogRead()
-  /// takes the usual time. The longer time would change the traces of all sketches.
+  /// The first conversion takes longer (24.4). Exception: if the core's init() has set ADEN, the first
+  /// analogRead() takes the usual time. The longer time would change the traces of all sketches.
   bool take_first(bool of_analog_read) {
     const bool first = of_analog_read ? first_ == First::by_sketch : first_ != First::over;
     first_ = First::over;
@@ -76,7 +76,7 @@ class Adc {
 
   uint8_t multiplexer_ = 0, control_ = 0, control_b_ = 0;
   bool converting_ = false, locked_ = false;
-  enum class First : uint8_t { over, by_init, by_sketch } first_ = First::over;  ///< over, or what set ADEN
+  enum class First : uint8_t { over, by_init, by_sketch } first_ = First::over;  ///< who set ADEN, or `over`
   uint16_t code_ = 0, result_ = 0;
   SimTime ready_ = 0;
   AdcCapacitor capacitor_;

@@ -62,7 +62,7 @@ constexpr uintptr_t kNone = UINTPTR_MAX;
 uintptr_t first_forbidden(uintptr_t address, size_t bytes) {
   for (uintptr_t at = address; at - address < bytes;) {
     if (!is_ours(at) || !is_allowed(at)) return at;
-    // Continues with the next 8 bytes, or with the next byte if only the first of these 8 are accessible.
+    // If all of these 8 bytes are accessible, continues after them, else with the next byte.
     at = *shadow_of(at) == 0 ? (at / kGrain + 1) * kGrain : at + 1;
   }
   return kNone;

@@ -51,7 +51,7 @@ HeapBlock block_around(uintptr_t address);
 void allow(const void* begin, size_t bytes);
 /// Forbids access, with the reason `mark`. `begin` and `bytes` are multiples of 8.
 void forbid(const void* begin, size_t bytes, uint8_t mark);
-/// Fills uninitialised bytes with the pattern of local variables (-ftrivial-auto-var-init=pattern).
+/// Fills uninitialised bytes with gcc's pattern for local variables (-ftrivial-auto-var-init=pattern).
 void fill_unset(void* begin, size_t bytes);
 #else
 inline void allow(const void*, size_t) {}

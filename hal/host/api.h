@@ -32,7 +32,7 @@ __attribute__((always_inline)) inline void note_call(const char* name, Pin pin, 
 
 /// Records a query: a call that has no effect except its time, which spend_asking() spends. Its result may
 /// depend only on firmware's memory, on Timer 0's counts (note_clock()), and on levels passed to
-/// note_level().
+/// note_level() (both in polling.h).
 __attribute__((always_inline)) inline void note_question(const char* name, Pin pin, int8_t arguments,
                                                          int32_t first = 0) {
   if (__builtin_expect(unsettled != nullptr, 0) && !polling.on) unsettled();

@@ -20,8 +20,8 @@ void run_attached(int number) {
   if (attached[number]) attached[number]();
 }
 
-/// Returns the pin of an interrupt number of the board. For other numbers, returns the pin of the chip's
-/// INTn, or kNoPin.
+/// Returns the pin to which the board assigns the interrupt `number`. If there is none, returns the pin of
+/// the chip's INTn with n = `number`, or kNoPin.
 Pin pin_of(uint8_t number) {
   const robosim::BoardSpec& spec = host::board->spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)

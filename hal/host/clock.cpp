@@ -265,8 +265,8 @@ void stop_for_ever(const char* how) {
 }  // namespace host
 }  // namespace robosim
 
-/// Lets time pass in an endless loop without a body, `for (;;);`. gcc does not instrument such a loop.
-/// Therefore, sim/build replaces the loop's jump by a call of this function.
+/// Advances time in an endless loop without a body, `for (;;);`. gcc does not instrument such a loop.
+/// Therefore, sim/build replaces the loop's jump with a call of this function.
 #if defined(__x86_64__) || defined(__i386__)
 #define ROBOSIM_ALIGN_STACK __attribute__((force_align_arg_pointer))
 #else

@@ -6,9 +6,9 @@
 #include "hal/host/costs.h"
 #include "hal/host/image.h"
 
-/// Groups the variables of Image::clockwork_begin, so that they are adjacent.
+/// Places a variable between Image::clockwork_begin and clockwork_end (image.h).
 #define ROBOSIM_CLOCKWORK __attribute__((section("robosim_clockwork")))
-/// Groups the large variables of Image::settings_begin, so that they are adjacent.
+/// Places a large variable between Image::settings_begin and settings_end (image.h).
 #define ROBOSIM_SETTINGS __attribute__((section("robosim_settings")))
 /// Optimises rarely used code for size, because images are read and hashed at the start of each run.
 #define ROBOSIM_RARE __attribute__((cold))
@@ -39,7 +39,7 @@ SimTime next_due();
 /// Recomputes the deadline. Call it after any change that may move an interrupt.
 void refresh_deadline();
 
-/// Serves due events. Then begins a search for rounds to skip, if allowed (begin_look() in polling.h).
+/// Serves due events. Then, if allowed, begins a search for idle polling to skip (begin_look() in polling.h).
 void spend_late();
 
 /// Spends the time of a short piece of code: `count` CPU cycles. Interrupts that occur during this time are

@@ -14,7 +14,7 @@ void __gcov_info_to_gcda(const gcov_info* info, void (*name)(const char*, void*)
                          void (*dump)(const void*, unsigned, void*), void* (*allocate)(unsigned, void*),
                          void* argument);
 
-// Defines a function to which gcc's records refer, for adding counts to a file. It is never called here.
+// gcc's records refer to this function, which would add counts to a file. It is never called here.
 void __gcov_merge_add(int64_t*, unsigned) {}
 }
 

@@ -19,7 +19,7 @@ struct ExternalRegisters {
   uint8_t change_control = 0;  ///< PCICR, bit 0 = port B
   uint8_t change_flags = 0;    ///< PCIFR
   uint8_t change_mask[kChip.change_count] = {};  ///< PCMSKn
-  uint8_t low = 0;  ///< INTn whose low level causes an interrupt, one bit each; not a register of the chip
+  uint8_t low = 0;  ///< INTn with sense 0 whose level is low, one bit each; not a register of the chip
 };
 extern ExternalRegisters external;
 

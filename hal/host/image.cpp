@@ -20,10 +20,10 @@ extern const Constructor __stop_robosim_init_array[] __attribute__((weak, visibi
 // The bounds of the image in memory.
 extern const char __ehdr_start[] __attribute__((visibility("hidden")));
 extern const char _end[] __attribute__((visibility("hidden")));
-// The bounds of the variables of Image::clockwork_begin (image.h).
+// The bounds for Image::clockwork_begin and clockwork_end (image.h).
 extern const char __start_robosim_clockwork[] __attribute__((visibility("hidden")));
 extern const char __stop_robosim_clockwork[] __attribute__((visibility("hidden")));
-// The bounds of the variables of Image::settings_begin (image.h).
+// The bounds for Image::settings_begin and settings_end (image.h).
 extern const char __start_robosim_settings[] __attribute__((visibility("hidden")));
 extern const char __stop_robosim_settings[] __attribute__((visibility("hidden")));
 }

@@ -34,7 +34,7 @@ struct Input {
   SimTime at = 0;
 };
 
-/// The record of a global variable that gcc's AddressSanitizer generates.
+/// A record that describes a global variable. gcc's AddressSanitizer generates these records.
 struct GlobalRecord {
   uintptr_t begin;
   uintptr_t bytes;
@@ -90,7 +90,7 @@ class Host {
   virtual void undefined(const char* check, const void* data, uintptr_t value, uintptr_t other,
                          const void* where) = 0;
   /// Reports that firmware is about to divide by zero. The firmware then continues with the chip's result.
-  /// `data` is the handler's argument, or null.
+  /// `data` is the argument of the sanitizer's handler, or null.
   virtual void divides_by_zero(const void* data, const void* where) = 0;
   /// Reports the use of a chip feature that the image does not simulate. Firmware may then behave differently
   /// than on the chip. `what` is a string literal with the usual name of the feature: "CLKPR".
@@ -135,7 +135,7 @@ struct FirmwareState {
   SimTime late_from = kNever;          ///< `from` of that entry
   bool watched = false;                ///< Host::block_begins() must be called
   bool may_skip = true;                ///< rounds in which firmware only waits may be skipped (polling.h)
-  bool called_up = false;              ///< firmware must run to `limit`, although the firmware only waits
+  bool called_up = false;              ///< firmware must run to `limit`, even if it only waits
   // Written by the firmware:
   SimTime now = 0;                   ///< firmware's clock
   SimTime wake = 0;                  ///< at a yield: time of the firmware's next action
@@ -182,10 +182,10 @@ struct Image {
   /// The bounds of core variables that change only if FirmwareState::touched is set.
   const char* settings_begin;
   const char* settings_end;
-  /// Returns whether an enabled interrupt may occur even if firmware calls nothing. Interrupts of the core's
-  /// clock and of Serial do not count. If `held_back`, also considers interrupts that a clear I flag blocks.
-  /// The flag is clear in handlers, and while a sketch reads a shared variable. Call this function outside
-  /// the fiber.
+  /// Returns whether an enabled interrupt, a watchdog reset or tone() may act even if firmware calls nothing.
+  /// Interrupts of the core's clock and of Serial do not count. If `held_back`, also considers interrupts
+  /// that wait for the I flag. The flag is clear in handlers, and between a sketch's cli() and sei().
+  /// Call this function outside the fiber.
   bool (*may_interrupt)(bool held_back);
   /// Passes the execution counts since the start to `sink`. Call this function outside the fiber, at any
   /// time. Null if the image was not built for coverage.

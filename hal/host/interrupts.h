@@ -57,9 +57,9 @@ SimTime next_interrupt(bool with_timer0_overflow);
 /// overflow does not count. Returns 0 if the time is unknown: a flag is raised and enabled, a conversion is
 /// in progress, the UART sends by interrupts, or `rare_used` is true.
 SimTime next_alone();
-/// Returns whether an enabled interrupt may occur even if firmware accesses no register. Interrupts of the
-/// core's clock and of Serial do not count, because sketches see their effects only through calls. If
-/// `held_back`, also considers interrupts that occur only after the I flag is set again.
+/// Returns whether an enabled interrupt, a watchdog reset or tone() may act even if firmware accesses no
+/// register. Interrupts of the core's clock and of Serial do not count: sketches see their effects only
+/// through calls. If `held_back`, also considers interrupts that occur only after the I flag is set again.
 bool may_interrupt(bool held_back);
 /// Runs the handler of the most urgent pending interrupt. Returns false if none is pending or I is clear.
 bool serve_interrupt();

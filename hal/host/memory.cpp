@@ -1,4 +1,4 @@
-// Implements malloc() and free() in the memory FirmwareState::heap. Guard pages follow this memory. Like
+// Implements malloc() and free() in the memory at FirmwareState::heap. Guard pages follow this memory. Like
 // avr-libc, malloc() uses the first free block that is large enough, and adjacent free blocks are joined.
 #include <stdlib.h>
 #include <string.h>
@@ -17,8 +17,8 @@ struct Block {
   uint32_t asked;  ///< size requested from malloc()
 };
 
-/// Uses of a block. kResting: the block was freed, but is reused only if there is no other free block. With
-/// address checks, freed blocks rest, so that later accesses are detected.
+/// The states of a block. kResting: the block was freed, but is reused only if there is no other free block.
+/// With address checks, freed blocks rest, so that later accesses are detected.
 enum Use : uint32_t { kFree, kUsed, kResting };
 
 constexpr size_t kAlign = 16;

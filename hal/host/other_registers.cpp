@@ -47,9 +47,9 @@ bool is_in_use(const Timer& timer, uint8_t divisor_of_init) {
   return timer.enabled() || (timer.control_b() & 7 && !is_left);
 }
 
-/// Returns the bits of PRR that stop a timer in use. Bits of other modules are ignored: converter, serial
-/// lines and two-wire interface act only when the sketch uses them. A sketch must not use a module that is
-/// off.
+/// Returns the bits of PRR that stop a timer in use. Ignores bits of the converter, the serial lines and the
+/// two-wire interface. These modules act only when the sketch uses them, and a sketch must not use a module
+/// that is off.
 uint8_t stopped_by(uint8_t reduction) {
   const int in_use = (is_in_use(timer1, 3) ? 0x08 : 0) | (is_in_use(timer0, 3) ? 0x20 : 0) |
                      (is_in_use(timer2, 4) ? 0x40 : 0);

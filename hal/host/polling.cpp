@@ -97,7 +97,7 @@ bool skip() {
     // The world may change at each tick.
     if (polling.pins || state.called_up) end = earlier(end, state.limit);
     SimTime rounds = end > state.now ? (end - 1 - state.now) / polling.length : 0;
-    // Runs the last round, because the board records the time of the last read.
+    // Does not skip the last round, because the board records the time of the last read.
     if (polling.pins && rounds > 0) --rounds;
     const SimTime last = state.now + rounds * polling.length;
     if (last < state.limit) {

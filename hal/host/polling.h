@@ -1,8 +1,8 @@
 // Skips the time in which firmware only polls. Polling firmware returns to a place in its code with unchanged
-// variables, heap, stack and registers. The way from this place back to the place is called a round. All
+// variables, heap, stack and registers. The way from this place until the return is called a round. All
 // rounds are equal until a query (millis(), digitalRead(), Serial.available()) may return another result. The
-// rounds that certainly end before that moment are skipped, except the last of them. The result is the same
-// as without skipping.
+// rounds that certainly end before that moment are skipped. If rounds read pins, the last of these rounds is
+// executed. The result is the same as without skipping.
 //
 // A look is a search for such a place. It begins at a deadline; from then on, each basic block calls
 // look_at_block(). The look ends after rounds have been skipped, after too many blocks, or at a call other
@@ -42,7 +42,7 @@ struct Polling {
   SimTime since = 0, length = 0;
   SimTime call_ago = 0, read_ago = 0;  ///< the times since the last call and the last read, at `place`
   // The points at which the round may be interrupted: offsets from the round's beginning, and their number. A
-  // negative number means too many points. The round reads the counts of Timer 0's interrupt only before the
+  // negative `points` means too many. The round reads the counts of Timer 0's interrupt only before the
   // point at[reads].
   SimTime at[kMostPoints] = {};
   int points = 0, reads = 0;

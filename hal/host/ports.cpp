@@ -21,7 +21,7 @@ bool pull_ups_off;
 ROBOSIM_SETTINGS uint32_t tone_hz[kPins];
 ROBOSIM_SETTINGS uint8_t pwm_values[kPins];  // PWM values of pins without a timer
 
-// The pins of each port by bit, of each timer by channel, and so on. They are constant after place_pins().
+// The pins by port and bit, by timer and channel, and by other function. Constant after place_pins().
 ROBOSIM_CLOCKWORK Pin port_pins[kPorts][kBits];
 ROBOSIM_CLOCKWORK Pin timer_pins[kTimers][2];
 ROBOSIM_CLOCKWORK Pin external_pins[kChip.external_count];

@@ -96,7 +96,7 @@ bool end_pwm(Pin pin);
 /// Reports the drive of `pin` to the board if it has changed.
 void refresh_pin(Pin pin);
 void refresh_timer_pins(int timer);
-/// Makes `pin` output a square wave for tone(); 0 = no wave.
+/// Makes `pin` output a square wave for tone(). With `hz` 0, ends the wave.
 void set_tone(Pin pin, uint32_t hz);
 
 }  // namespace ROBOSIM_WITHIN

@@ -2,7 +2,7 @@
 // uint8_t* port = portOutputRegister(…)`.
 //
 // An image with such code is compiled with ROBOSIM_REGISTER_MEMORY (sim/build/target.cpp). A register is then
-// a byte of robosim_register_memory; the index is the register's address in the chip's data space. By the
+// a byte of robosim_register_memory; the index is the register's address in the chip's data space. With the
 // option -fsanitize=thread, gcc inserts calls of functions in register_memory.cpp before accesses to
 // non-local memory. gcc's library for these calls is not used.
 //

@@ -374,8 +374,8 @@ void robosim_write8(robosim_register address, uint8_t value) {
   host::begin_access(address, 1, __builtin_return_address(0));
   host::write(address, value);
   host::refresh_deadline();
-  // If the PWM of init() has raised a flag of the timer, serves its interrupt before the sketch's next
-  // statement.
+  // If the PWM that init() starts has raised the timer's flag, serves the timer's interrupt before the
+  // sketch's next statement.
   if (address >= host::reg::kTimsk0 && address <= host::reg::kTimsk2) host::spend(0);
 }
 

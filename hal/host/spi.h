@@ -1,5 +1,5 @@
 // Models the serial peripheral interface as master on the host (hal/board/avr_spi.h). Unlike on the chip, the
-// port's registers still drive MOSI and SCK. SS is read only when SPCR or SPDR is written.
+// port's registers drive MOSI and SCK even while SPI is on. SS is read only when SPCR or SPDR is written.
 #pragma once
 
 #include <stdint.h>

@@ -19,7 +19,7 @@ constexpr unsigned long kMicrosPerTick = 64 / kCyclesPerMicro;
 constexpr unsigned long kCyclesPerLoop = 16;  // cycles of pulseIn's loop, as assumed by the core
 // The shortest duration of a delayMicroseconds() call.
 constexpr unsigned int kShortestDelay_us = host::kClockHz < 16000000 ? 2 : 1;
-bool own_yield = true;  // false once the core's yield() has run: the sketch then defines no yield()
+bool own_yield = true;  // false once the core's yield() has run (the sketch defines none)
 
 unsigned long read_micros() {
   host::spend(cost::kMicros);

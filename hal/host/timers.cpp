@@ -377,7 +377,7 @@ PinDrive Timer::drive(int channel) const {
 }  // namespace host
 }  // namespace robosim
 
-// Defines the handler as in the core's wiring.c.
+// Defines Timer 0's overflow handler, which does the same as the core's (wiring.c).
 static_assert(robosim::host::kTimer0Overflow == 16, "the handler's name");
 extern "C" void __vector_16() {
   robosim::host::state.now += robosim::host::kOverflowTakes;

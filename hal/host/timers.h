@@ -56,7 +56,7 @@ class Timer {
   ROBOSIM_RARE void write_compare(int channel, uint16_t value);
   ROBOSIM_RARE void set_capture(uint16_t value);
   ROBOSIM_RARE void set_count(uint16_t value);
-  /// Sets the prescaler to 0 (PSRSYNC, PSRASY).
+  /// Restarts the prescaler's count at 0 (PSRSYNC, PSRASY).
   ROBOSIM_RARE void reset_prescaler();
   /// Changes the pins as matches do, except in PWM modes. `bits` are FOCnA and FOCnB.
   ROBOSIM_RARE void force_compare(uint8_t bits);
@@ -93,7 +93,7 @@ class Timer {
   /// Returns how a channel drives its pin.
   PinDrive drive(int channel) const;
   /// Return the level of a channel's pin at `at`, and the time of its next change after `after`, or kNever.
-  /// The channel has PWM or toggles its pin. The times must not be before the last register write.
+  /// The channel must have PWM or toggle its pin. The times must not be before the last register write.
   bool level(int channel, SimTime at) const { return level_at(channel, tick_at(at)); }
   ROBOSIM_RARE SimTime next_edge(int channel, SimTime after) const;
   /// Returns the time of the next turn. Levels and edges are valid until then.
@@ -115,7 +115,7 @@ class Timer {
 
   /// Returns whether the timer runs like Timer 0 after init(): from 0 to 255, with a single slope.
   bool counts_bytes() const { return !dual_slope_ && top_ == 255 && prescaler_ != 0 && turn_ == kNoTick; }
-  /// Returns the time `ticks` timer ticks after the present count began.
+  /// Returns the time at which `ticks` timer ticks have passed since the present count began.
   SimTime ticks_from_now(int64_t ticks) const;
   /// Returns the number of overflows that have not been counted yet, without raising the overflow flag.
   int64_t take_overflows();
@@ -197,7 +197,7 @@ class Timer {
   void begin_canceler();
   bool captures() const { return counting_.top != avr::Counting::Top::capture; }
   bool has_capture() const { return flag_count_ > 3; }
-  static constexpr uint8_t kConnections = 0xF0, kToggles = 0x50;  ///< all bits COM; COMnA0, COMnB0
+  static constexpr uint8_t kConnections = 0xF0, kToggles = 0x50;  ///< all COM bits; COMnA0 and COMnB0
 
   uint8_t number_;
   uint16_t max_;
@@ -222,7 +222,7 @@ class Timer {
   SimTime base_ = 0;
   int64_t base_tick_ = 0;
   int64_t overflows_seen_ = 0;  ///< tick up to which take_overflows() has counted
-  int64_t disabled_seen_ = 0;   ///< tick up to which disabled flags, which are not scheduled, are up to date
+  int64_t disabled_seen_ = 0;   ///< tick up to which the flags without an enabled interrupt are up to date
   SimTime due_of_[4] = {kNever, kNever, kNever, kNever};  ///< due times of flags 0..3; kNever if not enabled
   SimTime due_ = kNever, due_to_match_ = kNever;
   // Levels of the pins. Without PWM: the level after the last match, and the tick of this match. With PWM:

@@ -1,5 +1,5 @@
-// Models tone() on the host: Timer 2 toggles one pin. During a tone, analogWrite() has no PWM on pins 3 and
-// 11, as in the AVR core.
+// Models tone() on the host: Timer 2 toggles one pin. During a tone, analogWrite() causes no PWM on pins 3
+// and 11, as in the AVR core.
 #pragma once
 
 #include "hal/board/sim_time.h"

@@ -1,5 +1,5 @@
 // Models the two-wire interface as master on the host. hal/board/avr_twi.h has the steps and their durations.
-// Unlike on the chip, the port's registers still drive SDA and SCL.
+// Unlike on the chip, the port's registers drive SDA and SCL even while the interface is on.
 #pragma once
 
 #include <stdint.h>

@@ -26,7 +26,7 @@ class Uart {
   SimTime byte_time() const { return byte_time_; }
   /// Returns the number of accepted bytes that have not been sent completely.
   int64_t sending() const;
-  /// Returns the time from which at most `count` accepted bytes are unsent.
+  /// Returns the time from which on at most `count` accepted bytes are still unsent.
   SimTime until_sending(int64_t count) const { return sent_ - count * byte_time_; }
   /// Accepts a byte, even if the chip's data register is full. To respect the chip's limit, check sending()
   /// first.

@@ -84,7 +84,7 @@ constexpr uint32_t kAnalog = 0x0, kFloating = 0x4, kPulled = 0x8, kPushPull = 0x
 // --- AFIO: alternate functions and external interrupts (RM0008 9.4)
 constexpr Address kAfio = 0x40010000;
 constexpr Address kAfioEvcr = kAfio + 0x00, kAfioMapr = kAfio + 0x04,
-                  kAfioExticr1 = kAfio + 0x08;  // EXTICR1 of 4; four bits per line
+                  kAfioExticr1 = kAfio + 0x08;  // the first of 4 registers; 4 bits per line
 constexpr uint32_t kSwjMask = 7u << 24,
                    kSwjNoJtag = 2u << 24;  // 9.4.2: PA15, PB3 and PB4 become ordinary pins
 

@@ -12,7 +12,7 @@ constexpr uint32_t kCyclesPerMilli = F_CPU / 1000u;
 /// The maximum time, in us, that the beginning and the end of a sleep take: about 400 cycles.
 constexpr uint32_t kSleepUs = 400u / kCyclesPerMicro + 1u;
 
-/// Waits by SysTick's counter alone. With interrupts off, micros() stops after at most a millisecond.
+/// Waits by SysTick's counter alone, because with interrupts off, micros() stops within a millisecond.
 void spin(uint32_t us) {
   uint32_t last = load(kStkVal), cycles = 0;
   while (us > 0) {

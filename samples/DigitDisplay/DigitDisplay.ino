@@ -1,5 +1,5 @@
 // Shows the number of crossings on a 7-segment digit (common cathode), with segments a to g on pins 2 to 8. A
-// DRV8833 drives the motors: right on pins 9/10, left on 11/12. Of these pins, only pin 12 has no PWM.
+// DRV8833 drives the motors: right on pins 9/10, left on 11/12. Of these four pins, only 12 has no PWM.
 const byte digits[10] = {B0111111, B0000110, B1011011, B1001111, B1100110,
                          B1101101, B1111101, B0000111, B1111111, B1101111};
 byte count = 0;

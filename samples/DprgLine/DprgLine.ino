@@ -37,7 +37,7 @@ void loop() {
   uint8_t seen = look();
   for (uint8_t i = 0; i < sizeof RULES / sizeof RULES[0]; i++)
     if (pgm_read_byte(&RULES[i].seen) == seen) steering = pgm_read_byte(&RULES[i].steer);
-  // Next to the line no rule matches, and the last steering value stays.
+  // If no sensor sees the line, no rule matches, and the last steering value stays.
   analogWrite(L_EN, constrain(CRUISE + steering, 0, 255));
   analogWrite(R_EN, constrain(CRUISE - steering, 0, 255));
   delay(2);

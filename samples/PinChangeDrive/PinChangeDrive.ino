@@ -1,4 +1,4 @@
-// Counts all edges of encoders on A2/A3 (left), 8/9 (right) by pin change interrupts. Drives 30 cm and back.
+// Counts all edges of encoders on A2/A3 (left) and 8/9 (right) by pin change interrupts. Goes 30 cm and back.
 #include <avr/interrupt.h>
 
 volatile long countL, countR;

@@ -8,7 +8,7 @@ const byte RIGHT_PWM = 6, RIGHT_IN1 = 9, RIGHT_IN2 = 10;
 const int SPEED = 90;               // out of 255
 const int KP = 13, KD = 60;         // per 100 units of position
 const int STOP_AFTER = 350;         // ms after the goal mark; still within the goal area
-const unsigned long CROSSING = 60;  // maximum ms between the two mark sensors at a crossing
+const unsigned long CROSSING = 60;  // maximum ms from one mark sensor to the other at a crossing
 
 int lastPosition = 0;
 byte marks = 0;      // on the right

@@ -20,7 +20,7 @@ static volatile uint16_t now = 0;
       "pop r13\n pop r12\n pop r11\n pop r10\n pop r9\n pop r8\n pop r7\n pop r6\n pop r5\n"      \
       "pop r4\n pop r3\n pop r2\n pop r1\n pop r0\n out __SREG__, r0\n pop r0\n")
 
-// Switches tasks without a function call: the return address of a called function is on the old stack.
+// Switches tasks. Calls no function, because the return address would stay on the old stack.
 ISR(TIMER2_COMPA_vect, ISR_NAKED) {
   SAVE;
   savedSp[current] = SP;

@@ -1,4 +1,4 @@
-// My first robot! Two IR sensor modules and a L298N board.
+// My first robot! Two IR sensor modules and an L298N board.
 // The ENA and ENB jumpers are set, so PWM on the IN pins controls the speed.
 
 #define sensorIzq 7

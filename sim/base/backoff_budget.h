@@ -9,8 +9,7 @@ namespace robosim {
 
 class BackoffBudget {
  public:
-  /// Records that `cycles` were saved (or, if negative, spent). Returns whether examining the loop still pays
-  /// off.
+  /// Records the cycles that were saved; negative = spent. Returns whether examining the loop still pays off.
   bool pay(std::int64_t cycles, std::uint64_t now) {
     budget_ = std::min(budget_ + cycles, kMost);
     if (budget_ > kLeast) return true;
@@ -20,7 +19,7 @@ class BackoffBudget {
   }
   bool is_banned(std::uint64_t now) const { return now < banned_until_; }
   void begin_anew() { budget_ = 0; }
-  /// Handles a jump back in time to `now`. A present ban then ends no later than a new ban would.
+  /// Shortens a present ban after time has jumped back to `now`: it ends no later than a new ban would.
   void moved_in_time(std::uint64_t now) {
     banned_until_ = std::min(banned_until_, now + (kFirstBan << bans_));
   }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-// The two base64 digits of each value of twelve bits.
+// The two base64 digits of each 12-bit value.
 constexpr auto kPairs = [] {
   std::array<std::array<char, 2>, 4096> pairs{};
   for (std::size_t bits = 0; bits < pairs.size(); ++bits)
@@ -54,7 +54,7 @@ char* Base64::put(char* to, std::string_view bytes) {
   }
   const char* from = bytes.data();
   const char* const end = from + bytes.size() / 3 * 3;
-  // Encodes two groups per 8-byte load.
+  // Encodes two groups of three bytes per 8-byte load.
   for (; static_cast<std::size_t>(bytes.data() + bytes.size() - from) >= sizeof(std::uint64_t); from += 6) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, from, sizeof bits);

@@ -12,7 +12,7 @@ std::string base64(std::string_view bytes);
 /// Encodes bytes that arrive in pieces.
 class Base64 {
  public:
-  /// Returns an upper bound of the number of characters for `bytes` bytes.
+  /// Returns an upper bound for the number of characters that encode `bytes` bytes.
   static constexpr std::size_t most(std::size_t bytes) { return (bytes + 2) / 3 * 4 + 4; }
   /// Writes to `to` all characters that are complete so far. Returns the end of the written text.
   char* put(char* to, std::string_view bytes);

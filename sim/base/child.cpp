@@ -75,8 +75,8 @@ struct Instructions {
   }
 };
 
-/// Disables random addresses in the programs that this thread starts, during the lifetime of the object. Has
-/// no effect if the kernel or a container refuses this setting.
+/// Disables address space randomisation (ASLR) in the programs that this thread starts, during the lifetime
+/// of the object. Has no effect if the kernel or a container refuses this setting.
 class FixedAddresses {
  public:
   explicit FixedAddresses(bool wanted) : before_(wanted ? ::personality(kQuery) : -1) {

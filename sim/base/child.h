@@ -38,9 +38,9 @@ struct ChildStart {
   std::optional<std::vector<std::string>> environment;  ///< "NAME=VALUE"; nothing = inherit
   int input = kOurs, output = kOurs, errors = kOurs;
   std::vector<int>
-      default_signals;     ///< signals with default actions in the child; if any, the child blocks no signal
+      default_signals;     ///< signals with default actions in the child; unless empty, it blocks no signal
   bool own_group = false;  ///< starts a process group, so that Ctrl-C in a terminal does not reach the child
-  bool fixed_addresses = false;  ///< equal addresses at each start; no effect if the kernel refuses them
+  bool fixed_addresses = false;  ///< disables ASLR; no effect if the kernel refuses this
 };
 
 /// A child process: a program, or a copy of this process. A program inherits the descriptors in its

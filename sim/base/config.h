@@ -37,7 +37,7 @@ const char* to_string(ConfigValue::Kind kind);
 
 /// Parses TOML. Throws InputError for invalid TOML. Also throws for more than 256 KiB, 1000 keys in a table,
 /// 8 parts in a key (a.b.c has 3) or 16 nested brackets. `first_line` is the line of the file at which `text`
-/// starts (front matter).
+/// starts; front matter may start later than on line 1.
 ConfigValue parse_toml(std::string_view text, const std::string& file, int first_line = 1);
 
 /// Reads one table key by key, and rejects keys that the caller has not read.

@@ -11,7 +11,7 @@ namespace robosim {
 /// Returns a text as one field of a row, quoted only where necessary.
 std::string csv_field(std::string_view text);
 
-/// Splits a row of one line into fields; returns nothing if the quotes do not match.
+/// Splits a row without line feeds into fields; returns nothing if a quote is not closed.
 std::optional<std::vector<std::string>> csv_fields(std::string_view line);
 
 }  // namespace robosim

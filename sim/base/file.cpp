@@ -130,7 +130,7 @@ void write_file(const fs::path& path, std::string_view content) {
   const bool in_place = fs::exists(there) && !fs::is_regular_file(there) && !fs::is_directory(there);
   const fs::path target = in_place ? path : beside(path);
   try {
-    // Removes an existing temporary file, or a link by another user, which would lead elsewhere.
+    // Removes a leftover temporary file. It may also be another user's link, which would lead elsewhere.
     if (!in_place) ::unlink(target.c_str());
     const int fresh = in_place ? O_TRUNC : O_EXCL | O_NOFOLLOW;
     const Descriptor file(::open(target.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | fresh, 0666));
@@ -185,7 +185,7 @@ std::string sha256_of_file(const fs::path& path) {
     if (n == 0) break;
     SHA256Update(&context, chunk.data(), static_cast<std::size_t>(n));
   }
-  ::explicit_bzero(chunk.data(), chunk.size());  // a runner hashes programs that its later runs must not read
+  ::explicit_bzero(chunk.data(), chunk.size());  // the file may be a program that later runs must not read
   char hex[SHA256_DIGEST_STRING_LENGTH];
   SHA256End(&context, hex);
   return hex;

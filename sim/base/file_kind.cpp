@@ -117,7 +117,7 @@ std::optional<FileKind> kind_of(std::string_view text) {
 void refuse_other_kind(std::string_view text, FileKind wanted, const std::string& file) {
   const std::optional<FileKind> kind = kind_of(text);
   if (!kind || *kind == wanted) return;
-  if (wanted == FileKind::log && *kind == FileKind::table) return;  // may be a log with another layout
+  if (wanted == FileKind::log && *kind == FileKind::table) return;  // the log may have unusual columns
   const KindText got = text_of(*kind);
   throw InputError({file}, fmt::format("expected {}, got {}; {}", text_of(wanted).name, got.name, got.hint));
 }

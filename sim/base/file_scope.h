@@ -1,5 +1,5 @@
 // Restricts the files that a process opens by name to a few folders. `robosim serve` restricts its clients'
-// runs, because robots, maps and scripts from the network name files.
+// runs, because a robot, map or script from the network may contain any file name.
 #pragma once
 
 #include <filesystem>
@@ -35,19 +35,18 @@ class HeldFolder {
 };
 
 /// Environment variable with the allowed folders of a process and its children, one per line. The first
-/// folder is the served folder, to which names in files are restricted. If the variable is unset, there is no
-/// restriction.
+/// folder is the served folder. File names inside users' files must lead into this folder, or to Robosim's
+/// own data. If the variable is unset, there is no restriction.
 inline constexpr const char* kFileScope = "ROBOSIM_FILE_SCOPE";
 
 /// Returns the variable with its value, "NAME=…", for the environment of a new process.
 std::string file_scope_variable(const std::vector<std::filesystem::path>& folders);
 
-/// Opens a file like ::open(). With a scope, the file must be below the scope's folders, Robosim's own
-/// folders, or the system's programs; otherwise errno is EXDEV. Follows links that lead out, except links in
-/// the served folder.
+/// Opens a file like ::open(). With a scope, the file must be in a folder of the scope, of Robosim, or of the
+/// system (/usr); otherwise errno is EXDEV. Follows links to other folders, except from the served folder.
 Descriptor open_in_scope(const std::filesystem::path& path, int flags);
 
-/// Opens a path that a compiler may access (O_PATH). Opens a path below the served folder like
+/// Opens a path (O_PATH) to which a sandbox gives compilers access. Opens a path below the served folder like
 /// HeldFolder::open(), and any other path like ::open().
 Descriptor open_to_show(const std::filesystem::path& path);
 

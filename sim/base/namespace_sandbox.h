@@ -26,7 +26,7 @@ class NamespaceSandbox {
  private:
   struct Place {
     std::string path;                ///< in the sandbox
-    std::string real;                ///< where the old root has it: below kOld, with links resolved
+    std::string real;                ///< path of the original in the old root (kOld), without links
     std::vector<std::string> above;  ///< parent folders to create, outermost first
     bool folder = false, writable = false;
     unsigned long flags = 0;  ///< mount flags that a namespace must not change

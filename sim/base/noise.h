@@ -11,7 +11,7 @@ namespace robosim {
 class NoiseStream {
  public:
   NoiseStream() = default;
-  /// Creates the stream with this name. `part` is the part's *name*: reordering a robot file changes nothing.
+  /// Creates the stream with this name. `part` is a name, so reordering a robot file changes nothing.
   NoiseStream(std::uint64_t seed, std::uint32_t robot, std::string_view part, std::string_view purpose);
 
   /// Returns 64 uniform bits for sample `n` (SplitMix64's finaliser: Steele, Lea & Flood, OOPSLA 2014).

@@ -10,7 +10,7 @@
 
 namespace robosim {
 
-/// A value, and the largest deviation of a robot's own value.
+/// A nominal value, and the largest deviation of an individual robot from it.
 struct Spread {
   double value = 0.0;   ///< SI
   double spread = 0.0;  ///< SI; each robot's own value is uniformly distributed in value ± spread
@@ -35,7 +35,7 @@ struct Parameter {
   double most() const {
     return std::max(value + spread, typical_2 ? typical_2->value + typical_2->spread : value);
   }
-  /// Returns the value for the robot of this noise stream.
+  /// Returns the value that the robot with this noise stream has.
   double drawn(Profile profile, const NoiseStream& stream) const {
     const Spread now = in(profile);
     return now.spread == 0.0 ? now.value : now.value + now.spread * (2.0 * stream.uniform(0) - 1.0);

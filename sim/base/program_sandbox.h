@@ -1,5 +1,6 @@
-// Limits compilers to files of the sketch, its libraries, the core, the compilers themselves, and a writable
-// scratch folder. A source can name any file (#include, .incbin), and a sketch may come from a stranger.
+// Restricts compilers to certain files: the sketch, its libraries, the core, the compilers themselves, and a
+// writable scratch folder. A source can name any file (#include, .incbin), and a sketch may come from a
+// stranger.
 #pragma once
 
 #include <filesystem>

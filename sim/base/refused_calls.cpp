@@ -39,7 +39,7 @@ constexpr std::uint32_t kNeedless[] = {SYS_socket,
 
 #if defined(__x86_64__)
 constexpr std::uint32_t kMachine = AUDIT_ARCH_X86_64, kOtherMachine = AUDIT_ARCH_I386;
-/// Numbers of the same calls in 32-bit programs; socketcall() is first.
+/// Numbers of the calls of kNeedless in 32-bit programs. The first one is socketcall().
 constexpr std::uint32_t kNeedlessOfOther[] = {102,           359,        37,  238, 270, 178,
                                               335,           26,         347, 348, 288, 286,
                                               287,           357,        336, 310, 346, kPidfdSendSignal,

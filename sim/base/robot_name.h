@@ -1,5 +1,5 @@
-// Parses names of robots: a stock robot's name, or the path of a robot file. An optional @ and a board
-// replace the robot's own board, as in "uno5@bluepill" or "./my.toml@bluepill8" (docs/reference/robots.md).
+// Parses names of robots: a stock robot's name, or the path of a robot file. An optional suffix, @ and a
+// board, replaces the robot's own board: "uno5@bluepill", "./my.toml@bluepill8" (docs/reference/robots.md).
 #pragma once
 
 #include <string>

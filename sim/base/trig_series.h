@@ -1,5 +1,5 @@
-// Converts angles to directions by series with fewer terms, and a larger error, than deterministic_trig.h.
-// The bits are the same on every machine, unlike those of libm's sine and cosine.
+// Converts angles to directions, like deterministic_trig.h, but with fewer terms of the series and a larger
+// error. The bits are the same on every machine, unlike those of libm's sine and cosine.
 #pragma once
 
 #include <cmath>

@@ -38,7 +38,7 @@ std::string si_unit(Dimension dimension);
 /// them is optional). Returns nothing for other text. A bare number is accepted for `ratio` only.
 std::optional<double> parse_quantity(std::string_view text, Dimension dimension);
 
-/// Parses a duration in exact nanoseconds, for command lines and scripts; rejects negative times.
+/// Parses a duration, for command lines and scripts. Returns whole nanoseconds; nothing for negative times.
 std::optional<long long> parse_duration_ns(std::string_view text);
 
 }  // namespace robosim

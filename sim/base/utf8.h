@@ -9,7 +9,7 @@ namespace robosim {
 
 /// The bytes that some editors insert before a text to mark it as UTF-8.
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-/// Returns the text without a byte order mark at its beginning, which some editors of Windows write.
+/// Returns the text without its byte order mark, if it begins with one.
 inline std::string_view without_byte_order_mark(std::string_view text) {
   return text.starts_with(kByteOrderMark) ? text.substr(kByteOrderMark.size()) : text;
 }

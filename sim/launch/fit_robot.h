@@ -21,12 +21,13 @@ struct FittedRobot {
   std::string own_board;  ///< the board that was replaced; empty = no board was replaced
 };
 
-/// Returns the robot with one of `boards`; empty = any board. The first of `boards` replaces an unsuitable
-/// board. Throws the exceptions of `describe`, which also throws if the replacement lacks a pin of the robot.
+/// Returns the robot with one of `boards`; an empty list allows any board. The first of `boards` replaces an
+/// unsuitable board. Throws the exceptions of `describe`, which also throws if the replacement lacks a pin of
+/// the robot.
 FittedRobot fit_robot(const std::string& robot, const std::vector<std::string>& boards,
                       const Describe& describe);
 
-/// A robot whose board suits a sketch's target or its project.
+/// A robot whose board suits the target or the project of a sketch.
 struct Carrier {
   Choice robot;
   wire::RobotInfo info;

@@ -70,8 +70,8 @@ std::vector<result::RunResult> results_of(result::RunResult first);
 /// with that robot's name. The time is the longest time of a robot. Distance, energy and collisions are sums,
 /// and outputs are concatenated.
 ///
-/// The hashes of image and robot come from the first robot. All other values come from the robot in `why`, or
-/// from the first robot if all have reached their goals. The result of a single robot stays unchanged.
+/// The hashes of image and robot come from the first robot. All other values come from the robot that `why`
+/// names, or from the first robot if all reached their goals. The result of a single robot stays unchanged.
 result::RunResult whole_of(const result::RunResult& result, const wire::RunRequest& request);
 
 /// Adds the place in the fleet file to a runner's error about a robot, "robot B: …". Returns any other error

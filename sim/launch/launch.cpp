@@ -36,8 +36,8 @@ namespace {
 constexpr const char* kForTheChip =
     "\nThe sketch compiles for the target avr: add --target avr to run it on the emulated chip.";
 
-/// Returns whether a sketch compiles for an AVR. The sketch does not compile for the host; it may need the
-/// chip's assembler, for example.
+/// Returns whether a sketch that does not compile for the host compiles for an AVR. Such a sketch may contain
+/// the chip's assembler, for example.
 bool compiles_for_avr(const build::Request& request) try {
   if (request.target != "host" || std::string(request.board.chip->target) != "avr") return false;
   if (!build::missing_tool("avr").empty()) return false;

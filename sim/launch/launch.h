@@ -52,19 +52,19 @@ struct Prepared {
   Choice robot;  ///< with the board for this target
   std::string target;
   wire::RobotInfo robot_info;
-  build::Request wanted;  ///< settings for building the image; unused if the image is finished
+  build::Request wanted;  ///< settings for building the image; unused if the sketch is an .elf or .hex
   build::Image image;
   wire::RunRequest request;
-  std::string remark;  ///< data that the result will lack; empty = none
+  std::string remark;  ///< a sentence on data that the result will lack; empty = none
 };
 
 /// Receives reports during preparation; any function may be empty.
 struct Listener {
   std::function<void(const std::string& sentence)> chosen;  ///< sentences on automatic choices
   std::function<void(const std::string& sentence)>
-      lacking;  ///< sentences on doubtful choices, and missing confinement
+      lacking;  ///< sentences on doubtful choices and on missing confinement
   std::function<void(const std::string& sketch)> compiling;
-  /// Called during `compiling` if the core for a board and target has not been compiled yet.
+  /// Called after `compiling` if the Arduino core for the board and target must be compiled, too.
   std::function<void(const std::string& board, const std::string& target)> compiling_core;
   std::function<void(const build::Image&)> compiled;
 };

@@ -27,7 +27,7 @@ std::filesystem::path stock_map_folder();
 /// A choice by the user, or an automatic choice. `announcement` is a sentence about an automatic choice. It
 /// is empty if the user has chosen.
 struct Choice {
-  std::string name;  ///< for messages and `inputs`; a path of this machine only if the user typed it
+  std::string name;  ///< for messages and RunInputs; a path of this machine only if the user typed it
   std::filesystem::path path;  ///< file to open; for a robot, the name for the runner, perhaps with @BOARD
   std::string announcement;
   bool is_doubtful = false;          ///< several files fit, so users must see the announcement
@@ -69,8 +69,8 @@ std::vector<std::string> remarks_on_project(const SketchChoice& sketch,
                                             const std::vector<std::string>& libraries);
 
 /// Returns the named robot (sim/base/robot_name.h). Without a name, returns robot.toml in the sketch's
-/// folder, or else a stock robot with `board`. If neither exists, returns uno5, or bluepill5 for the target
-/// stm32. Throws InputError.
+/// folder, or else a stock robot: bluepill5 for the target stm32, otherwise the robot with `board` or uno5.
+/// Throws InputError.
 Choice choose_robot(const std::string& name, const std::filesystem::path& sketch_folder,
                     const std::string& target = "host", const BoardSpec* board = nullptr);
 

@@ -12,7 +12,7 @@ namespace robosim::launch {
 /// Names are as the user typed them; empty = not given.
 struct RunSettings : Launch {
   Fleet fleet;                    ///< several robots; if it has no members, `Launch` describes the only robot
-  std::string script;             ///< a file
+  std::string script;             ///< path of the script file
   std::vector<std::string> send;  ///< texts to send to the firmware at 1 s, with the escapes of a script
   bool chip_only = false;         ///< the default target is the chip of the robot's board, not the host
 };
@@ -21,7 +21,7 @@ struct RunSettings : Launch {
 struct RunTexts {
   std::string duration, clock, seed;
 };
-/// Converts the texts, stores the values in the settings, and checks the profile. Throws InputError.
+/// Converts the texts, stores the values in the settings, and checks request.profile. Throws InputError.
 void take(const RunTexts& texts, RunSettings& settings);
 
 /// Returns the script's text: the content of the file `script`, then a line for each text of `send`. Throws

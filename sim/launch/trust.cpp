@@ -43,7 +43,7 @@ std::vector<std::string> lacks(const Launch& launch, const Chosen& chosen, const
 namespace {
 
 /// Returns whether a build tool could have written the program `image` for a sketch whose folder is `folder`.
-/// Build tools write to the sketch's folder, or to a folder in `build` or `.pio/build`.
+/// Build tools write to the sketch's folder, to `build` or `.pio/build` in it, or to a folder in these.
 bool is_built_in(const fs::path& image, const fs::path& folder) {
   std::error_code error;
   const fs::path real = fs::canonical(image, error), real_folder = fs::canonical(folder, error);
@@ -77,7 +77,7 @@ void check_folder(const SketchChoice& sketch) {
 }
 
 void check_robot(const SketchChoice& sketch, const Choice& robot) {
-  constexpr int kMostBases = 8;  // the runner refuses a longer chain of bases
+  constexpr int kMostBases = 8;  // the runner refuses a longer chain of base robots
   fs::path file = parse_robot_name(robot.path.string()).robot;
   if (!is_path(file.string()) || !build::lies_in(file, sketch.folder)) return;
   for (int bases = 0; bases <= kMostBases; ++bases) {

@@ -12,7 +12,7 @@ struct Corner {
   CellAt cell;
   Direction first;    ///< direction of the first leg; the arc runs counter-clockwise from this leg
   Direction second;   ///< direction of the second leg: `first` turned right
-  double radius = 0;  ///< radius of the arc, m; 0 = square
+  double radius = 0;  ///< radius of the arc in m; 0 = square
 
   /// Returns the distance along a leg from the corner to the arc's middle: (1 - 1/sqrt 2) radius.
   double middle() const { return radius * 0.29289321881345243; }

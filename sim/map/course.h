@@ -16,11 +16,11 @@ namespace robosim::map {
 /// A painted bar next to a path, such as Robotrace's corner, start and goal markers.
 struct Mark {
   int path = 0;              ///< index in Course::paths
-  double along = 0.0;        ///< m from the path's beginning
-  double away = 0.0;         ///< m from the path to the mark's middle, positive to the left
-  Pose middle;               ///< m; heading along the long side, across the path
-  double half_length = 0.0;  ///< m
-  double half_width = 0.0;   ///< m
+  double along = 0.0;        ///< in m: distance along the path from its beginning
+  double away = 0.0;         ///< in m: distance from the path to the mark's middle, positive to the left
+  Pose middle;               ///< in m; the heading is along the mark's long side, across the path
+  double half_length = 0.0;  ///< in m
+  double half_width = 0.0;   ///< in m
   int paint = 0;             ///< index in paints_of(); a mark does not use that paint's width
 };
 
@@ -46,16 +46,16 @@ struct RaceLines {
   int path = 0;  ///< index in Course::paths
   double start = 0.0;
   double goal = 0.0;
-  double braking = 0.0;  ///< braking distance after a drag race's goal line, m; 0 = not a drag race
-  double signal = 0.0;   ///< time of a drag race's starting signal, s; 0 = no signal
+  double braking = 0.0;  ///< braking distance in m after a drag race's goal line; 0 = not a drag race
+  double signal = 0.0;   ///< time of a drag race's starting signal in s; 0 = no signal
 };
 
 /// A course of tiles along the whole first path: RoboCupJunior's Rescue Line.
 struct RescueCourse {
-  double tile = 0.3;                ///< m, side of a tile
-  Vec2 origin;                      ///< m, a corner of a tile
+  double tile = 0.3;                ///< side of a tile in m
+  Vec2 origin;                      ///< a corner of a tile, in m
   bool to_zone = false;             ///< the path ends at the evacuation zone, not at the end tile
-  std::vector<double> checkpoints;  ///< m along the path, ascending; each selects the tile at that distance
+  std::vector<double> checkpoints;  ///< distances along the path in m, ascending; each selects its tile
   bool is_entry = false;            ///< the rules of Rescue Line Entry apply
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kLeastPiece = 1e-4;   // m
-constexpr double kLeastTurn = 1.7e-8;  // rad: 1e-6 deg; course_text() alters angles by less than 2e-11 rad
+constexpr double kLeastTurn = 1.7e-8;  // in rad (1e-6 deg); course_text() alters angles by at most 2e-11 rad
 constexpr double kMostRadius = 1000.0;
 constexpr double kLeastWidth = 1e-3, kMostWidth = 0.1;  // m, for lines
 constexpr double kLatestSignal = 600.0;                 // s
@@ -45,7 +45,7 @@ int number_of(const Paint& paint, const Paint& usual, Course& course, const Plac
   return static_cast<int>(i) + 1;
 }
 
-// Reads the keys of a paint; `paint` has the defaults. Skips the key `width` of a mark, which is its size.
+// Reads the keys of a paint; `paint` has the defaults. For a mark, skips `width`, the mark's size.
 Paint read_paint(TableReader& table, bool of_line, Paint paint) {
   if (of_line) paint.width = table.quantity("width", Dimension::length, paint.width, kLeastWidth, kMostWidth);
   if (const ConfigValue* const colour = table.find("colour")) paint.colour = read_colour(*colour);

@@ -13,7 +13,7 @@ namespace {
 
 std::string angle_text(double rad) {
   const std::string degrees = fmt::format("{} deg", std::round(rad * 180.0 / std::numbers::pi * 1e9) / 1e9);
-  // Rounds to a billionth of a degree, which moves a point at a radius of 60 m by at most 1e-9 m.
+  // The rounding to a billionth of a degree moves a point at a radius of 60 m by at most 1e-9 m.
   const auto read = parse_quantity(degrees, Dimension::angle);
   return std::fabs(*read - rad) < 2e-11 ? degrees : fmt::format("{} rad", rad);
 }

@@ -23,8 +23,8 @@ class FloorImage {
   static constexpr std::size_t kMostPixels = 50'000'000;
   static constexpr std::size_t kMostFile_bytes = std::size_t{32} << 20;
 
-  /// Decodes a PNG, which must not be interlaced. `file` is for messages; `pixel_m` is the side of a pixel,
-  /// m. Throws InputError if the data is damaged, too large, or not a PNG.
+  /// Decodes a PNG, which must not be interlaced. `file` is for messages; `pixel_m` is the side of a pixel in
+  /// metres. Throws InputError if the data is damaged, too large, or not a PNG.
   FloorImage(std::string png, const std::string& file, double pixel_m);
 
   /// Returns the file's name, without folders.

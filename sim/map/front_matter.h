@@ -31,7 +31,7 @@ struct FrontMatter {
   };
 
   Map settings;              ///< contains only the values that do not depend on the cells
-  std::optional<Vec2> size;  ///< width and height of a floor without rows, m
+  std::optional<Vec2> size;  ///< width and height in m of a floor without rows
   Place size_place;
   std::string picture;  ///< name of the file; "" = none
   Place picture_place;

@@ -13,7 +13,8 @@ namespace robosim::map {
 /// Returns the tables [[name]]. Throws InputError if `value` is a single table.
 const std::vector<ConfigValue>& tables_of(const ConfigValue& value, const char* name);
 
-/// Reads a point ["X", "Y"], m to the right and up from the floor's lower left corner. Throws InputError.
+/// Reads a point ["X", "Y"]. Returns its coordinates in m, to the right and up from the floor's lower left
+/// corner. Throws InputError.
 Vec2 read_point(const ConfigValue& value, const char* key);
 /// Reads a point whose coordinates may have a spread.
 Vec2 read_point(const ConfigValue& value, const char* key, const SampledParameters& figures);

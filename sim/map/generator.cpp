@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kFamilies[] = {"tree", "cycles", "grid"};
 constexpr Direction kDirections[] = {Direction::east, Direction::south, Direction::west, Direction::north};
-constexpr unsigned kLeastPitch = 3;  // cells: smallest distance of lattice lines, and margin around the map
+constexpr unsigned kLeastPitch = 3;  // in cells: smallest distance between lattice lines; also the margin
 constexpr unsigned kPitches = 2;     // number of different distances between lattice lines
 
 class Chance {

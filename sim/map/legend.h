@@ -27,7 +27,7 @@ struct Legend {
   std::vector<SurfaceFigures> surfaces;           ///< as Map::legend_surfaces
 };
 
-/// Returns the name of a kind of cell in the front matter.
+/// Returns the name that the front matter uses for a kind of cell.
 const char* cell_word(Cell cell);
 
 /// Reads [legend]. Throws InputError.

@@ -13,15 +13,15 @@ namespace robosim::map {
 
 /// Uniform daylight, a lamp, or a patch of sun.
 struct Light {
-  /// The effect on a sensor that is 3 mm above the floor, at the light's brightest spot. Everything looks
-  /// whiter by this share of the difference between white and black.
+  /// The effect at the light's brightest spot, on a sensor 3 mm above the floor: everything looks whiter by
+  /// this share of the difference between white and black.
   double level = 0.0;
-  std::optional<Vec2> at;  ///< m, point below the lamp, or middle of the patch of sun; nullopt = everywhere
-  double height = 0.0;     ///< m, of a lamp above the floor; 0 = no lamp
-  double radius = 0.0;     ///< m, of a patch of sun; 0 = no patch
-  Vec2 moves;              ///< m/s, velocity of the patch
-  double flicker = 0.0;    ///< share of the level that flickers
-  double frequency = 0.0;  ///< Hz, of the flicker; twice the mains frequency
+  std::optional<Vec2> at;  ///< in m: point below the lamp, or middle of the sun's patch; nullopt = everywhere
+  double height = 0.0;     ///< height of a lamp above the floor in m; 0 = no lamp
+  double radius = 0.0;     ///< radius of a patch of sun in m; 0 = no patch
+  Vec2 moves;              ///< velocity of the patch in m/s
+  double flicker = 0.0;    ///< the part of `level` that flickers, as a share of it
+  double frequency = 0.0;  ///< frequency of the flicker in Hz; usually twice the mains frequency
 };
 
 /// Reads all [[light]] tables. Throws InputError.

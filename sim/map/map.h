@@ -61,7 +61,7 @@ constexpr Vec2 heading(Direction d) {
 /// A place on one of a map's paths.
 struct OnPath {
   int path = 0;            ///< index in Course::paths
-  double along = 0.0;      ///< m from the path's beginning
+  double along = 0.0;      ///< in m: distance along the path from its beginning
   bool backwards = false;  ///< facing against the path's direction
   bool operator==(const OnPath&) const = default;
 };
@@ -85,8 +85,8 @@ struct NamedStation {
 struct Map {
   std::string file;                             ///< as the user named it; for messages
   std::string name;                             ///< from the front matter, else the file's stem
-  int width = 0;                                ///< cells
-  int height = 0;                               ///< cells
+  int width = 0;                                ///< in cells
+  int height = 0;                               ///< in cells
   std::vector<Cell> cells;                      ///< row by row from the top
   std::vector<SurfaceFigures> legend_surfaces;  ///< surfaces of [legend]
   /// For each cell, 1 + the index of its surface in legend_surfaces; 0 = the usual floor. Empty if all cells
@@ -108,7 +108,7 @@ struct Map {
   Course course;               ///< everything except the cells, such as paths and marks
   std::optional<Start> start;  ///< from [start] or S
   /// The front matter's goal; "" = none. If the front matter has no goal, but the map has a goal cell, this
-  /// is "station:NAME". NAME is the station on the goal cell: "goal", unless [stations] names it.
+  /// is "station:NAME". NAME is the goal cell's name in [stations], or else "goal".
   std::string goal;
   Place goal_place;                 ///< where `goal` was written
   std::optional<CellAt> goal_cell;  ///< from G or [goal]; also one of `stations`
@@ -145,7 +145,8 @@ struct Map {
 
 /// Maximum number of columns, and of rows.
 constexpr int kMaxSide = 100'000;
-constexpr std::size_t kMaxCells = 64'000'000;  ///< maximum; a command and its runner use 3 bytes per cell
+/// Maximum number of cells. A command and the runner process that it starts use 3 bytes per cell.
+constexpr std::size_t kMaxCells = 64'000'000;
 /// Maximum number of cells of a map without rows, so that a short file cannot use much memory.
 constexpr std::size_t kMaxBareCells = 4'000'000;
 
@@ -207,8 +208,8 @@ Direction default_facing(const Map& map, CellAt cell);
 /// first path; "1.2m,back" faces backward. Throws InputError.
 Start parse_start(const Map& map, std::string_view text);
 /// Returns the default start: [start] or S; else the beginning of the first path; else the first dead end in
-/// row order; else the first line cell. On a cell, the robot faces as in default_facing(). Throws InputError
-/// if the map has no line.
+/// row order; else the first line cell. If a start on a cell has no direction, uses default_facing().
+/// Throws InputError if the map has no line.
 Start default_start(const Map& map);
 /// Returns the pose of a robot at a place on a path.
 Pose path_pose(const Map& map, const OnPath& on);

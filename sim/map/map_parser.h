@@ -47,9 +47,9 @@ class MapParser {
   void limit_front_matter(std::size_t further) const;
   void end_front_matter();
   void take_row(std::string_view row);
-  /// Reads a row with characters other than floor, line and wall.
+  /// Reads a row in which some character means something other than floor, line or wall.
   void take_any_row(std::string_view row);
-  /// Reads the surfaces of a row. Fills earlier rows without surfaces with the usual floor.
+  /// Reads the surfaces of a row. Gives earlier rows without surfaces the usual floor.
   void take_surfaces(std::string_view row);
   void mark(std::optional<CellAt>& which, CellAt cell, char c);
   void count_for_swap(std::string_view row);

@@ -9,7 +9,7 @@
 namespace robosim::map {
 namespace {
 
-constexpr double kLapStep = 0.04;  // m, between two points of a lap on a path
+constexpr double kLapStep = 0.04;  // in m: largest distance between two points of a lap on a path
 
 // Returns the ways out of a cell for a robot that faces `d`, in the order of the right-hand walk.
 std::array<Direction, 4> right_hand_order(Direction d) {
@@ -43,7 +43,7 @@ class Walk {
 
  private:
   // Walks depth first and takes the rightmost way first. On a tree, Robosim v1 meets stations in this order.
-  // Skips cells that have been reached in the meantime, so that the walk ends despite cycles.
+  // Skips pending cells that another way has reached in the meantime, so that the walk ends despite cycles.
   void explore(const Start& start) {
     struct Way {
       CellAt to;
@@ -119,7 +119,7 @@ std::vector<Vec2> lap_of(const Map& map, const OnPath& on) {
   return points;
 }
 
-// Returns the network without `unreachable` and `lap`.
+// Returns the network; leaves its members `unreachable` and `lap` empty.
 Network network_of(const Map& map, const Start& start, const Walk& walk) {
   Network network;
   const auto add = [&](CellAt cell, std::string name) {

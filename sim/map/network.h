@@ -22,8 +22,8 @@ struct Network {
   /// The nodes in the order of travel from the start, if the reachable network is one closed loop; else
   /// empty. Each node of a loop has degree 2, or has degree 4 and is crossed straight.
   std::vector<CellAt> loop;
-  /// Closely spaced points along the path in the order of travel, m, if the start is on a closed path; else
-  /// empty.
+  /// Closely spaced points along the path in the order of travel, in metres. Empty if the start is not on a
+  /// closed path.
   std::vector<Vec2> lap;
 
   bool has_laps() const { return !loop.empty() || !lap.empty(); }
@@ -31,8 +31,8 @@ struct Network {
 
 Network trace_network(const Map& map, const Start& start);
 
-/// Returns the network without `unreachable`, because finding these cells requires a scan of the whole map.
-/// Use this for many starts on one map.
+/// Returns the network, but leaves `unreachable` empty, because finding these cells requires a scan of the
+/// whole map. Use this for many starts on one map.
 Network trace_reachable(const Map& map, const Start& start);
 
 }  // namespace robosim::map

@@ -13,7 +13,7 @@ namespace robosim::map {
 struct Map;
 
 struct Paint {
-  double width = 0.0;            ///< m, of a line
+  double width = 0.0;            ///< width of a line in m
   std::optional<Colour> colour;  ///< nullopt = the colour of the map's lines, black or white
   double worn = 0.0;             ///< share of the paint that is worn off, in patches, 0..1
   double gloss = 0.0;  ///< specular reflection, relative to the light that white paper returns, 0..1
@@ -26,8 +26,8 @@ struct Paint {
 /// Returns the default paint of the map's lines.
 Paint usual_paint(const Map& map);
 
-/// Returns the paints by their indices in stripes and marks: the default first, then the course's. Each paint
-/// has a colour.
+/// Returns all paints: the default first, then the course's. Stripes and marks refer to them by index. Each
+/// paint has a colour.
 std::vector<Paint> paints_of(const Map& map);
 
 /// Returns whether all lines and marks have the same paint, unworn and matt.

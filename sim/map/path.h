@@ -12,22 +12,22 @@ namespace robosim::map {
 
 /// A straight, an arc of a circle, or a corner, which has no length.
 struct PathPiece {
-  Pose begin;           ///< world frame, m; heading in the direction of travel
-  double length = 0;    ///< m, along the centre line
-  double turn = 0;      ///< rad, positive to the left; 0 = straight
-  double radius = 0;    ///< m; 0 = straight, or a corner
+  Pose begin;           ///< in the world frame, in m; its heading is the direction of travel
+  double length = 0;    ///< length of the centre line in m
+  double turn = 0;      ///< in rad, positive to the left; 0 = straight
+  double radius = 0;    ///< in m; 0 = straight, or a corner
   bool is_gap = false;  ///< a part that the robot must follow, but that is not painted
   int paint = 0;        ///< index in paints_of()
 
   /// Returns the centre of an arc.
   Vec2 centre() const { return begin.position + left_of(begin.heading) * (turn < 0.0 ? -radius : radius); }
-  /// Returns the position and heading at a distance along the piece, m.
+  /// Returns the position and heading at a distance along the piece in m.
   Pose at(double along) const;
 };
 
 class Path {
  public:
-  /// Maximum length of a path, m.
+  /// Maximum length of a path in m.
   static constexpr double kMost = 10'000.0;
 
   explicit Path(Pose begin) : end_(begin) {}
@@ -45,8 +45,8 @@ class Path {
   Pose end() const { return end_; }
   /// Returns whether the end meets the beginning, within `most` m and 5 degrees.
   bool is_closed(double most) const;
-  /// Returns the pose at a distance along the path, m. A closed path continues at its beginning; an open one
-  /// stops at its ends.
+  /// Returns the pose at a distance along the path in m. A closed path continues at its beginning; an open
+  /// path stops at its ends.
   Pose at(double along, bool closed) const;
 
   Place place;  ///< place of the path in the map's file
@@ -55,7 +55,7 @@ class Path {
   void add(double length, double turn, double radius, bool is_gap);
 
   std::vector<PathPiece> pieces_;
-  std::vector<double> begins_;  // m along the path, by piece
+  std::vector<double> begins_;  // for each piece, the distance in m along the path to its beginning
   Pose end_;
   double length_ = 0.0;
 };

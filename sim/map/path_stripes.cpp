@@ -7,9 +7,9 @@
 namespace robosim::map {
 namespace {
 
-constexpr double kLeastStretch = 1e-9;  // m; shorter pieces are rounding errors
+constexpr double kLeastStretch = 1e-9;  // in m: shorter pieces are rounding errors
 
-// An unpainted interval along the path, m.
+// An unpainted interval along the path, in m.
 struct Unpainted {
   double from;
   double to;

@@ -9,7 +9,8 @@
 namespace robosim::map {
 namespace {
 
-// The characters of a picture. Lines are indexed by their neighbours: bit 1 east, 2 south, 4 west, 8 north.
+// The characters of a picture. The index in `square` and `round` is the sum of a line cell's neighbours: 1
+// east, 2 south, 4 west, 8 north.
 struct Signs {
   const char* square[16];
   const char* round[16];
@@ -157,7 +158,7 @@ class Picture {
   int per_cell_ = 2;
   Span columns_;
   Span rows_;
-  std::vector<std::vector<std::string>> canvas_;  // one sign each
+  std::vector<std::vector<std::string>> canvas_;  // by row and column; each element is one sign
 };
 
 }  // namespace

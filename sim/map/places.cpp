@@ -12,7 +12,7 @@ namespace robosim::map {
 namespace {
 
 constexpr double kUndecided_cells = 0.6;
-constexpr int kSearched_cells = 3;  // searched on each side of a point off the line
+constexpr int kSearched_cells = 3;  // on each side of a point that is off the line
 
 }  // namespace
 

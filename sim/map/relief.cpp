@@ -24,7 +24,7 @@ constexpr double kMostTilt = 0.5;                       // sine of a seesaw's an
 constexpr double kLightest = 0.05, kHeaviest = 5.0;     // kg
 constexpr double kUsualPlank = 0.6;
 
-// Reads the heights of a hill; `shortest` is the minimum of the hill's length, m.
+// Reads the heights of a hill; `shortest` is the minimum of the hill's length in m.
 std::vector<double> read_heights(const ConfigValue& value, double shortest,
                                  const SampledParameters& figures) {
   if (value.kind != ConfigValue::Kind::array || value.items.size() < 2 || value.items.size() > kMostHeights)

@@ -19,11 +19,11 @@ struct Course;
 /// A raised rectangle. Its height varies along its length and is constant across its width. Ends and sides
 /// that are higher than the floor next to them are steps.
 struct Hill : Shape {
-  std::vector<double> heights;  ///< m, at even distances from the beginning to the end, linear in between
-  double pivot = 0.0;     ///< m, height of a seesaw's axis (0 = no seesaw); the beginning is down at first
+  std::vector<double> heights;  ///< in m, at even distances from the beginning to the end, linear in between
+  double pivot = 0.0;     ///< height of a seesaw's axis in m (0 = no seesaw); the beginning is down at first
   double plank_kg = 0.0;  ///< mass of a seesaw's plank
 
-  /// Returns the hill's height at a point, m; 0 for a seesaw, which has no fixed height.
+  /// Returns the hill's height in m at a point; 0 for a seesaw, which has no fixed height.
   double height_at(Vec2 p) const;
 };
 
@@ -52,7 +52,7 @@ SurfaceFigures read_surface_figures(TableReader& table, const SampledParameters&
 
 /// A gap between two boards. The length of the shape, along its heading, is the width of the gap.
 struct Joint : Shape {
-  static constexpr double kWidest = 0.006;  ///< m; a wheel's tread is wider
+  static constexpr double kWidest = 0.006;  ///< in m; a wheel's tread is wider
 };
 
 /// Read all [[hill]], [[surface]] and [[joint]] tables. `course` contains the paths to which the tables may

@@ -14,14 +14,14 @@ struct Course;
 struct Map;
 
 struct Shape {
-  Pose middle;               ///< m; heading along a rectangle's length
-  double half_length = 0.0;  ///< m, of a rectangle
-  double half_width = 0.0;   ///< m, of a rectangle
-  double radius = 0.0;       ///< m, of a disc; 0 = a rectangle
+  Pose middle;               ///< in m; its heading is along a rectangle's length
+  double half_length = 0.0;  ///< half the length of a rectangle in m
+  double half_width = 0.0;   ///< half the width of a rectangle in m
+  double radius = 0.0;       ///< radius of a disc in m; 0 = a rectangle
   Place place;               ///< place of the table in the map's file
-  Vec2 least, most;          ///< m, corners of the region that contains `middle` for every seed
+  Vec2 least, most;          ///< in m: corners of the region that contains `middle` for every seed
 
-  /// Returns the distance from the centre to the farthest point, m.
+  /// Returns the distance in m from the centre to the farthest point.
   double reach() const {
     return radius > 0.0 ? radius : std::sqrt(half_length * half_length + half_width * half_width);
   }

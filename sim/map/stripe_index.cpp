@@ -8,8 +8,8 @@
 namespace robosim::map {
 namespace {
 
-// A margin added to the reach, so that rounding never hides a stripe at exactly this distance.
-constexpr double kSlack = 1e-9;  // m
+// A margin added to the reach, so that rounding never hides a stripe whose distance is exactly the reach.
+constexpr double kSlack = 1e-9;  // in m
 
 struct Box {
   double west, east, south, north;

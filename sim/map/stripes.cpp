@@ -6,7 +6,7 @@
 namespace robosim::map {
 namespace {
 
-constexpr double kNothing = 1e-9;  // m; shorter pieces are rounding errors
+constexpr double kNothing = 1e-9;  // in m: shorter pieces are rounding errors
 
 // An unpainted interval of a leg, by distance from the leg's first cell.
 struct Gap {

@@ -15,9 +15,10 @@ namespace robosim::map {
 
 /// A piece of centre line, in the world frame (m).
 ///
-/// A segment goes from its smaller to its larger x, or y if both x are equal. If a line is a single cell, `a`
-/// and `b` are equal. Segments of cells are parallel to an axis. An arc runs counter-clockwise from `a` to
-/// `b`, for at most a quarter of a circle. The arc is tangent to the segments that it joins.
+/// A segment runs towards increasing x or, if `a` and `b` have equal x, towards increasing y. If a line is a
+/// single cell, `a` and `b` are equal. Only segments of a [[path]] can be oblique. An arc runs
+/// counter-clockwise from `a` to `b`, for at most a quarter of a circle. The arc is tangent to the segments
+/// that it joins.
 struct Stripe {
   Vec2 a;               ///< one end
   Vec2 b;               ///< the other end
@@ -30,7 +31,7 @@ struct Stripe {
   std::uint8_t paint = 0;  ///< index in paints_of()
 };
 
-/// Returns the distance from p to the nearest point of a stripe, m. May be called inside a tick: it uses no
+/// Returns the distance in m from p to the nearest point of a stripe. May be called inside a tick: it uses no
 /// trigonometry, whose results can differ between machines.
 inline double distance(const Stripe& s, Vec2 p) {
   if (s.radius == 0.0) {
@@ -60,8 +61,8 @@ struct TightBend {
 /// Returns the tight bends of a map in row order, without building its stripes.
 std::vector<TightBend> tight_bends(const Map& map);
 
-/// All stripes of a map, and an index of the stripes within reach of each cell. Time and memory are
-/// proportional to the length of line, so stripes are built for driven robots only.
+/// All stripes of a map, and an index of the stripes within reach of each cell. Building them takes time and
+/// memory proportional to the length of line, so read_map() does not build them.
 class Stripes {
  public:
   /// Builds all stripes. A query in a cell finds every stripe within `reach_m` of any point of the cell. The

@@ -1,5 +1,5 @@
-// The true graph of a map's line, which an explorer must find from a given start. The graph is derived from
-// the cells. The code is independent of the navigator in firmware/src/nav, so that each can check the other.
+// The true graph of a map's line: the graph that an explorer must find from a given start. It is derived from
+// the cells. The code is independent of the explorer in firmware/src/nav, so that each can check the other.
 //
 // Nodes are stations (dead ends) and junctions (three or four arms). Lines connect nodes; their bends are
 // irrelevant. Stations and junctions are numbered from 1 in the order in which a right-hand walk from the

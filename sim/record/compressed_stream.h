@@ -1,4 +1,4 @@
-// Stores a stream of a run's columns (sim/wire/columns.h) as it arrives, and thins a stream that is too
+// Stores a stream of a run (rows as columns, sim/wire/columns.h) as it arrives. Thins a stream that is too
 // large.
 #pragma once
 

@@ -83,7 +83,7 @@ const char* surface_tint(const map::SurfaceFigures& surface, bool on_dark) {
   return on_dark ? "#372f3b" : "#e6dcea";
 }
 
-// Adds one area per run of equal cells in a row.
+// Adds one area for each sequence of cells with the same surface in a row of the map.
 void add_legend_surfaces(const map::Map& map, std::vector<FloorShapes::Area>& areas) {
   if (map.surface_of_cell.empty()) return;
   for (map::CellAt cell; cell.y < map.height; ++cell.y)

@@ -1,4 +1,4 @@
-// Formats numbers as fmt does: as the shortest text from which the same number is read. These functions take
+// Formats numbers as fmt does: as the shortest text that reads back as the same number. These functions take
 // most of the time for writing tables and waveforms.
 #pragma once
 

@@ -30,7 +30,7 @@ class RecRecorder : public Recorder {
 
 /// Another run, drawn over the first one.
 struct Over {
-  std::string bytes;  ///< content of a .rec or of a table
+  std::string bytes;  ///< content of a .rec, or of a table that a real robot has logged (track.h)
   std::string name;   ///< name of its file
 };
 
@@ -45,8 +45,8 @@ class PageRecorder final : public RecRecorder {
   void write(Gatherer& gatherer, const result::RunResult& result, NewFile& file) const override;
 };
 
-/// Returns the content of a .rec: the argument itself, or the recording inside a page. Throws InputError,
-/// without a file name, for any other content.
+/// Returns the content of a .rec: the argument itself, or the recording inside a page. For any other content,
+/// throws an InputError that does not name a file.
 std::string recording_in(std::string content);
 
 }  // namespace robosim::record

@@ -1,4 +1,5 @@
-// Writes pictures of a run as .png: renders the pictures of record_svg.h with rsvg-convert (Debian).
+// Writes pictures of a run as .png: renders the pictures of record_svg.h with the program rsvg-convert
+// (Debian package librsvg2-bin).
 #pragma once
 
 #include <string>

@@ -23,7 +23,7 @@ constexpr const char* kLight = "#f6f4ee";
 constexpr const char* kDark = "#1f1f1f";
 constexpr std::uintmax_t kLargestDrawnMap_bytes = 1'000'000;
 
-/// Returns a round number of about a fifth of the width.
+/// Returns 1, 2 or 5 times a power of ten: the largest such length up to a fifth of the width.
 double scale_bar_mm(double width_mm) {
   double bar = std::pow(10.0, std::floor(std::log10(std::max(width_mm / 5.0, 1.0))));
   for (const double factor : {5.0, 2.0})

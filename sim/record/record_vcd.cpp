@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 constexpr std::size_t kLongestLine = kLongestNumber + 16, kLongestTime = 24;
-// Maximum delay of changes that are sorted by time. Changes that arrive later may be written out of order.
+// Changes that arrive with at most this delay are sorted by time. Changes with a longer delay may be written
+// out of order.
 constexpr std::int64_t kLatest_ns = 1'000'000'000;
 constexpr std::size_t kFewWaiting = 4096;
 

@@ -22,7 +22,7 @@ class VcdRecorder final : public Recorder {
   explicit VcdRecorder(const std::filesystem::path& path) : file_(path) {}
   void ask(wire::RunRequest& request) const override;
   void begin(const RecordedRun& run) override;
-  /// Adds pin changes, the firmware's readings of pins, and bytes. Ignores everything else.
+  /// Adds pin changes, the firmware's readings of pins, and serial bytes. Ignores everything else.
   void add(const wire::Event& event) override;
   void finish(const result::RunResult& result) override;
 

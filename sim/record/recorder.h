@@ -18,7 +18,7 @@
 
 namespace robosim::record {
 
-/// The sample period of recordings, simulated time.
+/// The sample period of recordings, in simulated time.
 constexpr std::int64_t kRecordEvery_ns = 10'000'000;
 
 /// One of several robots.

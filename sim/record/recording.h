@@ -22,7 +22,8 @@ namespace robosim::record {
 /// Collects the data of a run. encode() writes the recording; content() returns its uncompressed form.
 class Gatherer {
  public:
-  /// Limits for all robots together. Beyond them, changes are thinned, and further serial text is dropped.
+  /// Limits for all robots together. Beyond them, changes of pins and voltages are thinned, and further
+  /// serial text is dropped.
   static constexpr std::size_t kMostChanges_bytes = 4'000'000;
   static constexpr std::size_t kMostSerial_bytes = 8'000'000;
   static constexpr std::int64_t kThinned_ns = 20'000'000;
@@ -42,7 +43,7 @@ class Gatherer {
   std::string encoded(const result::RunResult& result);
 
  private:
-  /// The columns of the samples that `watch` needs: first the time, then the sensors.
+  /// The columns that `watch` needs from each sample: first the time, then the sensors.
   struct LineColumns {
     LineWatch watch;
     std::vector<std::size_t> numbers;

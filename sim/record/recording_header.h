@@ -22,12 +22,12 @@ inline bool is_recording(std::string_view content) { return content.starts_with(
 /// One column of a stream. Its bytes follow those of the previous columns.
 struct ColumnInfo {
   std::string name;
-  double scale = 1.0;  ///< divisor: the stored value is an integer
+  double scale = 1.0;  ///< divisor of the stored integers
   int order = 1;       ///< encoding of the integers (sim/wire/columns.h); 0 = raw bytes (text)
   std::int64_t bytes = 0;
 };
 
-/// Rows of equal columns: samples, changes of a pin …
+/// Rows with the same columns: samples, changes of a pin …
 struct StreamInfo {
   std::string name;        ///< "samples", "pin D5", "volts A0", "serial"
   std::int64_t count = 0;  ///< number of rows
@@ -44,7 +44,8 @@ struct RobotRecord {
   wire::Started started;
   result::RunResult result;
   std::vector<LineEvent> line;  ///< when the robot left the line, and found it again
-  /// Lines of the sketch that drove pins. The column `source` of a pin's stream contains indices from 1.
+  /// Lines of the sketch that drove pins. The column `source` of a pin's stream contains indices of this
+  /// list, from 1.
   std::vector<result::SourceLine> sources;
   /// Only the last change of a pin or voltage in each span of this length is stored; 0 = every change.
   std::int64_t thinned_ns = 0;

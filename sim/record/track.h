@@ -26,7 +26,7 @@ Track track_of(const Recording& recording, std::size_t robot = 0);
 Track track_of_table(std::string_view text, const std::string& file);
 
 /// Reads the track of each robot from a .rec, a table, or a recorded page (.html). `bytes`, if not null,
-/// receives the .rec or the table, which may be the one inside the page.
+/// receives the content of the table, of the .rec, or of the .rec inside the page.
 std::vector<Track> read_tracks(const std::filesystem::path& file, std::string* bytes = nullptr);
 
 /// The distance between two robots at equal times, while both positions are known.

@@ -21,7 +21,7 @@ double distance_mm(const TrailPoint& p, const TrailPoint& a, const TrailPoint& b
 
 std::string speed_colour(int number) {
   // Colours of the colour map "plasma", by van der Walt and Smith. Its first and last colours are omitted:
-  // they would not stand out from line or floor.
+  // they would not stand out from the line or the floor.
   static constexpr const char* kPlasma[kSpeedColours] = {
       "#5402a3", "#7e03a8", "#9c179e", "#b6308b", "#cc4778", "#de5f65", "#ed7953", "#f89540", "#fdb42f"};
   return kPlasma[std::clamp(number, 0, kSpeedColours - 1)];

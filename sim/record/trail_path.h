@@ -1,4 +1,5 @@
-// Approximates a trail by few straight pieces, each in one colour. Only record_svg.cpp uses these functions.
+// Approximates a trail by a few straight pieces, each in one colour. Only record_svg.cpp uses these
+// functions.
 #pragma once
 
 #include <cstddef>

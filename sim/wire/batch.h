@@ -15,12 +15,13 @@
 //        and the number of the source, if any (four bytes each)
 //   'l'  a level that was read; `other` is 0 or 1
 //   'v'  volts that were read, a double
-//   'b'  a serial byte, in place of the pin's number; `other` is 1 if the firmware sent the byte, else 0
+//   'b'  a serial byte, which replaces the pin's number; `other` is 1 if the firmware sent it, else 0
 //   'd'  announces that the robot's pin events have sources (lines of the sketch); precedes everything else
 //   'c'  a source, numbered from 1; the pin's number is the length of the function's name, `other` is the
 //        length of the file's name, and the number is the line. Then the two names
 //
-// Batches carry no columns. If a caller requests batches and columns, BatchReader computes the columns.
+// Batches carry no columns (columns.h). If a caller requests batches and columns, BatchReader computes the
+// columns.
 #pragma once
 
 #include <array>
@@ -73,8 +74,8 @@ class BatchWriter {
   /// Adds an event. Returns false if the event is not a sample or byte, or is too long for a batch.
   bool add(const Event& event);
   bool add(const Sample& sample);
-  /// Adds a sample with a heading, from which the reader computes the yaw. `numbers` contains a Sample's x
-  /// and y, sine and cosine, speed, cross-track error, both motors, both wheels.
+  /// Adds a sample with a heading, from which the reader computes the yaw. `numbers` contains a Sample's x,
+  /// y, sine and cosine of the yaw, speed, cross-track error, motors and wheels.
   bool add_sample(int agent, std::int64_t t_us, const std::array<double, 10>& numbers,
                   const std::vector<double>& readings) {
     return add_sample(agent, t_us, kWithHeading, numbers, readings);

@@ -12,7 +12,7 @@ void Column::add(const double* first, std::size_t step, std::size_t count) {
 template <bool kIsSecond>
 void Column::pack(const double* first, std::size_t step, std::size_t count) {
   constexpr auto kMost = static_cast<double>(kMostSteps);
-  constexpr std::size_t kLongest = 10;  // bytes for 64 bits
+  constexpr std::size_t kLongest = 10;  // bytes for 64 bits, seven bits in each
   buffer_.resize(std::max(buffer_.size(), used_ + kLongest * count));
   const double scale = spec_.scale;
   std::int64_t last = last_, expected = kIsSecond ? change_ : 0;

@@ -40,12 +40,12 @@ void fields(V& v, Same<V, ColumnSpec>& c) {
   v("order", c.order, "1: differences between neighbours; 2: differences between those differences");
 }
 
-/// The rows that were added to one stream since its previous Rows.
+/// The rows that were added to one stream since the stream's previous Rows message.
 struct Rows {
   std::string stream;               ///< "samples", "pin D5", "volts A0"
   std::int64_t count = 0;           ///< number of rows
   std::vector<ColumnSpec> columns;  ///< only with the first rows of a stream
-  std::vector<std::string> bytes;   ///< one per column; base64 in a line
+  std::vector<std::string> bytes;   ///< one string per column; base64 in a line of JSON
 };
 
 template <class V>
@@ -57,7 +57,7 @@ void fields(V& v, Same<V, Rows>& r) {
   v("bytes", r.bytes, "new bytes of each column in base64, which continue its previous bytes");
 }
 
-/// The rows and sources that were added since the previous Columns.
+/// The rows and sources that were added since the previous Columns event.
 struct Columns {
   static constexpr const char* kEvent = "columns";
   std::vector<Rows> streams;
@@ -105,7 +105,7 @@ class Column {
 class ColumnReader {
  public:
   explicit ColumnReader(int order) : order_(order) {}
-  /// Returns the next `count` integers. Returns nullopt if the bytes contain another number of integers.
+  /// Returns the next `count` integers. Returns nullopt if the bytes do not contain exactly `count` integers.
   std::optional<std::vector<std::int64_t>> read(std::string_view bytes, std::size_t count);
 
  private:

@@ -28,7 +28,7 @@ std::string columns_text(const Columns& columns) {
   text += ']';
   Columns named;
   named.sources = columns.sources;
-  if (!columns.sources.empty())  // skips the beginning of `named`
+  if (!columns.sources.empty())  // appends the key `sources` of `named`
     text += ',' + text_of(to_json(named)).substr(sizeof R"({"streams":[],)" - 1);
   else
     text += '}';

@@ -13,8 +13,8 @@ namespace robosim::wire {
 /// Returns columns as JSON, with bytes as base64.
 std::string columns_text(const Columns& columns);
 
-/// Cuts the long texts out of the arrays in a line of JSON, to save the JSON parser time.
-/// Replaces each text by "#" and a number. Base64 never contains "#".
+/// Cuts the long texts out of the arrays in a line of JSON, so that parsing the line is faster. Replaces each
+/// text by "#" and a number. Base64 never contains "#".
 class LongTexts {
  public:
   /// Returns the line without its long texts, or the whole line if a text contains escapes. The line must

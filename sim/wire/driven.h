@@ -15,7 +15,7 @@
 namespace robosim::wire {
 using namespace result;  // the values that messages carry
 
-/// Executes lines of the scenario language, which have no times, as soon as the run continues.
+/// Executes lines of the scenario language, written without times, as soon as the run continues.
 struct Act {
   static constexpr const char* kDo = "script";
   std::string lines;

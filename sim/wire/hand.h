@@ -1,5 +1,5 @@
-// Detects that a script moves the robot by hand. Such a move adds a part to the robot's path that the robot
-// did not drive.
+// Detects the manual moves that a script makes with the robot. The robot's path then contains a part that the
+// robot did not drive.
 #pragma once
 
 #include <utility>
@@ -19,7 +19,7 @@ class Hand {
     moved_ = true;
     sweeps_ = acted->verb == "sweep";
   }
-  /// Returns whether the robot was moved since the previous sample. Call once per sample.
+  /// Returns whether the script has moved the robot since the previous sample. Call once per sample.
   bool has_moved() { return std::exchange(moved_, sweeps_); }
 
  private:

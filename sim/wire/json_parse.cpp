@@ -149,8 +149,8 @@ class PlainJson {
 
 Json parsed_json(std::string_view text) {
   Json value;
-  // A text of up to kMostJsonValues bytes cannot have too many values. The text may be nested too deeply, but
-  // PlainJson rejects such a text.
+  // A text of up to kMostJsonValues bytes cannot have too many values. It may be nested too deeply, but
+  // PlainJson rejects deep nesting.
   const bool may_be_too_much = text.size() > kMostJsonValues;
   if (may_be_too_much && !is_within_json_limits(text)) return Json(Json::value_t::discarded);
   if (PlainJson(text).read_all(value)) return value;

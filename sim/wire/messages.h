@@ -1,5 +1,5 @@
 // Defines all messages of the runner protocol (docs/reference/runner-protocol.md) as C++ structs, or includes
-// the headers that do.
+// the headers that define them.
 #pragma once
 
 #include "sim/result/run_result.h"

@@ -31,9 +31,9 @@ class Unstoppable : public RunnerError {
 // The client's functions.
 
 std::string to_line(long long id, const Request& request);
-/// Converts a request to a run that is driven step by step. The run serves such requests during a pause.
+/// Writes a request for a run that is driven step by step. The run serves this request during a pause.
 std::string to_line(long long id, const DrivenRequest& request);
-/// Converts a request for a run in step with the wall clock.
+/// Writes a request for a run in step with the wall clock.
 std::string to_line(long long id, const LiveRequest& request);
 
 /// One line from a runner.

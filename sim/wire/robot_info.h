@@ -20,7 +20,7 @@ struct RobotInfo {
     std::string fqbn;   ///< "arduino:avr:uno"
     std::string macro;  ///< "ARDUINO_AVR_UNO"
   };
-  /// The part of the chip that firmware may use; 0 = everything.
+  /// The bytes of the chip's memory that firmware may use; 0 = all of them.
   struct Budget {
     std::int64_t flash_bytes = 0;
     std::int64_t ram_bytes = 0;
@@ -49,7 +49,7 @@ struct RobotInfo {
     int wheels = 1;           ///< 1 or 2; two wheels are `track` apart
     double middle_deg = 0.0;  ///< the reading for straight ahead
     double ratio = 0.0;       ///< degrees to the left per unit of the reading
-    double limit_deg = 0.0;   ///< limit of these degrees in each direction
+    double limit_deg = 0.0;   ///< limit of the steering angle in each direction
   };
   std::string name;
   std::string file;
@@ -57,7 +57,7 @@ struct RobotInfo {
   Board board;
   Budget budget;
   std::vector<std::array<double, 2>> outline_mm;  ///< corners in the body's frame: forward, left
-  double track_mm = 0.0;                          ///< distance of the wheels' contact points; 0 = unknown
+  double track_mm = 0.0;                          ///< between the wheels' contact points; 0 = unknown
   double wheel_mm = 0.0;                          ///< diameter; 0 = unknown
   std::optional<Steering> steering;
   std::vector<Sensor> sensors;

@@ -30,7 +30,7 @@ constexpr PinLevel pin_level(bool output, bool pullup, bool pwm, double duty, st
 PinLevel pin_level(const PinChange& pin);
 
 std::vector<ColumnSpec> sample_columns(const std::vector<std::string>& readings);
-/// Returns the columns of a pin. `sources` adds a column for the lines that drive the pin.
+/// Returns the columns of a pin. `sources` adds a column for the sketch's lines that drive the pin.
 std::vector<ColumnSpec> pin_columns(bool sources = false);
 const std::vector<ColumnSpec>& volts_columns();
 
@@ -52,8 +52,8 @@ constexpr std::int64_t kColumnsEvery_ns = 2'000'000'000;
 
 class RunColumns {
  public:
-  /// Makes columns for the board's pins, in the order of their numbers. `sources` adds the lines that drive
-  /// the pins.
+  /// Makes columns for the board's pins, in the order of their numbers. `sources` adds the sketch's lines
+  /// that drive the pins.
   explicit RunColumns(const std::vector<std::string>& pins, bool sources = false);
   /// Adds a pin, and returns its number.
   std::size_t add_board_pin(const std::string& name);

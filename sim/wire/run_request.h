@@ -95,8 +95,8 @@ struct RunRequest {
   std::uint64_t seed = 1;
   std::string profile = "typical";     ///< one of kProfileNames
   std::int64_t clock_ns = 0;           ///< initial value of millis(); chip targets only
-  std::vector<Lateness> late;          ///< sorted by time; on the host only
-  int gdb_port = 0;                    ///< port that waits for a debugger; 0 = none; chip targets only
+  std::vector<Lateness> late;          ///< delays, sorted by time; on the host only
+  int gdb_port = 0;                    ///< port to which a debugger connects; 0 = none; chip targets only
   std::string script;                  ///< text of a scenario
   std::string script_file = "script";  ///< name of the scenario in messages
   std::int64_t samples_every_ns = 0;   ///< a multiple of 1 ms; 0 = no samples
@@ -112,7 +112,7 @@ struct RunRequest {
   bool interactive = false;          ///< the client drives the run step by step (driven.h)
   bool detect = false;               ///< turns on detectors for the sketches (docs/howto/sanitizers.md)
   bool why = false;                  ///< trace the verdict back to its causes
-  std::string counters;              ///< file for the counts of the sketch's lines; empty = none
+  std::string counters;              ///< file for how often each line of the sketch ran; empty = none
   std::optional<Ways> ways;          ///< where the run branches; chip targets only
   std::string name;                  ///< name of the first robot, if there are several
   std::string target;                ///< target of the first of several robots; empty = the runner's

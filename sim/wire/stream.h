@@ -206,7 +206,7 @@ void fields(V& v, Same<V, SerialText>& s) {
   agent_field(v, s.agent);
 }
 
-/// A notable event of the run with its text. The value is for programs, the text for people.
+/// A notable event of the run: `what` is for programs, `text` for people.
 struct Note {
   static constexpr const char* kEvent = "note";
   std::int64_t t_ns = 0;
@@ -214,7 +214,7 @@ struct Note {
   std::optional<RunEvent::What> what;  ///< unset if a newer runner sends an unknown kind
   int agent = 0;                       ///< number of the robot
 
-  /// Returns the value if the note is of this kind, else null: `note.is<StationVisited>()`.
+  /// Returns `what` if the note is of this kind, else null: `note.is<StationVisited>()`.
   template <class What>
   const What* is() const {
     return what ? std::get_if<What>(&*what) : nullptr;
@@ -243,13 +243,13 @@ void fields(V& v, Same<V, DebuggerAwaited>& d) {
   v("port", d.port, "port of 127.0.0.1 on which the runner listens now");
 }
 
-/// Many events at once (batch.h), if the request allows batches. The raw bytes follow the line that contains
-/// their number. Listeners of a run get the events one by one.
+/// Many events at once (batch.h), if the request allows batches. The raw bytes follow the line, which states
+/// the number of bytes. Listeners of a run get the events one by one.
 struct Batch {
   static constexpr const char* kEvent = "batch";
   static constexpr std::int64_t kMost_bytes = std::int64_t{1} << 30;
   std::int64_t size = 0;   ///< after reading a line: the number of bytes that follow it
-  std::string bytes = {};  ///< only for writing
+  std::string bytes = {};  ///< set only to write a batch
 };
 
 template <class V>

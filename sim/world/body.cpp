@@ -145,7 +145,8 @@ void Body::accelerate() {
   const double s0 = surface_[0], s1 = surface_[1];
   const double friction[2] = {unit_[0].friction[s0 == 0.0], unit_[1].friction[s1 == 0.0]};
 
-  // The tyres cancel the sideways speed in the turned frame, up to their grip.
+  // The tyres cancel the sideways speed in the new pose's frame, with at most the share kSkidShare of their
+  // grip.
   const double sideways = -side_free_ * params_.mass_kg;
   double limit[2] = {grip_limit_[0], grip_limit_[1]};
   bool skids = false;
@@ -195,7 +196,7 @@ void Body::accelerate() {
   }
 }
 
-// Turns each wheel of a lifted body independently.
+// Turns each wheel of a lifted or toppled body independently.
 void Body::spin() {
   advance(kDt);
   if (winds_) find_currents();

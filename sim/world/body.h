@@ -21,13 +21,13 @@
 //   driven (share |drive| of the tick):  i = max(0, supply - drop - k_e w) / (R + driver_ohms), for drive > 0
 //   shorted (share brake):               i = -max(0, k_e w - drop) / (R + driver_ohms), for w > 0
 //   open (the rest):                     i = 0
-// If the winding's inductance is given, motor_winding.h applies instead (body_winding.cpp). Then
+// If the winding's inductance is given, motor_winding.h computes i instead (body_winding.cpp). In both cases,
 //   J dw/dt = k_t i - friction - r F,    J = wheel_inertia + rotor_inertia gear_ratio^2
 // where F is the force of the wheel on the ground:
 //   m dv/dt = F_left + F_right,   I domega/dt = (F_right - F_left) track / 2,   m v omega = S_left + S_right
-//   F^2 + S^2 <= (grip (load_share m g + downforce) / 2)^2, S the sideways force, halved between the wheels
+//   F^2 + S^2 <= (grip (load_share m g + downforce) / 2)^2     S: the wheel's half of the sideways force
 // While F is below that limit, the wheel rolls (r w = ground speed). At the limit the wheel slips: the speeds
-// of wheel and ground differ. If S alone exceeds a share of the grip (kSkidShare), the body skids sideways.
+// of wheel and ground differ. If S alone exceeds the share kSkidShare of the grip, the body skids sideways.
 // The step is implicit in the velocities, and therefore stable for all parameters.
 //
 // Other files describe hills, surfaces and shifting loads (body_ground.cpp), skid steering (body_skid.cpp),
@@ -58,7 +58,8 @@ struct WheelCommand {
   double drive = 0.0;  ///< -1..1: signed fraction of time (or PWM duty) with the supply across the motor
   double brake =
       0.0;  ///< 0..1: fraction of time with the motor's terminals shorted; the rest is open (coasting)
-  // Used only if a winding has inductance. `brake` includes twice the fraction `against`.
+  // Used only if a winding has inductance. `brake` includes twice the fraction `against`: without inductance,
+  // equal times in both directions act like a short (motor_driver.h).
   double against = 0.0;   ///< 0..1: fraction of time driven in the direction opposite to `drive`
   double period_s = 0.0;  ///< s, PWM period; 0 = no PWM, or an unknown period
 
@@ -74,7 +75,7 @@ struct WheelParams {
   double no_load_current = 0.0;     ///< A; consumed by friction in motor and gear
   double stall_torque = 0.0;        ///< N m
   double stall_current = 0.0;       ///< A; more than no_load_current
-  double static_friction = 0.0;     ///< friction of motor and gear at rest, relative to turning; at least 1
+  double static_friction = 0.0;     ///< motor and gear: ratio of static to kinetic friction; at least 1
   double gear_ratio = 0.0;          ///< motor turns for each turn of the wheel
   double rotor_inertia_kgm2 = 0.0;  ///< motor rotor
   double wheel_inertia_kgm2 = 0.0;  ///< wheel about its axle
@@ -105,7 +106,7 @@ struct BodyParams {
   Vec2 centre;            ///< m; the circle's centre; unused with a polygon
   // Used on hills, with shifting loads, and by bodies with skid steering, fans or steered wheels.
   double caster_m = -0.05;         ///< m; the caster's position ahead of the axle; not 0
-  double caster_radius_m = 0.008;  ///< m; the caster is a ball
+  double caster_radius_m = 0.008;  ///< m; radius of the caster, a ball
   double centre_height_m = 0.0;    ///< m; height of the centre of mass; 0 = loads do not shift
   double wheelbase_m = 0.0;        ///< m between front and rear wheel of a skid-steered body; 0 = caster
   double downforce_n = 0.0;        ///< N from fans, until press() changes it; half on each wheel
@@ -284,7 +285,7 @@ class Body {
     Pose face;                           // the pose at that face
     double pitch = 0.0, roll = 0.0;      // sines; positive: front up, left side up
     bool eases = false;                  // neither slope nor tipping accelerates the body
-    double speed = 0.0;                  // m/s in the previous tick, changed by pushes that shift no load
+    double speed = 0.0;                  // m/s: v in the previous tick, plus gains that shift no load
     double gain = 0.0;                   // m/s2; smoothed acceleration
     double tip[2] = {0.0, 0.0};          // rad by which the caster [0], or a wheel [1], has left the floor
     double tip_rate[2] = {0.0, 0.0};     // rad/s
@@ -358,7 +359,7 @@ class Body {
   double per_mass_ = 0.0, per_inertia_ = 0.0;
   double bound_radius_ = 0.0;  // radius of the bounding circle about bound_centre_
   Vec2 bound_centre_;
-  double way_per_travel_ = 0.0;  // m that the circle's centre moves at most per m of travel in step()
+  double way_per_travel_ = 0.0;  // maximum movement of the circle's centre per m of travel in step(), m
   double free_way_ = 0.0;        // m that the circle may move before it can touch a wall; ignores discs
   bool slips_ = false;
   bool lifted_ = false, carried_ = false;

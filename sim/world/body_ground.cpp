@@ -12,7 +12,7 @@
 // With centre_height_m = h, the loads N shift with the slope (pitch and roll are sines) and with the
 // acceleration a. Here a is the mean of this tick's acceleration and the previous a:
 //   N_caster = (1 - load_share) m g cos - m (g pitch + a) h / c      N_axle = m g cos - N_caster
-//   N_right - N_left = 2 m (g roll + v omega) h / track              at most N_axle
+//   N_right - N_left = 2 m (g roll + v omega) h / track              at most N_axle; |v omega| <= grip g
 // If N_caster is negative, the caster leaves the floor and the body turns about its axle. If a wheel's load
 // is negative, the body turns about the line from the other wheel to the caster. The force across that line
 // is f = m g sine + m a, with the slope's sine in the force's direction. With the mass at the distance d from
@@ -22,21 +22,21 @@
 // A body at rest therefore tips where tan(slope) > d / h. Beyond phi = 45 degrees the body has toppled.
 //
 // If the caster is at the back, the path under the wheels may be steeper than the chassis: at a step, or at
-// the foot of a slope. The floor then pushes at a wheel's hub and not at its tread. The force of impact and
-// slope then has the arm max(h - r, 0), not h; r is the wheel's radius. A robot therefore does not trip over
-// a step if its centre of mass is no higher than its hubs.
+// the foot of a slope. The floor then pushes at a wheel's hub and not at its tread. The forces of the impact
+// and of the slope then have the arm max(h - r, 0), not h; r is the wheel's radius. A robot therefore does
+// not trip over a step if its centre of mass is no higher than its hubs.
 //
-// If the slope under a wheel increases from k_0 to k_1, v falls by the fraction (1 - cos) share; share is the
-// wheel's share of the mass. Here cos is the cosine of the angle between both slopes. If k_0 < 0, the wheel
-// lands after a fall. v^2 then falls at most by the wheel's share of the gain during that fall:
+// If the slope under a wheel increases from k_0 to k_1, v is multiplied by 1 - (1 - cos) share. Here share is
+// the wheel's share of the mass, and cos is the cosine of the angle between both slopes. If k_0 < 0, the
+// wheel lands after a fall. v^2 then falls by at most the wheel's share of the v^2 gained in that fall:
 //   2 g r (1 - 1 / sqrt(1 + k_0^2))
 //
 // At the far edge of a gap between boards, each wheel and the caster lose kinetic energy in one tick
 // (floor_gaps.h). Inside a gap, gravity acts along the slope of the wheel's path.
 //
-// The body has also toppled if a wheel's ground drops within a tick by more than the wheel's radius. Ground
-// that rises within a tick by more than three times a wheel's movement counts as a face: the body stops
-// there, as at a wall.
+// The body has also toppled if the ground under a wheel or caster drops within a tick by more than its
+// radius. Ground that rises within a tick by more than three times a wheel's movement counts as a face: the
+// body stops there, as at a wall.
 //
 // Not modelled: a step's upward push on the axle, which holds the caster down; the lift of a front caster by
 // the motors at a step; a tip about the caster (the wheels lose their grip instead); a chassis that sits on a
@@ -105,7 +105,7 @@ FloorGaps::Roller Body::roller(int i) const {
 
 double Body::foot_radius(int i) const { return i < 2 ? params_.wheel[i].radius_m : params_.caster_radius_m; }
 
-// Returns the share of a push at the foot's hub that shifts no load: 0 if the caster is in front of the axle.
+// Returns which share of a push at the foot's hub shifts no load: 0 if the caster is in front of the axle.
 double Body::hub_share(int i) const {
   if (params_.caster_m > 0.0) return 0.0;
   const double h = params_.centre_height_m, radius = foot_radius(i);
@@ -149,7 +149,7 @@ void Body::find_footing(const Ground* ground, Vec2* at, Vec2* rises) {
   if (known) lean_.rate = Vec2{pitch - stance_.pitch, roll - stance_.roll} * (1.0 / kDt);
 }
 
-// Reduces the speed at once if a wheel begins to rise more steeply, or to fall less steeply.
+// Reduces the speed at once if a wheel or the caster begins to rise more steeply, or to fall less steeply.
 void Body::bump(const Vec2* before, const Vec2* rises) {
   const Vec2 way = v_ < 0.0 ? pose_.heading * -1.0 : pose_.heading;
   for (int i = 0; i < 3; ++i) {

@@ -12,7 +12,8 @@
 //   M = mu m g (L / 2) / sqrt(1 + (L / B)^2)
 // A body with wheelbase_m > 0 is computed like a body with track B_eff. The motors' forces then have the arm
 // B_eff / 2 instead of B / 2. Moment of inertia and M are therefore multiplied by B_eff / B, too. For evenly
-// loaded tracks of length l, L is l / sqrt(3): the load's mean square distance from the middle is then equal.
+// loaded tracks of length l, L is l / sqrt(3). The load's mean square distance from the middle is then that
+// of four wheels.
 //
 // Source: Coulomb's law at each tyre. No published measurement of B_eff was found, for any speed. Not
 // modelled: sideways forces in fast bends, which change M; a centre of mass away from the middle of the

@@ -13,7 +13,7 @@
 // A change of delta keeps the momentum m v + I k omega. With a differential, one motor gives both wheels the
 // same torque and turns at the mean of their speeds. Otherwise each motor turns with its own wheel.
 //
-// During this motion the steered wheels push across their own direction with the force
+// While no wheel slides sideways, the steered wheels push across their own direction with the force
 //   P = (I domega/dt - (F_right - F_left) B / 2) / (L cos delta) + (1 - load_share) m v omega
 // where F are the driven wheels' forces. P is at most grip (1 - load_share) m g. If the motion needs a larger
 // P, the steered wheels slide, and the body runs wide. The limited P and the driven wheels then determine the

@@ -4,7 +4,7 @@
 //   part of the period      volts while the current flows forward       and backward
 //   driven forward          V - drop, from the battery                  V + 2 V_d, into the battery through
 //                                                                       diodes; MOSFETs: V + drop
-//   driven backward         the same, with the signs changed
+//   driven backward         as when driven forward, with both directions exchanged and all signs changed
 //   shorted                 -drop                                       drop
 //   open                    -(V + 2 V_d), into the battery              V + 2 V_d, into the battery
 //   open, one switch        -V_d, through the diode across the motor    V + V_d, into the battery
@@ -14,7 +14,7 @@
 //
 // A motor that is turned by its wheel delivers at most the energy that the wheel loses. Its torque per
 // ampere, against the motion, is therefore the larger of two constants: k_e (volts per rate) and k_t (torque
-// per ampere). Unlike k_e, k_t includes the gear's losses during driving.
+// per ampere). Unlike k_e, k_t includes the losses of a gear that drives its wheel.
 //
 // Torque and the supply's current are linearised about the speed at the tick's beginning. The step can
 // therefore be implicit, as for the motors in body.h.

@@ -17,7 +17,7 @@ double widest_line(const map::Map& map) {
 }
 
 // Lines with square corners run through the centres of cells, so they are at least half a cell away from
-// other cells. With a reach that is shorter by kAside, a cell lists only its own lines.
+// other cells. With a reach that is shorter than half a cell by kAside, a cell lists only its own lines.
 constexpr double kAside = 1e-6;  // m
 bool is_square(const map::Map& map) { return map.corner_m == 0.0 && map.course.paths.empty(); }
 
@@ -25,8 +25,9 @@ double reach_of(const map::Map& map) {
   return is_square(map) ? 0.5 * map.cell_m : 0.5 * widest_line(map) + 0.5 * kUsualFootprint;
 }
 
-// Returns the distance from p to a straight stripe of a floor with square corners. Paint ends next to a gap
-// `beyond` the centre of its last cell; such an end is computed from this centre.
+// Returns the distance from p to a straight stripe of a floor with square corners. Next to a gap, the paint
+// ends at the distance `beyond` past the centre of the stripe's last cell. This function uses that end
+// instead of the stripe's own.
 double square_distance(const map::Stripe& s, Vec2 p, double cell, double beyond) {
   const auto outside = [&](double a, double b, double at) {
     const double first = (std::floor(a / cell) + 0.5) * cell, last = (std::floor(b / cell) + 0.5) * cell;
@@ -218,7 +219,7 @@ double Floor::raster_share(Vec2 p, double footprint) const {
     return south * ((south_west ? west : 0.0) + (south_east ? east : 0.0)) +
            north * ((north_west ? west : 0.0) + (north_east ? east : 0.0));
   }
-  // The footprint is wider than a cell: sums its overlaps with all cells. The map begins at u = v = 1.
+  // The footprint is wider than a cell: sums its overlaps with dark cells. The map begins at u = v = 1.
   const auto first = [](double low) { return static_cast<int>(std::max(std::floor(low) - 1.0, 0.0)); };
   const auto last = [](double high, double most) {
     return static_cast<int>(std::min(std::ceil(high) - 1.0, most));

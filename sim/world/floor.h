@@ -26,12 +26,12 @@ namespace robosim::world {
 /// floors have 0.05 and 0.15: docs/explanation/fidelity.md.
 constexpr double typical_variation(Profile profile) { return profile < Profile::typical_2 ? 0.0 : 0.05; }
 
-/// A floor has one of two kinds. On a stripe floor, lines of the map's width `line` follow the centre lines
-/// of map::Stripes. On a raster floor (the map has `floor = "raster"`), each painted line cell is dark as a
-/// whole.
+/// A floor is of one of two kinds. On a stripe floor, lines follow the centre lines of map::Stripes, with the
+/// width `line` of the map. On a raster floor (the map has `floor = "raster"`), each painted line cell is
+/// dark as a whole.
 ///
-/// The floor answers three questions about a point p. A `probe` caches what lies near p; pass the same probe
-/// on every call for the same footprint. Do not pass the probe of distance_to_line() to other questions.
+/// The first three functions examine a point p. Their `probe` caches what lies near p: pass the same probe on
+/// every call for the same footprint. distance_to_line() needs a probe of its own.
 class Floor {
  public:
   /// The map must outlive the floor. Throws InputError (map::Stripes).
@@ -71,8 +71,8 @@ class Floor {
   double far_m() const { return kFarCells * cell_; }
 
   /// Makes some patches of the floor brighter, and others darker. brightness() then has the standard
-  /// deviation `share`. Its correlation is one half at about 5 mm. With `share` 0, brightness() is 1
-  /// everywhere.
+  /// deviation `share`. The brightness of two points about 5 mm apart has a correlation of one half. With
+  /// `share` 0, brightness() is 1 everywhere.
   void vary(const NoiseStream& noise, double share) {
     noise_ = noise;
     variation_ = share;
@@ -121,8 +121,8 @@ class Floor {
   double wide_line_share(Vec2 p, double footprint) const;
   double raster_share(Vec2 p, double footprint) const;
   double drawn_darkness(Vec2 p, const FloorProbe&, Band) const;
-  // Returns the darkness of a floor with more than lines. The function is not inline, because it would slow
-  // down floors with lines only. It takes x and y, because a Vec2 would be built in memory before each call.
+  // Returns the darkness of a floor with more than lines. Not inline: inlining would slow down floors with
+  // lines only. Takes x and y, because a Vec2 would be built in memory before each call.
   double painted_darkness(double x, double y, const FloorProbe&, Band) const;
   double patch_brightness(Vec2 p) const;
 
@@ -133,8 +133,8 @@ class Floor {
   const map::Map& map_;
   const int width_, height_;
   const double cell_, per_cell_, half_line_;
-  const double widest_;         // m: the widest line
-  const double stripes_reach_;  // m: all stripes that are nearer to a point are listed for the point's cell
+  const double widest_;         // in metres: width of the widest line
+  const double stripes_reach_;  // in metres; a cell lists all stripes nearer than this to one of its points
   const map::Stripes stripes_;
   const bool light_line_;
   const map::FloorImage* const image_;  // null = none
@@ -148,7 +148,7 @@ class Floor {
   NoiseStream noise_;
   double variation_ = 0.0;
   std::vector<double> widths_;  // m, line width of each paint; empty if none exceeds the map's width
-  std::vector<std::uint32_t> all_stripes_;  // numbers of all stripes, if there are several paints
+  std::vector<std::uint32_t> all_stripes_;  // numbers of all stripes, if paints differ or are worn
 };
 
 }  // namespace robosim::world

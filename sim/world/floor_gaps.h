@@ -14,8 +14,8 @@
 // energy
 //   m / 2 (sin(2 alpha) min(v, sqrt(G r)))^2              at most 4 m G h, at any speed
 //
-// A wheel that rolls obliquely, at the angle theta, reaches r |cos theta| along the gap's width. Its tread of
-// width w bridges w |sin theta| of the gap's width. Robot files do not contain w; 6 mm are assumed, as for
+// A wheel that rolls at the angle theta to the gap's width reaches r |cos theta| along that width. Its tread
+// of width w bridges w |sin theta| of the gap's width. Robot files do not contain w; 6 mm are assumed, as for
 // narrow wheels. A ball has no tread. A ball that is hardly wider than the gap is caught.
 //
 // Not modelled: soft tyres, which sink less and lose less; boards of different heights (use a [[hill]] as a

@@ -8,12 +8,13 @@ namespace robosim::world {
 namespace {
 
 constexpr double kRounding = 1e-9;  // m: more than the rounding error of distances
-// The smallest useful size of a box, m. Leaving a box requires a new search, which costs more than evaluating
-// a few stripes.
+// The smallest useful half side of a box, m. Leaving a box requires a new search, which costs more than
+// evaluating a few stripes.
 constexpr double kWorthwhile = 0.015;
-// The smallest useful distance of a point from the area in which footprints reach a straight stripe, m.
+// In m: a clear box is useful only if the point is at least this far from places where the footprint reaches
+// a stripe.
 constexpr double kBeside = 5e-4;
-constexpr double kAlone = 5e-3;  // m; least half side of a box with one stripe; else, the box stores two
+constexpr double kAlone = 5e-3;  // m; least half side of a box with one stripe; a smaller box stores two
 constexpr double kDiagonal = 0.70710678118654752;
 
 bool is_level(const map::Stripe& s) { return s.radius == 0.0 && s.a.y == s.b.y && s.a.x < s.b.x; }

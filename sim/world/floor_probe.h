@@ -24,17 +24,17 @@ struct FloorBox {
   void keep(Vec2 p, double way);
 };
 
-/// A footprint, the stripe nearest to it, and a box around the place of the last search. Inside the box, this
-/// stripe stays the nearest. The cache is part of a const probe, because it never changes an answer.
+/// A footprint, the one or two stripes nearest to it, and a box around the place of the last search. Inside
+/// the box, no other stripe is nearer. The cache is mutable, because it never changes an answer.
 class FloorProbe {
  public:
-  /// `footprint_m` is the side of a square footprint, or of the square that has the same area as a disc.
+  /// `footprint_m` is the side of a square footprint. For a disc, it is the side of the square of equal area.
   FloorProbe(double footprint_m = 0.0) : footprint_(std::max(footprint_m, 1e-9)) {}
   double footprint() const { return footprint_; }
 
   /// Returns whether the cached stripe is valid at p. Before the first search, it is not valid anywhere.
   bool holds(Vec2 p) const { return box_.holds(p); }
-  /// Returns whether the footprint of the search reaches no stripe. Requires holds(p).
+  /// Returns whether the footprint reaches no stripe. Applies to all points p for which holds(p) is true.
   bool is_clear() const { return kind_ == Kind::clear; }
   /// Returns the distance to the nearest stripe, m, equal bit for bit to map::distance. Requires holds(p) and
   /// !is_clear().
@@ -51,7 +51,7 @@ class FloorProbe {
     std::span<const std::uint32_t> near;  ///< the stripes that can be nearest inside the box
     FloorBox box;
     bool painted_only;
-    double reach;  ///< m: stripes that are farther away do not matter
+    double reach;  ///< in metres; stripes that are farther away do not matter
   };
   /// Returns the distance from p, which is in the box, to the nearest stripe, m, or kNoStripe.
   double seek(const Around&, Vec2 p) const;
@@ -59,7 +59,7 @@ class FloorProbe {
   void forget() const { box_ = {}; }
   static constexpr double kNoStripe = 1e9;
 
-  /// The last darkness of a floor with more than lines, and everything that it depends on.
+  /// The last result of Floor::painted_darkness(), and everything that it depends on.
   struct Darkness {
     Vec2 at = {std::numeric_limits<double>::quiet_NaN(), 0.0};
     Band band = Band::infrared;

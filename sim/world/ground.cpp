@@ -9,7 +9,7 @@ namespace robosim::world {
 
 namespace {
 
-constexpr double kPoint = 1e-9;  // m: a smaller reach counts as 0
+constexpr double kPoint = 1e-9;  // m: least reach of a wheel; avoids a division by 0
 
 // The profile along a hill.
 struct CrossSection {

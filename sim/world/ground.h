@@ -5,7 +5,7 @@
 // the slope's angle. A wheel of radius r cannot touch every point of a profile. The height of the axle at s,
 // minus r, is
 //   z(s) = max over s' of  h(s') + sqrt(r^2 - (s' - s)^2) - r      s' within the wheel's reach
-// The maximum is computed exactly: it is at a corner of the profile, or on a straight of slope k, which
+// The maximum is computed exactly: it is at a corner of the profile, or on a straight part of slope k, which
 // contributes
 //   h(s) + r sqrt(1 + k^2) - r
 // A wheel at the angle theta to a hill reaches r |cos theta| along and r |sin theta| across

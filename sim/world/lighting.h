@@ -5,7 +5,7 @@
 //
 //   d, daylight   1
 //   d, lamp       (h^2 / (h^2 + r^2))^(3/2) at height h above a point r away: a small lamp's illuminance of a
-//                 plane (Lambert's cosine law and the inverse square), relative to the point below it
+//                 plane (Lambert's cosine law and the inverse square), relative to the point below the lamp
 //   d, sun        1 within `radius` of `at` + `moves` t, else 0: a patch of sun
 //   w             4 u (1 - u), u = the fractional part of frequency t + phase: parabolas that approximate a
 //                 rectified sine within 0.057

@@ -25,7 +25,7 @@ class Period {
     double left = phase.share, decay = phase.decay;
     while (left > 0.0) {
       const int way = way_in(phase);
-      if (way < 0) {  // the current stays at 0; removes a tiny deviation
+      if (way < 0) {  // the current stays at 0, also after a small change of start or E
         now_ = {};
         return;
       }

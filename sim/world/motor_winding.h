@@ -47,9 +47,9 @@ struct MeanCurrent {
   double drawn = 0.0, drawn_per_volt = 0.0;  ///< A from the supply; below 0, into the supply
 };
 
-/// Computes the mean currents of a period. `tau` is L / R as a multiple of the period. If `tau` is 0 (a much
-/// longer or unknown period), the current has its final value in each phase. Expects at most four phases,
-/// whose shares add up to 1.
+/// Computes the mean currents of a period. `tau` is L / R as a multiple of the period. If `tau` is 0 (the
+/// period is unknown, or much longer than L / R), the current has its final value in each phase. Expects at
+/// most four phases, whose shares add up to 1.
 MeanCurrent mean_current(std::span<const Phase> phases, double emf, double per_ohm, double tau);
 
 }  // namespace robosim::world

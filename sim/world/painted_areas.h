@@ -25,8 +25,8 @@ class PaintedAreas {
 
   /// Returns the reflectance in a band, relative to white, of a square of side `footprint` about p.
   /// Only areas with the given `over_lines` count; `below` is the reflectance under them. Later areas cover
-  /// earlier ones. The share of the square that an area covers is exact for a parallel rectangle. A disc's
-  /// edge is treated as straight.
+  /// earlier ones. The share of the square that an area covers is exact for a rectangle parallel to the
+  /// square. A disc's edge is treated as straight.
   double over(double below, bool over_lines, Band band, Vec2 p, double footprint) const {
     return areas_.empty() ? below : over_any(below, over_lines, band, p, footprint);
   }

@@ -1,5 +1,4 @@
-// Models lines and marks that differ from the map's usual ones: other widths or colours, worn, or glossy
-// (map::Paint).
+// Models lines and marks that differ from the map's usual ones in width, colour, wear or gloss (map::Paint).
 #pragma once
 
 #include <cstddef>
@@ -17,7 +16,7 @@ namespace robosim::world {
 
 class PaintedLines {
  public:
-  /// Stores nothing for a map whose lines all have the usual paint and no wear.
+  /// Stores nothing if all lines have the usual paint without wear, or if the floor is a raster or an image.
   explicit PaintedLines(const map::Map& map);
 
   bool empty() const { return paints_.empty(); }

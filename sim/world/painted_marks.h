@@ -24,8 +24,8 @@ class PaintedMarks {
     return within(own.x, marks_[mark].half_length, footprint) *
            within(own.y, marks_[mark].half_width, footprint);
   }
-  /// Calls visit(mark) for all marks that a square of side `footprint` about p may reach; for none outside of
-  /// the map.
+  /// Calls visit(mark) for all marks that a square of side `footprint` about p may reach. Does nothing if p
+  /// is outside the map.
   template <typename Visit>
   void visit_near(Vec2 p, double footprint, Visit visit) const {
     if (!(p.x >= 0.0 && p.y >= 0.0 && p.x < wide_ && p.y < high_)) return;

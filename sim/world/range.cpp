@@ -65,8 +65,8 @@ double Walls::range_along(Vec2 from, Vec2 direction, double most) const {
   return std::min(way, most);
 }
 
-// Searches for each solid's nearest point in the beam. All solids are convex. So if the nearest point is
-// outside the beam, the nearest point inside the beam is on an edge of the beam.
+// Searches for each solid's nearest point in the beam. All solids are convex. If a solid's nearest point is
+// outside the beam, its nearest point inside is therefore on an edge of the beam.
 double Walls::range_in_beam(Vec2 from, Vec2 direction, Vec2 half_beam, double most) const {
   const Edges edges(direction, half_beam);
   double nearest =

@@ -7,7 +7,7 @@
 namespace robosim::world {
 namespace {
 
-constexpr double kBetween = Walls::kNear + 0.05;  // m: two bodies with a larger gap cannot meet
+constexpr double kBetween = Walls::kNear + 0.05;  // in metres; two bodies with a larger gap cannot meet
 
 }  // namespace
 

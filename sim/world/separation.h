@@ -12,7 +12,7 @@ namespace robosim::world {
 
 class Separation {
  public:
-  /// Computes the result of World::apart(), which is valid until the next call.
+  /// Computes the result of World::apart(). The result is valid until the next call.
   const std::vector<bool>& find(const std::vector<std::unique_ptr<Body>>& bodies,
                                 const std::vector<double>& sights, double seconds);
 

@@ -1,8 +1,8 @@
 // Computes with two numbers at once, for a body's two wheels. Compilers use one vector instruction per
-// operation if the machine has such an instruction. The results are identical bit for bit.
+// operation if the machine has such an instruction. The results equal those of single numbers bit for bit.
 //
-// Code for both wheels is a template over `Both`: a Pair, for one body; or Two, with plain members, so that
-// compilers can vectorise a loop over many bodies (sim/world/batch).
+// Code for both wheels is a template with the parameter `Both`. For one body, `Both` is Pair. For a loop over
+// many bodies (sim/world/batch), `Both` is Two: its plain members let compilers vectorise the loop.
 #pragma once
 
 #include <cmath>

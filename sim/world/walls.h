@@ -26,7 +26,7 @@ enum class Solid { wall, obstacle, edge };
 /// Returns "a wall", "an obstacle" or "the map's edge".
 const char* to_string(Solid solid);
 
-/// The contacts of an outline, deepest first. Stores the eight deepest; more would not change the result.
+/// The contacts of an outline, deepest first. Stores only the eight deepest.
 class Contacts {
  public:
   void add(const Contact&);

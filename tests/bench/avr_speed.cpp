@@ -1,4 +1,5 @@
-// Measures the AVR emulator: its speed as a multiple of real time, on one core, and the cost of a snapshot.
+// Measures the AVR emulator: its speed as a multiple of real time, on one core of this machine's processor,
+// and the cost of a snapshot.
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>

@@ -1,7 +1,7 @@
 // Measures reading a map of 8000 x 8000 cells (64 MB, the largest map). The reference is the minimum for
-// any reader: read() of the cached file and a copy into fresh pages. Reading a map may take twice that time,
-// and one byte of memory per cell. Then measures structures derived from maps, and the generation of large
-// maps.
+// any reader: read() of the cached file and a copy into fresh pages. Reading a map must take at most twice
+// that time, and one byte of memory per cell. Then measures structures derived from maps, and the generation
+// of large maps.
 #include <benchmark/benchmark.h>
 #include <fcntl.h>
 #include <sys/mman.h>

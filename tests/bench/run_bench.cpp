@@ -1,4 +1,4 @@
-// Measures the speed of whole simulations as a multiple of real time, on one core, with noise.
+// Measures the speed of whole simulations as a multiple of real time, on one processor core, with noise.
 
 #include <benchmark/benchmark.h>
 

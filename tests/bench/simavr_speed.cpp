@@ -1,6 +1,6 @@
 // Measures Robosim's speed relative to libsimavr. A whole run, with robot and world, alternates with a bare
-// loop of avr_run() over the same ELF file. The times vary by a factor of two between machines and hours, but
-// their ratio varies less. This command prints the median of the ratio:
+// loop of avr_run() over the same ELF file. From machine to machine and from hour to hour, both times vary by
+// a factor of two, but their ratio varies less. This command prints the median of the ratio:
 // `robosim_bench_avr --benchmark_filter=libsimavr`.
 extern "C" {
 #include <simavr/avr_uart.h>
@@ -39,8 +39,8 @@ std::string run_ours(const std::filesystem::path& image, const map::Map& map, co
   return outcome.verdict == judge::Verdict::reached ? "" : outcome.why;
 }
 
-/// Runs libsimavr as its users do, but without its sleep callback. The callback waits in real time, and takes
-/// six times as much processor time for SleepsIdle.
+/// Runs libsimavr as its users do, but without its sleep callback. The callback waits in real time. With it,
+/// libsimavr takes six times as much processor time for SleepsIdle.
 std::string run_libsimavr(const std::filesystem::path& image, const BoardSpec& board, SimTime length) {
   elf_firmware_t firmware{};
   if (elf_read_firmware(image.c_str(), &firmware) != 0) return "libsimavr cannot read the ELF file";

@@ -1,6 +1,6 @@
-// Measures the emulated Blue Pill's speed as a multiple of real time, on one core, at 8 and at 72 MHz. This
-// benchmark is a separate executable, because a program with libunicorn (GPL-2) must not link another
-// emulator.
+// Measures the speed of the emulated Blue Pill, at 8 and at 72 MHz, as a multiple of real time. Uses one core
+// of this machine. This benchmark is a separate executable, because a program with libunicorn
+// (GPL-2) must not link another emulator.
 
 #include <benchmark/benchmark.h>
 #include <malloc.h>

@@ -28,8 +28,8 @@ map::Map loop_map(double corner_m) {
 
 constexpr int kSensors = 5;
 
-// Drives a circle over and next to the lines. Every `read_every` ticks (0 = never), five sensors read the
-// floor. They are 9.5 mm apart and 60 mm ahead of the axle.
+// Drives in a circle, over the lines and next to them. Every `read_every` ticks (0 = never), five sensors
+// read the floor. They are 9.5 mm apart and 60 mm ahead of the axle.
 void drive_and_read(benchmark::State& state, double corner_m, int read_every) {
   const map::Map map = loop_map(corner_m);
   world::World world(map);

@@ -97,7 +97,7 @@ class Driver {
         "const done = arguments[0]; const $ = (id) => document.getElementById(id);"
         "const until = async (is) => {"
         "  for (let i = 0; !is(); i++) {"
-        "    if (i === 2000) throw new Error(`waited in vain for ${is}`);"
+        "    if (i === 2000) throw new Error(`timeout: waited for ${is}`);"
         "    await new Promise((r) => setTimeout(r, 20));"
         "  }"
         "};"

@@ -50,7 +50,7 @@ TEST_F(Page, DrawsTheFloorWhereTheSimulationHasIt) {
   EXPECT_EQ(wrong["wrong"].size(), 0u) << wrong["wrong"].dump();
 }
 
-// Paint beyond the floor's edge is clipped: only the wall is drawn there.
+// Paint beyond the floor's edge is clipped: only the floor's outline is drawn there.
 TEST_F(Page, EndsTheFloorAtItsEdge) {
   std::string map = read_file(std::filesystem::path(ROBOSIM_MAPS) / "oval.map");
   map.insert(map.rfind("+++"),

@@ -25,8 +25,8 @@ TEST_F(Page, IsPhotographed) {
   }
 }
 
-/// Returns the fraction of points that differ between two pictures, or 1 if their sizes differ. Another
-/// version of the browser draws the edges of letters slightly differently.
+/// Returns the fraction of points that differ between two pictures, or 1 if their sizes differ. Other
+/// versions of the browser draw the edges of letters slightly differently.
 double difference(const std::filesystem::path& a, const std::filesystem::path& b) {
   browser().open("about:blank");
   const auto source = [](const std::filesystem::path& file) {

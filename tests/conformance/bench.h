@@ -35,7 +35,7 @@ class Bench final : public avr::ChipEnvironment {
   }
 
   std::map<int, bool> levels;          ///< by pin number; a pin that is not listed has its pull-up's level
-  std::map<int, double> voltages;      ///< by channel
+  std::map<int, double> voltages;      ///< by ADC channel
   std::map<int, double> pin_voltages;  ///< by pin; a pin that is not listed has the voltage of its level
   std::map<int, PinDrive> drives;      ///< how the chip drives each pin
   std::vector<std::pair<avr::Cycle, std::uint16_t>> sent_bytes;

@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Conformance, testing::ValuesIn(cases()),
 
 class HostConformance : public testing::TestWithParam<Program> {};
 
-// A program that fails on the host says why (`Host:`).
+// A program must fail on the host if it gives a reason in a `Host:` line, and pass otherwise.
 TEST_P(HostConformance, ReportsWhatTheDataSheetSaysOrStatesItsReason) {
   const Program& program = GetParam();
   const Report report = run_on_host(program);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kEnd = "END";  // avr/host.h
 
-/// Records what the firmware sends, and returns it to the firmware's receiver if `loops`.
+/// Records the bytes that the firmware sends. If `loops`, the firmware also receives each of these bytes.
 class Line final : public SerialWatcher {
  public:
   Line(RobotPort& board, bool loops) : board_(board), loops_(loops) { board.watch_serial(*this); }

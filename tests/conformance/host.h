@@ -8,8 +8,8 @@ namespace robosim::conformance {
 /// The chip that the host models, by its avr-gcc name.
 constexpr const char* kHostChip = "atmega328p";
 
-/// Compiles the program like a sketch, and runs it on the target host. The report of a program that does not
-/// compile is empty, and has not ended.
+/// Compiles the program like a sketch, and runs it on the target host. If the program does not compile,
+/// returns an empty report, in which `ended` is false.
 Report run_on_host(const Program& program);
 
 }  // namespace robosim::conformance

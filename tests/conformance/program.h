@@ -1,5 +1,5 @@
-// Reads and compiles programs for a chip. Their reports (avr/report.h) decide whether a core conforms to the
-// data sheet.
+// Reads and compiles programs for a chip. Their reports (avr/report.h) decide whether an emulator conforms to
+// the chip's data sheet.
 #pragma once
 
 #include <cstdint>
@@ -37,11 +37,11 @@ bool is_right(const Program& program, const Report& report);
 /// Returns the chip with this avr-gcc name. Throws std::runtime_error if no board has this chip.
 const ChipSpec& chip_named(const std::string& name);
 
-/// Returns all programs of a folder, by name. Throws std::runtime_error if a program has no sentence, source
-/// or expectation, or an unknown reason to fail on the host.
+/// Returns all programs of a folder, sorted by name. Throws std::runtime_error if a program has no sentence,
+/// source or expectation, or an unknown reason to fail on the host.
 std::vector<Program> programs_in(const std::filesystem::path& folder);
 
-/// Returns whether this chip, by its avr-gcc name, behaves as the program says.
+/// Returns whether the chip with the avr-gcc name `chip` has the behaviour that the program requires.
 bool is_for(const Program& program, const std::string& chip);
 
 /// Compiles the program by avr-gcc for a chip ("atmega328p"), and returns the content of its flash. Throws

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tests/consumer/check.sh BUILD FOLDER: installs the build folder BUILD into a subfolder of FOLDER. Then uses
+# tests/consumer/check.sh BUILD FOLDER: installs Robosim from the build folder BUILD below FOLDER. Then uses
 # the installed Robosim as a user does: creates a project, runs its checks and its C++ test, and builds a
 # project with every kind of test. Finally, requests a target whose package is missing.
 set -euo pipefail
@@ -19,7 +19,7 @@ done
 installed/bin/robosim new demo
 (cd demo && ../installed/bin/robosim test)
 
-# Builds both projects together, so that the harness is compiled once.
+# Builds this project and the created one together, so that the test harness is compiled once.
 cmake -S "$here" -B build -G Ninja "-Drobosim_ROOT=$PWD/installed" "-DDEMO=$PWD/demo" "-DTARGETS=$targets"
 cmake --build build
 ctest --test-dir build --output-on-failure --no-tests=error

@@ -68,8 +68,8 @@ TEST_F(AiNavigatorAgain, TakesTheShorterOfTwoWaysOverOtherJunctions) {
   }
 }
 
-// When the search is at the second junction, the third junction is farther away than all junctions found so
-// far. The search first reaches the third junction by the longer of the two routes to it.
+// When the sketch's search is at the second junction, the third junction is farther away than all junctions
+// found so far. The search first reaches the third junction by the longer of the two routes to it.
 TEST_F(AiNavigatorAgain, GoesStraightThroughARowOfJunctionsWithWaysRound) {
   put_on(kTwoRings);
   scan();

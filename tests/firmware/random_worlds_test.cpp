@@ -1,5 +1,5 @@
-// Tests the stock sketches' guarantees on random floors and robots, with mild faults.
-// ROBOSIM_TEST_SEEDS=1000 tries more worlds.
+// Tests the guarantees of Robosim's example sketches on random floors and robots, with mild faults. The
+// environment variable ROBOSIM_TEST_SEEDS=1000 makes the tests try more worlds.
 #include <robosim/random_worlds.h>
 
 #include "tests/firmware/explored.h"

@@ -5,7 +5,7 @@
 
 #include "sim/base/file.h"
 
-/// Returns the folder of one of tests/firmware/sketches.
+/// Returns the path of the folder `name` in tests/firmware/sketches.
 inline std::string test_sketch(const std::string& name) {
   return (robosim::data_folder() / "tests/firmware/sketches" / name).string();
 }

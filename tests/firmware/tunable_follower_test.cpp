@@ -10,8 +10,8 @@ namespace tunable_follower_test {
 
 using namespace robosim::testing;
 
-/// First value of millis(), so that it wraps after two seconds. On a chip millis() wraps 49.7 days after
-/// power-on.
+/// Value of millis() at power-on: two seconds later, millis() wraps. On a real chip, millis() begins with 0
+/// and wraps after 49.7 days.
 constexpr Duration kAlmostWrapped = std::chrono::milliseconds((1LL << 32) - 2000);
 
 Trial trial_on(const std::string& target, Duration clock_start = {}) {

@@ -15,7 +15,7 @@ namespace {
 
 using namespace robosim;
 
-constexpr std::size_t kLargeFloor = 4'000'000;  // cells: allowed, but slow to scan repeatedly
+constexpr std::size_t kLargeFloor = 4'000'000;  // in cells; larger floors are allowed, but slow
 
 void drive_on(const map::Map& map) {
   if (map.cells.size() > kLargeFloor) return;

@@ -1,5 +1,5 @@
-// Sends arbitrary bytes as a debugger. The processor receives only requests that the packets contain, and the
-// run continues when the debugger disconnects.
+// Acts as a debugger that sends arbitrary bytes. The processor receives only requests that the packets
+// contain, and the run continues when the debugger disconnects.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>

@@ -1,6 +1,6 @@
 // Reads arbitrary bytes as files of other tools: platformio.ini, sketch.yaml and arduino-cli's
-// build.options.json. Each file is rejected, or gives a project whose board is known, rejected or not named.
-// The first byte selects the file.
+// build.options.json. Each file is rejected, or it describes a project. The project names no board, a known
+// board, or a board that is rejected. The first byte selects the file.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -1,6 +1,6 @@
-// Records arbitrary events of a runner as CSV and as VCD, in which times must not decrease. Reads arbitrary
-// bytes as a recording and as the CSV table of a sweep. A message that rejects a file must name the file.
-// Each row of a valid table must be a run of the sweep.
+// Records arbitrary events of a runner as CSV and as VCD. The times in the VCD file must not decrease. Reads
+// arbitrary bytes as a recording and as the CSV table of a sweep. A message that rejects a file must name the
+// file. Each row of a valid table must be a run of the sweep.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -72,7 +72,7 @@ class Served {
   std::thread thread_;
 };
 
-/// `@` in a sample stands for the server's address, which differs from run to run.
+/// Replaces `@`, which stands for the server's address in an input. The address differs from run to run.
 std::string with_host(std::string_view text, const std::string& host) {
   std::string all;
   for (const char c : text) c == '@' ? all += host : all += c;

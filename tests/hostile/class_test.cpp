@@ -1,6 +1,6 @@
-// Tests a class of thirty sketches on one machine, five of them hostile. The other sketches must get the
-// correct verdicts. strace confirms that no process of the command reads or writes anything outside the
-// class's folder.
+// Tests the thirty sketches of a school class on one machine. Five sketches are hostile. The other sketches
+// must get the correct verdicts. strace confirms that the command reads no private file, and writes only
+// into the folders for temporary files and the cache.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ using testing::HasSubstr;
 const std::string kCheck =
     "[[check]]\nname = \"lap\"\nmap = \"oval\"\nrobot = \"uno5\"\ngoal = \"laps:1\"\nfor = \"25s\"\n";
 
-/// Returns a sketch that follows the line with Arduino's functions, or drives straight on.
+/// Returns a sketch that follows the line with Arduino's functions if `looks`, or else drives straight on.
 std::string driver(int speed, bool looks) {
   const auto sees = [&](int one, int other) {
     return looks ? fmt::format("analogRead(A{}) > 400 || analogRead(A{}) > 400", one, other) : "false";

@@ -34,8 +34,8 @@ namespace fs = std::filesystem;
 constexpr double kGivenUp_s = 900.0;  ///< a command that takes longer is considered endless
 constexpr double kLate_s = 10.0;
 constexpr std::size_t kMostMemory_kb = 300 * 1024;
-/// Phrases in messages about limits of docs/explanation/security.md. A run that reaches such a limit may take
-/// longer than kLate_s.
+/// Phrases in the messages about the limits that docs/explanation/security.md lists. A run that reaches such
+/// a limit may take longer than kLate_s.
 constexpr const char* kLimits[] = {"loops without end",
                                    "slept",
                                    "sleeps",
@@ -45,7 +45,7 @@ constexpr const char* kLimits[] = {"loops without end",
                                    "the request is too slow",
                                    "printed more than"};
 
-/// Returns the built command, or another one to compare it with.
+/// Returns the built command, or the command that ROBOSIM_HOSTILE_COMMAND names, to compare the two.
 std::string command() {
   const char* const other = ::getenv("ROBOSIM_HOSTILE_COMMAND");
   return other ? other : ROBOSIM_COMMAND;
@@ -59,7 +59,7 @@ struct Record {
   std::vector<std::string> findings;
 };
 
-/// A user's machine: a class's folder, private files outside of it, a home and a cache.
+/// A user's machine: the folder of a school class, private files outside of it, a home and a cache.
 class Place {
  public:
   static Place& get() {
@@ -129,7 +129,7 @@ double late_s() {
   return kLate_s * (1.0 + load);
 }
 
-/// Returns the first byte of a sequence that a terminal executes or that reorders text, or "".
+/// Describes the first byte that would control a terminal or reorder its text. Returns "" if there is none.
 std::string carried_out(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto at = [&](std::size_t k) { return static_cast<unsigned char>(k < text.size() ? text[k] : 0); };

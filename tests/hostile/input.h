@@ -32,7 +32,7 @@ struct Input {
   std::string mechanism, variant;
   std::vector<Entry> entries;
   Target target = Target::both;
-  bool compiles = false;     ///< whether the sketch must compile; otherwise the input would test nothing
+  bool compiles = false;     ///< whether the input tests something only if the sketch compiles
   bool on_terminal = false;  ///< whether output goes to a terminal, including the serial text
 };
 

@@ -19,7 +19,7 @@ typedef void (*Handler)(int); Handler c_signal(int, Handler) __asm__("signal"); 
 )";
 
 // clang-format off
-/// Functions of the C library, by name, and their arguments.
+/// Attacks by a function of the C library. Each text has a mechanism, the function, and its arguments.
 constexpr const char* kCalls[] = {
     "files open P, 0", "files open64 P, 0", "files openat -100, P, 0", "files creat P, 0644",
     "files fopen P, \"r\"", "files opendir \"/\"", "files readlink \"/proc/self/exe\", B, 99",
@@ -127,7 +127,7 @@ constexpr Row kRows[] = {
     {"faults", "floating_traps", "volatile double z;", "unsigned m = 0; asm volatile(\"ldmxcsr %0\" :: \"m\"(m)); z = 1 / z;"},
     {"faults", "rounding", "", "unsigned m = 0x7f80; asm volatile(\"ldmxcsr %0\" :: \"m\"(m));"},
     {"faults", "jump_into_nothing", "extern \"C\" { int _setjmp(void*); void longjmp(void*, int); }", "_setjmp(B); for (int i = 0; i < 8; ++i) B[i] = 0x4141414141414141; longjmp(B, 1);"},
-    // Attacks that use up memory of each kind.
+    // Attacks that use up memory or flood the outputs.
     {"appetite", "malloc", "", "for (;;) memset(malloc(1 << 20), 1, 1 << 20);"},
     {"appetite", "new", "", "for (;;) memset(new char[1 << 20], 1, 1 << 20);"},
     {"appetite", "realloc", "", "char* p = 0; for (long n = 4096;; n *= 2) { p = (char*)realloc(p, n); memset(p, 1, n); }"},
@@ -187,7 +187,7 @@ constexpr Row kRows[] = {
     {"loading", "is_the_image", "extern \"C\" __attribute__((visibility(\"default\"))) const long robosim_image[16] = {IMAGE_VERSION, 0, (long)&c_exit};", ""},
     {"loading", "has_a_main", "int main() { return 0; }", ""},
     {"loading", "has_the_operators", "void* operator new(size_t) { return 0; } void operator delete(void*) { c_exit(0); }", "delete new int;"},
-    // Forged messages, which only Robosim may write.
+    // Forgeries of messages that only Robosim may write.
     {"forgery", "each_descriptor", "", "for (int fd = 0; fd < 256; ++fd) c_write(fd, LINE, sizeof LINE - 1); c_exit(0);"},
     {"forgery", "pipe", "", "c_write(3, LINE, sizeof LINE - 1); c_exit(0);"},
     {"forgery", "guessed_keys", "", "for (long k = -64; k < 64; ++k) c_syscall(1, 3, LINE, sizeof LINE - 1, k, k); c_exit(0);"},

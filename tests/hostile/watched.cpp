@@ -99,7 +99,7 @@ void make_one(const fs::path& path, const Entry& entry, const std::string& conte
       check(::mkfifo(path.c_str(), 0644));
       break;
     case Kind::device:
-      check(::mknod(path.c_str(), S_IFCHR | 0644, makedev(1, 5)));  // as /dev/zero
+      check(::mknod(path.c_str(), S_IFCHR | 0644, makedev(1, 5)));  // the device numbers of /dev/zero
       break;
     case Kind::socket: {
       const Descriptor socket(::socket(AF_UNIX, SOCK_STREAM, 0));

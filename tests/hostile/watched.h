@@ -42,11 +42,11 @@ struct Watched {
   std::vector<std::string> left;
 };
 
-/// Runs a command to its end, for at most `most_s`.
+/// Runs a command until it ends, but at most for `most_s` seconds.
 Watched watch(const std::vector<std::string>& words, const std::filesystem::path& folder, bool on_terminal,
               double most_s);
 
-/// Records which files in some folders any process opens or changes from now on.
+/// Watches some folders, and records which of their files are opened or changed by any process.
 class Canaries {
  public:
   explicit Canaries(const std::vector<std::filesystem::path>& folders);
@@ -75,7 +75,7 @@ std::map<std::string, std::string> state_of(const std::filesystem::path& folder,
 
 std::string written_out(const std::string& text);
 
-/// Creates the entries below `folder`. Returns false if this user may not.
+/// Creates the entries below `folder`. Returns false if this user may not create one of them.
 bool make(const std::filesystem::path& folder, const std::vector<Entry>& entries,
           const std::map<std::string, std::string>& replaced);
 

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Sets `rest` to the text after `word` at the beginning of a line. Returns false for other lines.
+/// Returns whether the line begins with `word`. If it does, sets `rest` to the text after `word`.
 bool take(const std::string& line, const std::string& word, std::string& rest) {
   if (!line.starts_with(word)) return false;
   rest = line.substr(word.size());

@@ -59,7 +59,7 @@ bool link(const std::vector<std::string>& objects, const fs::path& program, std:
   return run(std::move(words), program.parent_path(), output);
 }
 
-/// Returns why a sanitizer ended the program, without addresses. Returns "" if no sanitizer did.
+/// Returns why a sanitizer ended the program; removes memory addresses. Returns "" if no sanitizer ended it.
 std::string sanitizers_word(const std::string& output) {
   std::istringstream lines(output);
   for (std::string line; std::getline(lines, line);) {

@@ -1,17 +1,17 @@
-// robosim_museum: reports which bugs the suite of tests/firmware finds. docs/explanation/museum.md has its
-// output.
+// robosim_museum: reports which bugs the suite of tests/firmware finds. docs/explanation/museum.md has the
+// program's output.
 //
-//   robosim_museum [BUG...]          applies these patches of bugs/, or all, one at a time, to a copy of the
-//                                    firmware, and runs the suite, which must pass beforehand
+//   robosim_museum [BUG...]          tries each BUG, or all bugs: applies its patch in bugs/ to a copy of the
+//                                    firmware, and runs the suite; without a bug, the suite must pass
 //   --docs FILE                      also writes the table into this page
 //   --jobs N                         tries N bugs at a time; default: one per core
 //   --check BUG...                   runs the quick check of CI: all patches apply, the page
 //                                    docs/explanation/museum.md has all bugs, and these bugs are
 //                                    caught
 //
-// If the host does not find a bug, the suite runs on the chips, and then the library's unit tests run. The
-// status is 1 if a bug could not be tried. It is also 1 if a bug without a line “Survives:” was not caught,
-// or a bug with such a line was caught.
+// If the host does not find a bug, the suite runs on the chips. If no chip finds it, the library's unit tests
+// run. The status is 1 if a bug could not be tried. It is also 1 if a bug without a line “Survives:” was not
+// caught, or a bug with such a line was caught.
 #include <fmt/format.h>
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-// Draws small bugs at random over the firmware, and runs the suite of tests/firmware against each bug. If the
+// Draws small random bugs in the firmware, and runs the suite of tests/firmware against each bug. If the
 // suite does not find the bug, runs the library's unit tests.
 #pragma once
 

@@ -1,12 +1,12 @@
 // robosim_random_bugs: reports the share of small random bugs in firmware/ that the suite of tests/firmware
-// finds. docs/explanation/museum.md has its output.
+// finds. docs/explanation/museum.md has the program's output.
 //
 //   robosim_random_bugs [--count N] [--seed N] [--targets host,avr,stm32] [--jobs N]
 //
 // Tries N bugs (default 20) that compile and change a run. The suite runs on the host against a copy of the
-// firmware with the bug. If no test fails, the suite runs on each chip, and then the library's unit tests
-// run. Prints one line per bug to standard error, and the totals to standard output. The same seed draws the
-// same bugs.
+// firmware with the bug. If no test fails, the suite runs on each chip. If still no test fails, the library's
+// unit tests run. Prints one line per bug to standard error, and the totals to standard output. The same seed
+// draws the same bugs.
 #include <fmt/format.h>
 #include <stdlib.h>
 
@@ -54,8 +54,8 @@ Arguments read_arguments(int argc, char** argv) {
   return arguments;
 }
 
-/// Several threads draw bugs from one list until enough bugs were tried. The drawn bugs do not depend on the
-/// threads.
+/// Several threads draw bugs from one list until enough bugs were tried. The number of threads does not
+/// change which bugs are drawn.
 class Campaign {
  public:
   explicit Campaign(const Arguments& arguments)

@@ -22,8 +22,8 @@ struct Choice {
   bool others = false;             ///< inverts `words`: only suites with none of them
 };
 
-/// A folder with the layout of an installed Robosim. The test program is copied into it, and compiles the
-/// sketches in it:
+/// A folder with the layout of an installed Robosim. The test program of tests/firmware is copied into the
+/// folder, and compiles the sketches there:
 ///
 ///   bin/                      the test program
 ///   libexec/robosim           -> the runners
@@ -53,8 +53,8 @@ class Stage {
   std::filesystem::path folder_;
 };
 
-/// Removes the suite's own settings from the environment, and sets a separate cache. A program that inserts
-/// bugs calls this at the beginning of main().
+/// Removes the environment variables that change how the tests of tests/firmware run, and sets a separate
+/// cache. A program that inserts bugs calls this at the beginning of main().
 void take_environment();
 
 }  // namespace robosim::museum

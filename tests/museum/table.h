@@ -31,7 +31,8 @@ std::string catches_of(const Result& result);
 /// Returns Markdown: a sentence with the totals, the table, and the survivors with the reasons.
 std::string table_of(const std::vector<Result>& results, const std::string& targets);
 
-/// Returns the text with a new table between the two marks. Throws InputError if the marks are missing.
+/// Returns the page's text with a new table between the two lines that enclose it. Throws InputError if one
+/// of these lines is missing.
 std::string with_table(const std::string& text, const std::string& table);
 
 }  // namespace robosim::museum

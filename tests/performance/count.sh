@@ -61,7 +61,8 @@ work_of() {  # NAME FEW MANY
   each "$(trace "$build/tests/performance/robosim_workload" "$1" "$2" | most robosim_workload)" \
     "$(trace "$build/tests/performance/robosim_workload" "$1" "$3" | most robosim_workload)" $(($3 - $2))
 }
-# Counts all processes. A fork inherits the runner's count, so SandboxProxy::enter() resets the count.
+# Counts all processes. A forked process inherits the runner's count. So counting restarts at
+# SandboxProxy::enter().
 swept() {  # SEEDS
   counted_from='robosim::runner::SandboxProxy::enter*' \
     trace $(robosim sweep PidFollower --map oval --robot uno5 --goal none --for 1ms --jobs 1 --seeds "1..$1") |

@@ -1,4 +1,4 @@
-// A sketch whose output depends on a board's clock and supply, for every target that runs it:
+// A sketch whose output depends on the board's clock and supply. The tests of several targets run it:
 //
 //   pin 12   high for 100 ms by delay(), low, then high while ten bytes are sent at 57600 baud
 //   prints   F_CPU in MHz, the reading of A7, the time of ten analogRead() and of 1000 digitalRead() in us

@@ -1,4 +1,4 @@
-// Runs a stock sketch on a chip, and records the chip's state after each tick.
+// Runs one of Robosim's example sketches on a chip, and records the chip's state after each tick.
 #pragma once
 
 #include <stdlib.h>

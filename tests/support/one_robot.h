@@ -1,4 +1,4 @@
-// A run of one robot on a map, with the values that most tests leave as they are.
+// A run of one robot on a map, with default values that suit most tests.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace robosim::test {
 
 struct OneRobot {
-  /// An empty `goal` is the map's goal.
+  /// An empty `goal` selects the map's goal.
   explicit OneRobot(exec::Executor& firmware, const char* goal = "none", const std::string& script = "",
                     const char* robot_name = "uno5", const char* map_name = "oval")
       : robot(robot::load_description(robot_name)), map(map::read_map(map::find_map(map_name))) {

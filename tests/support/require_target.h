@@ -11,7 +11,7 @@
 
 namespace robosim::test {
 
-/// Returns whether the environment's ROBOSIM_REQUIRE, such as "host,avr", names the target.
+/// Returns whether the environment variable ROBOSIM_REQUIRE, such as "host,avr", names the target.
 inline bool is_required(const std::string& target) {
   const char* required = std::getenv("ROBOSIM_REQUIRE");
   return required && ("," + std::string(required) + ",").find("," + target + ",") != std::string::npos;
@@ -28,7 +28,7 @@ inline bool is_required(const std::string& target) {
     if (!missing.empty()) GTEST_SKIP() << missing;                                   \
   } while (false)
 
-/// Skips the test if clang++ is missing, which only `robosim mutate` needs.
+/// Skips the test if clang++ is missing. Only `robosim mutate` needs clang++.
 #define ROBOSIM_NEEDS_CLANG()                                                             \
   do {                                                                                    \
     const bool missing = ::robosim::build::find_program("clang++").empty();               \

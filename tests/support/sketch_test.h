@@ -88,7 +88,7 @@ class SketchTest : public testing::Test, protected PinWatcher, protected SerialW
       result.push_back(std::stoll(serial_.substr(at, end - at)));
     return result;
   }
-  /// Returns the times at which `pin` changed, beginning with the first change to an output.
+  /// Returns the times at which `pin` changed. Usually, the first change makes the pin an output.
   std::vector<SimTime> changes(Pin pin) const {
     std::vector<SimTime> times;
     for (const PinEvent& event : pins_)

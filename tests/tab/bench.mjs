@@ -1,4 +1,4 @@
-// Loads the tab's WebAssembly module from its build folder into Node.js.
+// Loads the WebAssembly module of the web page (docs/howto/tab.md) from its build folder into Node.js.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';

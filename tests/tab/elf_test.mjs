@@ -1,6 +1,7 @@
 // node elf_test.mjs FOLDER COMMAND [FILES]: runs FILES (default 100) .elf files that are cut off or have a
-// changed byte. The tab's module in FOLDER reads the files without libelf, and the robosim command reads them
-// with libelf. Tab and command must refuse a file with the same message, or run it to the same trace.
+// changed byte. The web page's module (docs/howto/tab.md) in FOLDER reads the files without libelf, and the
+// robosim command reads them with libelf. Both must refuse a file with the same message, or run it to the
+// same trace.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -25,8 +26,8 @@ const told = () => {
   if (kind === 0) return below(52);
   if (kind === 1) return view.getUint32(28, true) + below(32 * view.getUint16(44, true));
   const section = below(count);
-  const isNote = view.getUint32(sections + 40 * section + 4, true) === 7;  // the chip's name: not checked
-                                                                           // here
+  const isNote = view.getUint32(sections + 40 * section + 4, true) === 7;  // a note names the chip;
+                                                                           // not checked here
   return isNote ? told() : sections + 40 * section + below(40);
 };
 function damaged(n) {

@@ -1,6 +1,6 @@
-// node runs_test.mjs FOLDER COMMAND [SECONDS [SEED …]]: runs every stock sketch on every map with these
-// seeds. Each run is simulated for SECONDS, by the tab's WebAssembly module in FOLDER and by the robosim
-// command. The trace hash, the verdict with its sentence, and the image's hash must be equal.
+// node runs_test.mjs FOLDER COMMAND [SECONDS [SEED …]]: runs every example sketch on every map with these
+// seeds. The web page's module (docs/howto/tab.md) in FOLDER and the robosim command simulate each run for
+// SECONDS. The trace hash, the verdict with its sentence, and the image's hash must be equal.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

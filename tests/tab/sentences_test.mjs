@@ -1,5 +1,5 @@
-// node sentences_test.mjs FOLDER COMMAND: checks that the tab rejects wrong files with the same messages as
-// the robosim command. Tab and command must also read numbers in the same way.
+// node sentences_test.mjs FOLDER COMMAND: checks that the web page (docs/howto/tab.md) rejects wrong files
+// with the same messages as the robosim command. Page and command must also read numbers in the same way.
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';

@@ -1,7 +1,7 @@
 # Shortens the first build, without changing the behaviour of the programs.
 
-# Uses less optimisation for code that takes little of a run's time. Compiling it takes two thirds of the
-# time.
+# Uses less optimisation for code that takes little of a run's time. Compiling this code takes two thirds of
+# the build's time.
 set(quick $<$<CONFIG:Release>:-O1>)
 foreach(library project build course print calibrate launch play wiring mutate terminal client record
     statistics analysis campaign_options rerun campaign cli cli_campaign serve wire runner map course base scenario)
@@ -9,11 +9,13 @@ foreach(library project build course print calibrate launch play wiring mutate t
     target_compile_options(robosim_${library} PRIVATE ${quick})
   endif()
 endforeach()
-# Each character of a map passes through this file's loops. A precompiled header must have the same options.
+# Each character of a map passes through the loops of map_parser.cpp. With these options, map_parser.cpp
+# cannot use the precompiled header, which is compiled without them.
 set_source_files_properties(${PROJECT_SOURCE_DIR}/sim/map/map_parser.cpp TARGET_DIRECTORY robosim_map
   PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_PRECOMPILE_HEADERS ON)
 
-# With 3 GB for each processor, gcc starts to collect garbage at 2 GB, which saves a tenth of the time.
+# With more than 3 GB of memory per processor, gcc starts to collect garbage at 2 GB. This saves a tenth of
+# the build's time.
 if(ROBOSIM_AMPLE_MEMORY)
   target_compile_options(robosim_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=2000000>)
 endif()

@@ -9,8 +9,8 @@
 #
 #   robosim_add_test(NAME SOURCES file... [SKETCH folder | IMAGE file.elf] [TARGETS host avr stm32])
 #     Adds a GoogleTest of firmware, linked with robosim::testing (#include <robosim/testing.h>), and registers
-#     each test with ctest. The sketch or image is the ROBOSIM_SKETCH of the test. AllTargets() returns TARGETS,
-#     or by default all available targets.
+#     each test with ctest. In the test, the macro ROBOSIM_SKETCH is the path of the sketch or image.
+#     AllTargets() returns TARGETS, or by default all available targets.
 include_guard(GLOBAL)
 
 function(robosim_add_sketch name)
@@ -51,7 +51,7 @@ function(robosim_add_test name)
       add_dependencies(${name} ${runner})
     endif()
   endforeach()
-  # If this is not an installation, tests use the programs in the build folder.
+  # If Robosim is not installed, but built with this project, tests use the programs in the build folder.
   get_property(installation GLOBAL PROPERTY ROBOSIM_INSTALLATION)
   string(REPLACE ";" "," targets "${arg_TARGETS}")
   target_compile_definitions(${name} PRIVATE

@@ -5,7 +5,7 @@ from collections import defaultdict
 from pathlib import Path
 from xml.etree import ElementTree
 
-# Folders of headers: their purpose, and the folder that an #include is relative to.
+# Groups of headers: the name, the folder that an #include is relative to, and the purpose.
 GROUPS = [
     ("Tests", "sim/testing/", "tests of firmware in C++: [how to write them](docs/howto/testing.md)"),
     ("Cells", "sim/map/cells/include/", "algorithms for [the robot on cells](docs/reference/algorithms.md)"),

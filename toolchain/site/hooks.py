@@ -36,7 +36,7 @@ def on_config(config):
 
 
 def stage(document, name, source, pages):
-    """Copies a document, and each source file that it links, as text that every browser shows."""
+    """Copies a document. Also copies each source file that it links as .txt, which every browser shows."""
 
     def link(match):
         text, path, fragment = match[1], match[2], match[3] or ""
@@ -50,7 +50,7 @@ def stage(document, name, source, pages):
         shutil.copy(source / target, pages / shown)
         return f"[{text}]({posixpath.relpath(shown, posixpath.dirname(name))}{fragment})"
 
-    # The first word after ``` is the language; tests use the others.
+    # The first word after ``` is the language; tests use the other words.
     text, done, staged = document.read_text(), 0, []
     for fence in FENCE.finditer(text):
         staged += LINK.sub(link, text[done : fence.start()]), fence[1], fence[2], fence[0][fence[0].index("\n") :]

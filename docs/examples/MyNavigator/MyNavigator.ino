@@ -3,8 +3,8 @@
 //   robosim run ./MyNavigator --map d --robot uno5
 //   robosim run ./MyNavigator --map d --robot uno5 --view
 //
-// LineKit's walker follows the line around bends to the next landmark and turns there. The sketch decides
-// which way to turn at a landmark. This example keeps to the left.
+// LineKit's walker follows the line around bends to the next landmark: a junction, an end or an obstacle.
+// The sketch decides which way the walker turns there. This example keeps to the left.
 
 #include <LineKit.h>
 #include <LineWalker.h>

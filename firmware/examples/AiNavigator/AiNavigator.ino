@@ -3,7 +3,7 @@
 //
 //   button          starts a scan from any line. The end of a line is a station; stations are numbered
 //                   in the order of discovery
-//   Serial, 115200  accepts a destination: a station's number or its name (below), and a newline.
+//   Serial, 115200  accepts a destination: a station's number or its name (NAMES), and a newline.
 //                   Rejects anything else
 //   LEDs            pin 13: on a junction, A5: at a station
 //   buzzer          beeps briefly for success, and longer for an error

@@ -18,7 +18,7 @@ struct Stand {
   uint8_t node, heading;
 };
 
-const int STAND_AT = 1021;  // node, heading, and a check byte
+const int STAND_AT = 1021;  // EEPROM address of the stored position: node, heading, and a check byte
 
 inline uint8_t checkOf(const Stand& stand) {
   return static_cast<uint8_t>(0x5A ^ stand.node ^ (stand.heading << 4));

@@ -10,7 +10,7 @@ const uint8_t BUTTON_PIN = 4;                        // to ground
 
 const uint8_t STEP_MS = 5;
 const float CRUISE = 140;   // duty cycle, of 255, when the line is under the middle sensor
-const float SLOWER = 40;    // speed reduction per sensor pitch of offset, to slow down in bends
+const float SLOWER = 40;    // speed reduction per sensor pitch between line and middle sensor
 const float SLOWEST = 60;   // lower limit of the speed
 const float STEERING = 200; // upper limit of the steering
 

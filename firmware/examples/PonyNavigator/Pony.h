@@ -2,7 +2,7 @@
 // two motors, two digits, three LEDs and a buzzer.
 //
 // The motors are driven by slow PWM: on for some milliseconds of every period, then braked by the driver. A
-// duty is the on-time per kPeriod, in ms; negative is backward. A duty of 14 drives at about 12 cm/s.
+// duty is this on-time in ms (of kPeriod ms); negative is backward. A duty of 14 drives at about 12 cm/s.
 //
 // step() does all work: it switches the motors, waits until the next step is due, and reads the sensors.
 // While the collision sensor is pressed, step() waits for up to kPatienceMs. If the sensor is still pressed
@@ -27,7 +27,7 @@ class Pony {
   /// Stands still for `ms` milliseconds.
   void rest(uint16_t ms);
 
-  /// Return whether the sensor is over the line. A new state counts after two equal readings.
+  /// Return whether this sensor is over the line. A new state counts after two equal readings.
   bool left() const { return seen_ & 1; }
   bool middle() const { return seen_ & 2; }
   bool right() const { return seen_ & 4; }

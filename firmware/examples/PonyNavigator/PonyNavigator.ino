@@ -1,4 +1,4 @@
-// Explores a tree of lines, and then drives to any of its stations. Robot: pony, of the m-graph paper.
+// Explores a tree of lines, and then drives to any of its stations. Robot: pony (docs/howto/research.md).
 //
 //   button 1            starts a scan; if a line ends at the robot, that end is station 1
 //   button 2            sets the position to station 1 of the stored map; first put the robot there

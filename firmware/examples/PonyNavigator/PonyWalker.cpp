@@ -15,10 +15,10 @@ const uint8_t SETTLE_STEPS = 5;  // duration of braking at the end of a turn
 const uint8_t REST_MS = 60;
 const uint16_t WHITE_STEPS = 75;  // steps on white after which the line may have ended
 // Distance to roll until the axle is over the arm, in tenths of a line's width (20 mm). The sensors are 60 mm
-// ahead of the axle. Three distances are subtracted: half a width, the stopping distance, and a third of a
-// width, which the robot has already driven.
+// ahead of the axle. From these 60 mm, three distances are subtracted: half a width, the stopping distance,
+// and a third of a width, which the robot has already driven.
 const uint16_t ROLL_TENTHS = 20;
-const uint16_t ROUND_TENTHS = 35;  // tenths of a quarter turn; a line found later is the first line again
+const uint16_t ROUND_TENTHS = 35;  // in tenths of a quarter turn; a line after it is the first line again
 const uint8_t SIDE_STEPS = 4;      // debounce time of a dark side sensor
 const uint8_t LEFT = 1, RIGHT = 2;
 

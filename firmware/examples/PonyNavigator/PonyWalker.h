@@ -5,11 +5,11 @@
 //        .       |####|  .
 //
 //   under the sensors                  meaning
-//   L or R dark for about one width    an arm; the time in the dark calibrates the following distances
+//   L or R dark for about one width    an arm; the time in the dark calibrates the next distances
 //   all white for a while              the line has ended, unless a search on both sides finds it
 //
-// (The robot of the m-graph paper steers by the patterns 110 and 011 of L, M and R. So that robot cannot
-// distinguish an arm on one side from a drift off the line. It recognises only 111 as a junction.)
+// (The robot of the Pony paper, docs/howto/research.md, steers by the patterns 110 and 011 of L, M and R. It
+// therefore cannot distinguish an arm on one side from a drift off the line. Only 111 is a junction for it.)
 //
 // After an arm the robot rolls on until its axle is over the arm, and searches for the line ahead. Two arms,
 // including the arm of arrival, make a bend; more make a junction. If the arm of arrival is the only arm, the

@@ -202,8 +202,8 @@ class Explorer : public Pilot<Walker, Network> {
     retreat(from, slot);
   }
 
-  /// Goes back to `from` along the line at its `slot`. If a new obstacle blocks that line, the robot turns
-  /// round again. It then drives to the node at the other end, if that node is known.
+  /// Goes back to `from` along the line at its `slot`. If a new obstacle blocks that line, the robot
+  /// turns round again. It then drives to the node at the other end, if that node is known.
   void retreat(Id from, uint8_t slot) {
     const Id ahead = network_.link(from, slot);
     turnBack();

@@ -43,7 +43,7 @@ static constexpr uint8_t kBlockedArm = 0xFE;
 /// front, side lines from the back. Two junctions less than `kTolerance` apart, both in x and in y, count as
 /// one.
 ///
-/// Each of the first `kCosts` junctions also has the cost of the line to its parent. Only networks with
+/// For the first `kCosts` junctions, it also stores the cost of the line to the parent. Only networks with
 /// cycles need costs, and a network with cycles has at most `kCosts` junctions.
 template <uint8_t kCosts, uint8_t kCells, uint16_t kTolerance>
 class MapMemory {

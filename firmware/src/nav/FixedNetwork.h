@@ -11,9 +11,9 @@
 //   in all                                                       990 bytes
 //
 // A side line is a line that closes a cycle, or a blocked arm with nothing known beyond it. A tree of 200
-// nodes has at most 99 junctions, so the 130 cells have room for 31 blocked arms as well. They also have room
-// for 64 junctions whose four arms are all joined, with 65 lines that close cycles. If no cell is free,
-// adding a junction or a side line fails. In EEPROM a full network takes about 840 bytes.
+// nodes has at most 99 junctions, so the 130 cells (4 bytes each) have room for 31 blocked arms as well. Or
+// they have room for 64 junctions whose four arms are all joined, with 65 lines that close cycles. If no cell
+// is free, adding a junction or a side line fails. In EEPROM a full network takes about 840 bytes.
 #ifndef LINEKIT_NAV_FIXED_NETWORK_H
 #define LINEKIT_NAV_FIXED_NETWORK_H
 

@@ -2,7 +2,7 @@
 // `Memory` (FixedMemory.h) stores everything else.
 //
 // The nodes are numbered in preorder, so the links need not be stored. The slots 1, 2, 3 of a node lead to
-// its children in the order of their ids; the root's last slot is 0. Slots with a side line are skipped.
+// its children in the order of their ids; the root's slot 0 comes last. Slots with a side line are skipped.
 // link() finds a node by a walk through the descendants and the side lines, in about 300 short steps at most.
 //
 // A network can be saved in EEPROM (kRecordBytes at most):
@@ -27,8 +27,8 @@ class FixedNodes {
   static constexpr Id kBlocked = kBlockedArm;
   static constexpr Id kCapacity = kNodes;
   /// The maximum length of a record, in bytes. A record begins with the version, the size, and the number of
-  /// junctions. The rest are one bit for each step up and down the tree, the nodes' shapes, `Memory`, and a
-  /// checksum.
+  /// junctions. Then follow one bit for each step up and down the tree, the nodes' shapes, the record of
+  /// `Memory`, and a checksum.
   static constexpr uint16_t kRecordBytes = 3 + (2 * kNodes + 7) / 8 + kNodes + Memory::kRecordBytes + 2;
   static constexpr bool kPreorder = true;  ///< explorers number nodes in preorder; load() requires it
   static_assert(kNodes > 0 && kNodes < kBlocked, "1 to 253 nodes");

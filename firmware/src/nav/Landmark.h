@@ -30,7 +30,7 @@
 
 namespace nav {
 
-/// A direction in quarter turns clockwise, 0..3. 0 is the robot's direction when it began.
+/// A direction in quarter turns clockwise, 0..3. 0 is the robot's initial direction.
 typedef uint8_t Heading;
 
 /// A turn in quarter turns clockwise: heading + turn, modulo 4, is the new heading.
@@ -47,7 +47,7 @@ struct Place {
   int32_t x, y;
 };
 
-/// Returns the place rotated about the start, in quarter turns clockwise.
+/// Returns the place rotated about the start by this number of quarter turns clockwise.
 inline Place rotated(Place at, uint8_t quarters) {
   for (quarters &= 3; quarters > 0; --quarters) at = {-at.y, at.x};
   return at;

@@ -1,5 +1,5 @@
-// Two simple ways to store a network, for comparing planners: a table of links, as on the Pony robot of the
-// m-graph paper, and a table of parents. Neither table stores costs, places or headings.
+// Two simple ways to store a network, for comparing planners: a table of links, as on the robot of the Pony
+// paper (docs/howto/research.md), and a table of parents. Neither table stores costs, places or headings.
 #ifndef LINEKIT_NAV_LINK_TABLE_H
 #define LINEKIT_NAV_LINK_TABLE_H
 

@@ -12,7 +12,7 @@
 //   Id size() const
 //   bool isStation(Id) const          true for a station, false for a junction
 //   uint8_t arms(Id) const            as in Landmark; a station has one arm, or none if it stands alone
-//   Heading entry(Id) const           heading on first entry; slots are counted from there (Landmark.h)
+//   Heading entry(Id) const           heading on first entry, which determines slot 0 (Landmark.h)
 //   Place place(Id) const             position of a junction
 //   Id parent(Id) const               the node from which this node was first entered, beyond slot 0
 //   Id link(Id, uint8_t slot) const   the node beyond that arm, or kNone, or kBlocked
@@ -23,8 +23,8 @@
 //   bool isAt(Id junction, const Place&) const   find(place) == junction
 //   bool isTree() const               whether every line is an edge of the depth-first tree
 //
-// A network is built in preorder. The children of a node are added in the order of its slots 1, 2, 3. The
-// last slot of the root is 0:
+// A network is built in preorder. The children of a node are added in the order of its slots 1, 2, 3. For
+// the root, slot 0 comes last:
 //
 //   void clear()
 //   Id addStation(Id from, uint8_t slot, uint8_t arms, Heading entry, uint32_t cost)        kNone if full

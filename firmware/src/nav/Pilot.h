@@ -11,7 +11,7 @@ class Pilot {
  public:
   typedef typename Network::Id Id;
 
-  /// Returns the robot's node, or kNone before the first one.
+  /// Returns the robot's node, or kNone before it reaches the first node.
   Id here() const { return here_; }
   /// Returns the robot's heading. At a station the heading is along the line.
   Heading heading() const { return heading_; }

@@ -70,7 +70,7 @@ class FixedWork {
   uint8_t ids_[kIds];
 };
 
-/// Returns whether an open line leads from `node` to another node. `behind` is the link of the line's arm.
+/// Returns whether an arm of `node` has an open line to another node. `behind` is the link() of that arm.
 template <class Network>
 bool isOpen(const Network&, typename Network::Id node, typename Network::Id behind) {
   return behind != Network::kNone && behind != Network::kBlocked && behind != node;

@@ -1,10 +1,10 @@
-// Pruned BFS, the planner of the paper on the Pony robot: a breadth-first search of a tree that keeps at most
-// two nodes of each level.
+// Pruned BFS, the planner of the Pony paper (docs/howto/research.md): a breadth-first search of a tree. It
+// expands at most two nodes of each level.
 //
 // The ids must be in preorder. In this order the ids of a frontier node and of all nodes beyond it are
 // consecutive. Here node 0 counts as the successor of the last node. So the destination is beyond one of two
-// frontier nodes: those with the next smaller and the next larger id. The search drops all other frontier
-// nodes.
+// frontier nodes: the one with the next smaller id, or the one with the next larger id. The search drops all
+// other frontier nodes.
 //
 // With any other numbering, the search would silently miss most paths. So pruned() first checks the ids, and
 // returns not_preorder if they are in another order. The check takes longer than the search. A caller that

@@ -77,7 +77,7 @@ namespace detail {
 enum class Dive : uint8_t { found, not_found, too_deep };
 
 /// Searches depth-first, `limit` lines deep at most. `best` stores the least depth at which each node was
-/// seen, so that no node is expanded twice at the same depth.
+/// seen. A node is expanded again only at a smaller depth.
 template <class Network>
 Dive dive(const Network& network, typename Network::Id from, typename Network::Id to,
           typename Network::Id limit, typename Network::Id* stack, typename Network::Id* best) {

@@ -9,7 +9,7 @@ namespace nav {
 namespace detail {
 
 // Returns the result of the network's allOpen(): whether no line to a parent is blocked. Returns false for a
-// network without allOpen(); planners are then slower.
+// network without allOpen(); planners then check each line of a path.
 template <class Network>
 auto allOpen(const Network& network, int) -> decltype(network.allOpen()) {
   return network.allOpen();

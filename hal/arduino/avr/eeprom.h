@@ -1,5 +1,5 @@
 // Accesses the EEPROM by address, with avr-libc's interface. EEMEM variables have a linker section of their
-// own, and the offset in this section is the EEPROM address. Initial values of EEMEM variables are not
+// own. A variable's offset in this section is its EEPROM address. Initial values of EEMEM variables are not
 // loaded, because Arduino's upload does not load them either.
 #pragma once
 

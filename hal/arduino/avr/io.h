@@ -86,8 +86,9 @@ class Register8 {
   robosim_register address_;
 };
 
-/// The type of `&PORTB` and portOutputRegister(). `*p |= mask` works. A program that converts this type to a
-/// `volatile uint8_t*` references robosim_register_memory, so the build compiles the program again.
+/// The type of `&PORTB` and portOutputRegister(). If `p` has this type, `*p |= mask` works. A program that
+/// converts this type to a `volatile uint8_t*` references robosim_register_memory, so the build compiles the
+/// program again.
 class RegisterPointer {
  public:
   constexpr RegisterPointer() : address_(0) {}
@@ -160,8 +161,7 @@ class ReadRegister8 {
   mutable bool used_ = false;
 };
 
-/// A 16-bit register. An access reads or writes both of its bytes at once, as the chip's TEMP register
-/// allows.
+/// A 16-bit register. An access reads or writes both bytes at once, like an access through TEMP on the chip.
 class Register16 {
  public:
   explicit constexpr Register16(robosim_register address) : address_(address) {}

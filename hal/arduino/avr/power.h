@@ -1,6 +1,6 @@
 // Switches modules of the chip on and off (bits of PRR), and sets the clock divisor (CLKPR). On the host, a
-// module that is switched off continues to work, and the clock does not change. If runs then differ,
-// `robosim compare` names the register.
+// module that is switched off continues to work, and the clock does not change. If a run on the
+// chip then differs, `robosim compare` names the register.
 #pragma once
 
 #include <avr/io.h>

@@ -63,7 +63,7 @@ static inline int isinf(double x) { return __builtin_isinf_sign(x); }
 static inline int isnan(double x) { return __builtin_isnan(x); }
 static inline int signbit(double x) { return __builtin_signbit(x) != 0; }
 
-// On the chip `float` and `double` are one type, and avr-libc makes these names synonyms.
+// On the chip `float` and `double` are one type, so avr-libc defines the names below as synonyms.
 #define acosf acos
 #define asinf asin
 #define atan2f atan2

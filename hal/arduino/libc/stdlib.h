@@ -57,7 +57,7 @@ char* dtostrf(double value, signed char width, unsigned char decimals, char* tex
 /// Formats a number with an exponent, such as 1.23e+04. `flags` are DTOSTR_ bits.
 char* dtostre(double value, char* text, unsigned char decimals, unsigned char flags);
 
-/// The functions of avr-libc's random number generators. They return the same numbers as on the chip.
+/// avr-libc's random number generators. They return the same numbers as on the chip.
 int rand(void);
 void srand(unsigned int seed);
 int rand_r(unsigned long* state);

@@ -1,5 +1,5 @@
 // Status codes in TWSR of the two-wire interface. Names are from avr-libc. Codes are from chapter 21 of the
-// data sheet.
+// ATmega328P's data sheet.
 #pragma once
 
 #include <avr/io.h>

@@ -6,9 +6,10 @@
 
 namespace robosim {
 
-// The note has little-endian words of 32 bits. The first three are the header, and the fourth is the name
-// "AVR". The next seven are start and size of flash, RAM and EEPROM, and the size of a table (including this
-// word). The last one is the offset of the chip's name from the end of the table.
+// The chip's name is in the section .note.gnu.avr.deviceinfo, which has little-endian words of 32 bits. The
+// first three are the header, and the fourth is the name "AVR". The next seven are start and size of flash,
+// RAM and EEPROM, and the size of a table (including this word). The last one is the offset of the chip's
+// name from the end of the table.
 std::string avr_device(const ElfFile& elf) {
   constexpr std::size_t kTable = 40, kWord = 4;
   const std::string_view note = elf.content_of(".note.gnu.avr.deviceinfo");

@@ -88,9 +88,9 @@ class AvrExecutor::Running final : public RunningChip {
   const BoardSpec& board_;
   avr::Machine machine_;
   std::vector<std::unique_ptr<Detector>> detectors_;
-  std::optional<avr::DrivenLines> lines_;  ///< nullopt if the lines that drive pins are not traced
+  std::optional<avr::DrivenLines> lines_;  ///< finds the lines that drive pins; nullopt = not requested
   avr::DebugPort* debugger_;               ///< null without a debugger
-  avr::BackwardSlice* causes_;             ///< null if causes are not searched
+  avr::BackwardSlice* causes_;             ///< null if find_causes() was not called
   robosim::avr::Chip*& chip_;              ///< Firmware::chip, which this object sets and clears
 };
 
@@ -105,7 +105,7 @@ class AvrExecutor::Firmware final : public ChipFirmware {
   bool has_boards_eeprom() const override { return true; }
   const std::vector<std::uint8_t>& eeprom() const override { return image_.firmware.eeprom; }
   std::string why_clock_stays() const override {
-    if (!image_.firmware.named) return "a .hex file has no symbols, by which the clock is found";
+    if (!image_.firmware.named) return "the clock is found by symbols, which a .hex file lacks";
     const bool has_clock = image_.firmware.find_variable("timer0_millis") && image_.firmware.find("main");
     return has_clock ? "" : "it never calls millis()";
   }

@@ -3,7 +3,7 @@
 namespace robosim::exec::avr {
 namespace {
 
-constexpr Cycle kClockRounding = 2;  // largest error when times are converted to cycles
+constexpr Cycle kClockRounding = 2;  // largest error, in cycles, of a converted time
 
 bool is_same_place(const ChipPin& a, const ChipPin& b) {
   return a.port == b.port && a.bit == b.bit && a.analog_channel == b.analog_channel;

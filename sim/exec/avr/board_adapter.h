@@ -16,8 +16,8 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
 
   /// Connects the chip. Must be called before all other functions.
   void plug_in(robosim::avr::Chip& chip) { chip_ = &chip; }
-  /// Passes to the chip the inputs that have arrived by `now`. Makes the chip call called() when the next
-  /// input arrives.
+  /// Passes to the chip the inputs that have arrived by `now`. Makes the chip call this function again,
+  /// through called(), when the next input arrives.
   void take_inputs(Cycle now) {
     state_.expected = kNever;
     if (board_.next_input() != kNever) take_waiting(now);
@@ -32,7 +32,7 @@ class BoardAdapter : public robosim::avr::ChipEnvironment {
   /// firmware has not read a pin yet.
   Pin last_read() const;
   Cycle last_read_at() const { return chip_->pins().last_read_at(); }
-  /// Returns InputReads::only_pin() with the board's numbers.
+  /// Returns the board's pin if the last reads all read this pin (InputReads::only_pin()); else kNoPin.
   Pin only_read() const {
     const Pin pin = chip_->pins().reads().only_pin();
     return pin == kNoPin ? kNoPin : board_pin(pin);

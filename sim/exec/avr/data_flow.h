@@ -13,8 +13,8 @@ namespace robosim::exec::avr {
 /// at its target.
 void add_next(const robosim::avr::Cpu& cpu, std::uint32_t pc, bool into_calls,
               std::vector<std::uint32_t>& next);
-/// Returns, for each word of flash, whether interrupts are off there because every path to the word passes a
-/// CLI. `code_end` is a byte address.
+/// Returns, for each word of flash, whether interrupts are certainly off there. This is so in straight-line
+/// code after a CLI. `code_end` is a byte address.
 std::vector<bool> without_interrupts(const robosim::avr::Cpu& cpu, std::uint32_t code_end);
 /// Returns, for each word of flash, whether the word belongs to an interrupt handler. The main program never
 /// runs these words. Functions that handlers call are not included.

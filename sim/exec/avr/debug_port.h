@@ -40,7 +40,7 @@ class DebugPort final : public gdb::DebugPort {
   void resume() override { chip().step_singly(steps_singly()); }
   void resume_again() override { resume(); }
 
-  std::uint32_t flash_end() const;  ///< for an image with checks, may exceed the real chip's flash
+  std::uint32_t flash_end() const;  ///< an image built with --sanitize may exceed the real chip's flash
   std::uint32_t data_end() const;
   WatchedChip& chip() const { return machine_->chip(); }
 

@@ -75,7 +75,7 @@ std::string Diagnosis::jump_text(const Fault& fault) const {
   if (const auto vector = unhandled(fault))
     return fmt::format(
         "interrupt {} was triggered, but has no ISR(...): is its name misspelt, or is an enable bit set "
-        "without need? The sketch would restart",
+        "by mistake? The sketch would restart",
         *vector);
   const std::string target =
       fault.kind == Fault::Kind::restart

@@ -26,15 +26,15 @@ class Diagnosis {
   SourceLine place_of_check(const Undefined& found) const;
   /// Returns the target of the jump at `pc` (`jmp`, `rjmp`); nullopt for any other instruction.
   std::optional<std::uint32_t> jump_target(std::uint32_t pc) const;
-  /// Returns the interrupt that caused the fault because it has no handler; nullopt for other faults.
-  /// avr-libc makes the vectors of interrupts without a handler jump to address 0.
+  /// Returns the interrupt that caused the fault because it has no handler; nullopt for other faults. In
+  /// avr-libc, the vector of an interrupt without a handler jumps to address 0.
   std::optional<int> unhandled(const Fault& fault) const;
   std::string jump_text(const Fault& fault) const;
   std::string overflow_text() const;
   std::string reason(const Fault& fault) const;
   std::string api_call(std::uint32_t pc) const;
-  /// Returns the core's function that the sketch has called and that has not returned. For example, returns
-  /// "delay()", not a function that delay() calls. Empty if the sketch runs its own code.
+  /// Returns the Arduino function that the sketch is calling: "delay()", not a function that delay() calls.
+  /// Returns an empty text if the sketch runs its own code.
   std::string api_call_now() const;
   std::string stopped_by() const;
   std::vector<SourceLine> call_chain(std::uint32_t pc) const;

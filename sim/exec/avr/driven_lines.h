@@ -1,10 +1,11 @@
-// Finds the line of the sketch that has driven a pin. Call it only while the chip reports the pin's change.
+// Finds the line of the sketch that has driven a pin. Call line_of() only while the chip reports the pin's
+// change. The core is the Arduino core.
 //
 //   cause of the change               line
 //   an instruction writes to I/O      line of the instruction; for an instruction of the core, line of the
 //                                     innermost call in user code
 //   a timer starts a new duty cycle   line that wrote OCRnx, although the pin changes at the end of a period
-//   a timer or handler of the core    no line, because the timer or handler switches the pin by itself
+//   a timer, a handler of the core    no line, because the timer or handler switches the pin by itself
 #pragma once
 
 #include <vector>

@@ -76,9 +76,9 @@ void load_eeprom(const ElfFile& elf, Firmware& firmware) {
   }
 }
 
-/// Returns the end of the variables, which this function reads from the start-up code of avr-libc. That code
-/// initialises the variables through X, and compares X with the end of the variables. Its instructions are
-/// `ldi rN, high`, and later `cpi r26, low` and `cpc r27, rN`.
+/// Finds the end of the variables in the start-up code of avr-libc. The start-up code initialises the
+/// variables through X (r27:r26), and compares X with the end of the variables. It uses `ldi rN, high`, and
+/// later `cpi r26, low` and `cpc r27, rN`.
 std::uint16_t end_of_variables(const Firmware& firmware) {
   constexpr std::size_t kStartupWords = 256;  // including the interrupt vectors
   constexpr std::uint8_t kX = 26;
@@ -105,7 +105,7 @@ void load_hex(std::string_view text, const BoardSpec& board, Firmware& firmware)
   firmware.ram_bytes = firmware.globals_end - firmware.chip->ram_address;
 }
 
-/// Throws InputError if the file names another chip than the board's. Most files name their chip.
+/// Throws InputError if the file names a chip that is not the board's. Some files name no chip.
 void check_device(const ElfFile& elf, const BoardSpec& board) {
   const std::string device = avr_device(elf);
   if (device.empty() || is_same_device(device, board.chip->compiler_name)) return;

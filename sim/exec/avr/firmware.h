@@ -28,8 +28,8 @@ struct Firmware {
   std::uint16_t globals_end = 0;     ///< data address after the last variable: the start of the heap
   std::uint32_t ram_bytes = 0;       ///< size of the variables
   Symbols symbols;                   ///< functions (flash from address 0) and variables (from kAvrData)
-  /// Last address of RAM, where the stack starts. An image built with checks is far larger than the chip.
-  /// Such an image gets RAM up to the start of its stack, and 64 KB of flash.
+  /// Last address of RAM, where the stack starts. An image built with --sanitize may need more than the
+  /// chip's memories. Such an image gets RAM up to the start of its stack, and 64 KB of flash.
   std::uint16_t last_ram = 0;
   bool needs_larger_chip() const { return last_ram + 1u != ram_end(*chip); }
 

@@ -8,7 +8,7 @@
 namespace robosim::exec::avr {
 namespace {
 
-// The number of cycles between two checks whether the heap has grown.
+// The number of cycles between two checks of the size of the heap.
 constexpr Cycle kLookEvery = 1000;
 
 }  // namespace
@@ -110,7 +110,7 @@ void Machine::set_clock(SimTime start) {
 
 void Machine::start_clock() {
   chip_.clear_trap(WatchedChip::kMainTrap, chip_.pc());
-  // Sets the variables of the core (wiring.c): milliseconds, and overflows of timer 0.
+  // Sets the variables of the Arduino core (wiring.c): milliseconds, and overflows of timer 0.
   constexpr SimTime kOverflowCycles = 64 * 256;
   const auto set = [&](const char* variable, std::uint64_t value) {
     const auto address = firmware_.find_variable(variable);

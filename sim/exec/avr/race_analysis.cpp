@@ -79,8 +79,8 @@ std::uint64_t RaceAnalysis::value_of(std::size_t index, const std::uint8_t* data
   return value;
 }
 
-/// Returns whether the changes by handlers can tear an access. If the number has several bytes, handlers must
-/// have changed at least two.
+/// Returns whether the changes by handlers can tear an access to the number. If the number has several bytes,
+/// handlers must have changed at least two of them.
 bool RaceAnalysis::can_be_torn(std::size_t index) const {
   const std::uint64_t changed = changed_[index];
   if (changed == 0) return false;
@@ -184,8 +184,8 @@ void RaceAnalysis::examine(const Armed& armed, int vector) {
                     change->pc, handler_of(*change), began - armed.at});
 }
 
-/// Returns the name of the first user function that a handler of the core called. Returns "" if the user
-/// wrote the handler itself (ISR).
+/// Returns the name of the first user function that a handler of the Arduino core called. Returns "" if the
+/// user wrote the handler itself (ISR).
 std::string RaceAnalysis::handler_of(const Change& change) const {
   for (const std::uint32_t pc : change.entered) {
     const std::vector<SourceLine> frames = debug_.frames(pc);

@@ -1,6 +1,6 @@
-// Detects torn reads and torn writes. In a torn access, an interrupt handler writes a number of which the
-// main program has accessed only some bytes. The main program then mixes old and new bytes. Also detects lost
-// updates: the main program reads a byte, changes the value and writes it back (flags |= 2). If a handler
+// Detects torn reads and torn writes. An interrupt handler tears an access if it writes a number between the
+// main program's accesses to the number's bytes. The main program then mixes old and new bytes. Also detects
+// lost updates. An update such as `flags|=2` reads a byte, changes the value and writes it back. If a handler
 // writes the byte between the read and the write, the handler's write is lost.
 //
 // An interrupt at such a moment is rare, so the analysis does not wait for one. A finding requires four
@@ -14,15 +14,14 @@
 // Accesses to a number are examined only after a handler has changed the number. Most numbers belong to the
 // main program alone, and observing each access takes time.
 //
-// Not a finding: a number that is read again until two reads agree, or until no handler has run; a number
-// that a flag guards; a number that is accessed while the interrupt that changes the number is masked; a byte
-// that is written independently of its old value.
+// Not a finding: a number that is read again until two reads agree, or until no handler has run in between; a
+// number that a flag guards; a number that is accessed while the interrupt that changes the number is masked;
+// a byte that is written independently of its old value.
 //
 // A number is a variable, a member of an object or an element of an array (sim/exec/avr/race_candidates.h).
-// Two accesses tear a number only if both are within this number. Bytes of two variables, members or elements
-// do not belong together, nor do the bytes of strings and buffers. If a pointer register contains the
-// address, the register's value is looked up when the instruction runs. This covers `this`, references and
-// indices.
+// Two accesses can be torn only if both are within one number. Bytes of two variables, members or elements do
+// not belong together, nor do the bytes of strings and buffers. If a pointer register contains the address,
+// the register's value is looked up when the instruction runs. This covers `this`, references and indices.
 //
 // Not detected:
 //
@@ -30,9 +29,9 @@
 //   copies byte by byte: by memcpy() or in a loop
 //   an access whose instructions use two pointer registers, or are separated by a jump
 //   numbers without debug information: avr-gcc before 8 drops some base classes and static local variables
-//   when it optimises at link time, but not in an image with checks
-//   numbers of the core. For example, tone() writes a counter that the previous tone may be decrementing, but
-//   the sketch is not at fault
+//   when it optimises at link time, but not in an image built with --sanitize
+//   numbers of the Arduino core. For example, tone() writes a counter that the previous tone may be
+//   decrementing, but the sketch is not at fault
 #pragma once
 
 #include <cstdint>
@@ -56,7 +55,7 @@ class RaceAnalysis {
     AccessKind kind = AccessKind::reads;
     std::uint32_t pc = 0;           ///< byte address of the main program's access
     std::uint32_t handler_pc = 0;   ///< byte address of the handler's write
-    std::string handler;            ///< function that the core's handler called; empty for the user's ISR
+    std::string handler;            ///< function called by an Arduino core's handler; "" for the user's ISR
     robosim::avr::Cycle later = 0;  ///< time from the access to the handler's start, in cycles
   };
 
@@ -85,7 +84,7 @@ class RaceAnalysis {
     robosim::avr::Cpu::State state;
   };
 
-  /// How a handler would have changed a number, in byte addresses.
+  /// The code by which a handler would have changed a number. Addresses are in bytes.
   struct Change {
     std::uint32_t pc = 0;                ///< the instruction that changes the number
     std::vector<std::uint32_t> entered;  ///< targets of the jumps and calls before this instruction
@@ -112,7 +111,7 @@ class RaceAnalysis {
   const robosim::avr::Chip& chip_;
   const std::function<void(std::uint32_t)> show_;
   const SharedNumbers numbers_;
-  /// Sorted by pc; empty until a handler changes a number. Finding the accesses takes time.
+  /// Sorted by pc; nullopt until a handler changes a number, because finding the accesses takes time.
   std::optional<std::vector<RaceCandidate>> accesses_;
   robosim::avr::Cpu alone_;
   std::vector<std::uint8_t> before_;    ///< data memory up to the last number, when the handler started
@@ -128,7 +127,7 @@ class RaceAnalysis {
 const char* check_of(AccessKind kind);
 /// Returns a text that describes the possible fault and the source line of the handler.
 std::string torn_text(const RaceAnalysis::Found& found, const DebugInfo& debug, std::uint32_t clock_hz);
-/// Returns a text that says how to fix the sketch: "copy it with interrupts off …"
+/// Returns a text that explains how to fix the sketch: "copy it with interrupts off …"
 std::string fix_of(AccessKind kind);
 
 }  // namespace robosim::exec::avr

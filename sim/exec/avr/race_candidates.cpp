@@ -124,7 +124,7 @@ class Finder {
     return numbers_.at(static_cast<std::uint32_t>(i.k));
   }
 
-  /// Collects the functions with a frame pointer and the places of calls.
+  /// Collects the functions that have a frame pointer, and the places of all calls.
   void look_at_functions() {
     for (std::uint32_t pc = 0; pc < words(); pc += at(pc).words) {
       const Instruction& i = at(pc);
@@ -145,8 +145,8 @@ class Finder {
   }
 
   bool can_be_torn(std::uint32_t pc) const { return !off_[pc] && !handlers_[pc]; }
-  /// Returns whether the instruction belongs to the sketch or a library. Looking up frames takes time, so
-  /// functions without lines of the sketch are skipped.
+  /// Returns whether the instruction belongs to the sketch or a library. The search for an instruction's line
+  /// is slow, so functions without lines of the sketch are skipped.
   bool is_sketchs(std::uint32_t pc) const {
     if (const Symbol* const function = firmware_.function_at(2 * pc); function && function->size > 0) {
       const auto line = std::lower_bound(lines_.begin(), lines_.end(), function->address);
@@ -170,7 +170,7 @@ class Finder {
   const SharedNumbers& numbers_;
   const std::vector<bool> off_, handlers_;
   const std::vector<std::uint32_t> lines_;  ///< addresses where lines of the sketch and its libraries begin
-  std::set<std::uint32_t> framed_;          ///< functions with a frame pointer, in bytes
+  std::set<std::uint32_t> framed_;          ///< byte addresses of functions with a frame pointer
   std::multimap<std::uint32_t, std::uint32_t> calls_;  ///< target and place of each call or jump, in words
   std::map<const Symbol*, bool> called_again_;         ///< is_called_again() by function
   std::map<std::uint32_t, RaceCandidate> found_;       ///< by word address
@@ -259,8 +259,8 @@ void Finder::add_update(std::uint32_t pc) {
   }
 }
 
-/// Returns whether the function reads the number twice near `pc`, compares two values, and jumps back to the
-/// second read. Such a loop reads the number until two reads agree.
+/// Returns whether the function reads the number twice near `pc`, and then compares two registers and jumps
+/// back. The jump leads to the last read, or before it. Such a loop reads the number until two reads agree.
 bool Finder::is_read_again(std::uint32_t pc, const Reads& reads) const {
   const Symbol* const function = firmware_.function_at(2 * pc);
   if (!function || function->size == 0) return false;
@@ -304,7 +304,7 @@ std::vector<int> Finder::guards_of(std::uint32_t pc) const {
   if (!function || function->size == 0) return guards;
   const std::uint32_t begin = std::max(function->address / 2, pc - std::min(pc, kWordsOfSecondLook));
   const std::uint32_t end = std::min(pc + kWordsOfSecondLook, (function->address + function->size) / 2);
-  std::map<int, std::uint32_t> read;  // distances and places of the reads after the access
+  std::map<int, std::uint32_t> read;  // place of the last read after the access, by distance
   for (std::uint32_t here = pc + at(pc).words; here < end; here += at(here).words) {
     const Instruction& i = at(here);
     if (robosim::avr::is_call(i.op)) read.clear();

@@ -40,7 +40,7 @@ class SharedNumbers {
   std::uint32_t begin_ = 0, end_ = 0;
 };
 
-/// The kind of access by the main program; `writes_back` is the last step of an update.
+/// The kind of access by the main program; `writes_back` writes a byte that was read and then changed.
 enum class AccessKind { reads, writes, writes_back };
 
 /// An access to a second byte of a number, or the write-back of a number of one byte.
@@ -55,8 +55,8 @@ struct RaceCandidate {
   std::vector<int> guards;
 };
 
-/// Returns the accesses, sorted by address. Two accesses may belong to one number if their addresses are
-/// constants or use one pointer register. Jumps must not separate the two accesses. Skips accesses of
+/// Returns the accesses, sorted by address. Two accesses may belong to one number if no jump separates them.
+/// Both addresses must be constants, or both accesses must use the same pointer register. Skips accesses of
 /// handlers, accesses with interrupts off, and numbers that are read again until two reads agree.
 std::vector<RaceCandidate> find_race_candidates(const Firmware& firmware, const DebugInfo& debug,
                                                 const robosim::avr::Cpu& cpu, const SharedNumbers& numbers);

@@ -1,4 +1,4 @@
-// Combines a firmware image with the chip that runs it, for the time from power-on to power-off.
+// Refers to a firmware image and to the chip that runs it. Exists from power-on to power-off.
 #pragma once
 
 #include "sim/exec/avr/diagnosis.h"

@@ -19,7 +19,7 @@ class Stack {
   Stack(WatchedChip& chip, const Firmware& firmware);
 
   bool has_heap() const { return heap_pointer_ != 0; }
-  /// Sets the stack's limit to the current end of the heap.
+  /// Raises the stack's limit to the end of the heap, if the heap has grown.
   void look();
   /// Returns the largest number of bytes that the stack has used.
   std::uint32_t most_bytes() const {
@@ -38,7 +38,7 @@ class Stack {
     bool by_pointer = false;  ///< the instruction is icall or eicall
   };
   /// Returns the calls that have not returned, innermost first. Every word on the stack that is the address
-  /// after a call instruction counts as such a call. Saved registers may match by chance.
+  /// after a call instruction counts as such a call. Saved registers may look like such an address by chance.
   std::vector<Call> open_calls() const;
   /// Passes each call that has not returned to `visit`, until `visit` returns true. Also stops at the return
   /// address `until`; 0 = no such address.

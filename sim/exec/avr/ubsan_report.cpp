@@ -67,8 +67,8 @@ class Type {
   unsigned bits_ = 0;
 };
 
-/// Returns the argument by which the host's gcc passes a value. If the value is wider than a pointer, gcc
-/// passes the value's address.
+/// Returns the argument by which the host's gcc passes a value to a check's handler. If the value is wider
+/// than a pointer, gcc passes the value's address.
 std::uintptr_t handle(const std::uint64_t& value, unsigned bits) {
   return bits <= 8 * sizeof(std::uintptr_t) ? static_cast<std::uintptr_t>(value)
                                             : reinterpret_cast<std::uintptr_t>(&value);

@@ -329,8 +329,7 @@ void WatchedChip::stack_pointer_written() {
   const bool computed_from_itself =
       origin.op == Op::in && (origin.address == reg::kSpL || origin.address == reg::kSpH);
   if (loaded) task_changed(state_.pointer_before, sp());
-  // A stack that the sketch has set up may begin at the last byte before stack_limit. It may also begin at
-  // stack_limit.
+  // A stack that the sketch has set up may begin at stack_limit, or at the byte below stack_limit.
   if (sp() > state_.stack_limit || (computed_from_itself && sp() + 1 >= state_.stack_limit)) {
     state_.own_stack = false;
   } else if (!computed_from_itself) {

@@ -1,5 +1,5 @@
-// Runs a chip (sim/mcu/avr) with a sketch in its flash, and detects faults. Faults are accesses and
-// jumps to invalid addresses, stack overflow, and repeated watchdog resets.
+// Runs a chip (sim/mcu/avr) with a sketch in its flash, and detects faults. Faults are, for example, accesses
+// to invalid addresses, stack overflow, and repeated watchdog resets.
 //
 // The chip starts at the address to which the boot loader would jump. After a watchdog reset, the chip is in
 // the state that the Uno's boot loader (optiboot) leaves: MCUSR is cleared, and the watchdog is off. Without
@@ -77,8 +77,8 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   void set_trap(Trap trap, std::uint32_t pc);
   /// Counts in `lines` how often each line runs, by a kLineTrap at each address where a line begins.
   void count(LineCounts& lines);
-  /// Counts in `rounds` the rounds that begin at a kLoopTrap, from the second round on. From then on,
-  /// run_to() returns at such an instruction only if the instruction also has another trap.
+  /// Counts in `rounds` the rounds that begin at a kLoopTrap, from the second round on. While `rounds` is
+  /// running, run_to() returns at such an instruction only if the instruction also has another trap.
   void count(LoopTimer<Cycle>& rounds) { rounds_ = &rounds; }
   /// Reports torn reads and writes as faults.
   void look_for_tearing(const DebugInfo& debug);
@@ -88,7 +88,7 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   /// Calls `observer` when a handler starts or returns.
   void show_handlers(ChipObserver& observer);
   void clear_trap(Trap trap, std::uint32_t pc);
-  /// Returns the sum of the traps for which run_to() has returned, and clears this sum.
+  /// Returns the traps for which run_to() has returned, as a sum of Trap, and clears them.
   unsigned take_traps() { return std::exchange(state_.trapped, 0); }
 
   // --- for debuggers
@@ -139,8 +139,8 @@ class WatchedChip final : robosim::avr::MarkVisitor {
     const Symbol* own_variable = nullptr;  ///< the variable that contains this stack; null = in the heap
     std::uint16_t own_limit = 0;
     std::uint16_t pointer_before = 0;                 ///< stack pointer before its first half was written
-    std::map<std::uint16_t, int> handlers_of_stacks;  ///< running handlers of each suspended task, by SP
-    Cycle pointer_written = 0;  ///< cycle at which only the first half was written; 0 = pointer is complete
+    std::map<std::uint16_t, int> handlers_of_stacks;  ///< number of open handlers of a suspended task, by SP
+    Cycle pointer_written = 0;  ///< cycle at which SP's first half was written; 0 = SP is complete
     WatchdogResets watchdog_resets;
     Cycle last_bite = 0;
   };
@@ -159,9 +159,9 @@ class WatchedChip final : robosim::avr::MarkVisitor {
   /// Handles a reset by the watchdog. The chip's environment calls this function.
   void was_reset();
   std::vector<std::uint8_t> ram() const;
-  /// Turns the power-on into a brown-out reset. Must be called before the chip runs. MCUSR reports a
-  /// brown-out, and RAM has its old content, which no reset changes (DS40002061B, Resetting the AVR). A boot
-  /// loader preserves MCUSR and RAM (optiboot from version 7 on).
+  /// Turns the power-on into a brown-out reset. Must be called before the chip runs. MCUSR then reports a
+  /// brown-out, and RAM contains `ram`, since no reset changes RAM (DS40002061B, Resetting the AVR). Assumes
+  /// that the boot loader preserves MCUSR and RAM, as optiboot does from version 7 on.
   void was_browned_out(const std::vector<std::uint8_t>& ram);
 
  private:

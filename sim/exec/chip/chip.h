@@ -30,7 +30,8 @@ class RunningChip {
   virtual bool is_asleep() const = 0;
   /// Returns when the firmware last accessed I/O outside interrupt handlers.
   virtual SimTime last_io() const = 0;
-  /// Returns whether the firmware will never access I/O again. Takes some milliseconds.
+  /// Returns whether the firmware will never access I/O again. On an STM32, `true` is a guess, not a proof.
+  /// Takes some milliseconds.
   virtual bool hangs() const = 0;
   /// Returns the firmware's activity, except Activity::last_call. This function is slow, because it reads
   /// debug information, as where_now() and sketch_line() do.
@@ -81,8 +82,8 @@ class ChipFirmware {
     static const std::vector<std::uint8_t> kErased;
     return kErased;
   }
-  /// Returns why set_clock() would have no effect: "it never calls millis()". Returns an empty text if
-  /// set_clock() has an effect.
+  /// Returns why set_clock() would have no effect, for example "it never calls millis()". Returns an empty
+  /// text if set_clock() has an effect.
   virtual std::string why_clock_stays() const = 0;
 
   /// Saves the non-volatile state that the chip itself changes, except the board's EEPROM.

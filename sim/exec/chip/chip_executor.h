@@ -61,8 +61,8 @@ class ChipExecutor : public Executor, public ChipAccess {
     std::optional<Crash> crash;
     std::optional<Resources> before;  ///< resources used before the last power-on
     std::vector<Detected> detected;   ///< findings from before the last power-on
-    int resets = 0;                   ///< by the watchdog, before the last power-on
-    std::vector<std::uint8_t> ram;    ///< last content of the RAM while the power is off
+    int resets = 0;                   ///< number of watchdog resets before the last power-on
+    std::vector<std::uint8_t> ram;    ///< while the power is off: content of the RAM at power-off
     SimTime clock_start = 0;
     SimTime reached = 0;  ///< time up to which the firmware has run
     HangProbeBackoff silence;

@@ -11,8 +11,8 @@ namespace robosim::exec {
 
 /// How firmware has used a pin since the run began, other than by driving it.
 struct PinUse {
-  bool read = false;       ///< was read as a digital input, alone or together with its port
-  bool looked_at = false;  ///< was read as a digital input alone
+  bool read = false;       ///< was read as a digital input, alone or with all pins of its port
+  bool looked_at = false;  ///< was read as a digital input, without the other pins of its port
   bool measured = false;   ///< was measured by the ADC
   bool pulled_up = false;  ///< the pin's pull-up was switched on
   bool awaited = false;    ///< an interrupt or a counter waited for edges of the pin

@@ -80,7 +80,7 @@ class BoardState final : public FirmwarePort, public RobotPort, public BoardProb
   /// Returns the time before which all reads of `pin` return the same level as at `t`, and have no effect.
   /// Returns `t` if that time is unknown.
   SimTime same_until(Pin pin, SimTime t) const;
-  /// Moves the next input to `input` if that input arrives at or before `until`; otherwise returns false.
+  /// If the next input arrives at or before `until`, moves it to `input` and returns true.
   bool take_input(SimTime until, BoardInput& input);
   /// Drops edges before `t` on pins whose edges are not requested.
   void forget_edges(SimTime t) {

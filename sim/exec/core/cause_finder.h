@@ -1,4 +1,4 @@
-// Finds the causes of firmware's actions. Follows a value back through the instructions that computed the
+// Finds the causes of the firmware's actions. Follows a value back through the instructions that computed the
 // value, to the inputs that the firmware read.
 //
 //   begin()         starts to record each instruction
@@ -44,7 +44,7 @@ class CauseFinder {
   virtual void begin() = 0;
   virtual void end() = 0;
 
-  /// Starts a new search for the reason why the chip drives `pins` in this way at `t`. The record must
+  /// Starts a new search for the reason why the chip drives `pins` as it does at `t`. The record must
   /// include `t`.
   virtual void ask(const std::vector<Pin>& pins, SimTime t) = 0;
   /// Starts a new search for the reason why the firmware ran the line that was running at `t`.

@@ -13,16 +13,16 @@ class ClockedBoard final : public FirmwarePort {
  public:
   explicit ClockedBoard(BoardState& board) : board_(board) {}
 
-  // --- for executors; times are measured by the firmware's clock, except where stated
-  /// Begins a tick that ends at `end` by the world's clock. Returns `end` by the firmware's clock. If an
-  /// instruction begins before `end` and ends after `end`, its effects appear in the world at `end`.
+  // --- for executors; `world` and `end` are times by the world's clock, all others by the firmware's clock
+  /// Begins a tick that ends at `end`. Returns `end` by the firmware's clock. If an instruction begins before
+  /// `end` and ends after `end`, its effects appear in the world at `end`.
   SimTime begin_tick(SimTime end) {
     state_.limit = end;
     return state_.clock.to_firmware(end);
   }
   SimTime to_firmware(SimTime world) const { return state_.clock.to_firmware(world); }
   SimTime to_world(SimTime t) const { return state_.clock.to_world(t); }
-  /// Makes the firmware's clock too fast by `ppm` parts per million from `world` on, by the world's clock.
+  /// Makes the firmware's clock too fast by `ppm` parts per million from `world` on.
   void drift(int ppm, SimTime world) { state_.clock.drift(ppm, world); }
 
   bool wants_edges(Pin pin) const { return board_.wants_edges(pin); }

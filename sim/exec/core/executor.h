@@ -29,7 +29,7 @@ struct Activity {
   SimTime last_call = 0;   ///< time of the last API call; on a chip, of the last I/O outside handlers
   std::string call;        ///< the call as the sketch would write it: "digitalRead(2)"
   Pin pin = kNoPin;        ///< pin of the call
-  Pin polled = kNoPin;     ///< InputReads::only_pin(), if that pin was read in the last second
+  Pin polled = kNoPin;     ///< only pin that was read recently; kNoPin if the last read was over 1 s ago
   SourceLine where;        ///< source line that is running
   std::string stopped_by;  ///< "exit(0)" if the firmware stopped itself; else empty
 };
@@ -47,7 +47,7 @@ class Executor {
   /// Loads the firmware again and starts it at `t`; all pins are inputs. The EEPROM retains its content.
   virtual void power_on(SimTime t) = 0;
   /// Starts the firmware after a brown-out: the supply fell below the chip's minimum, but never to zero. A
-  /// chip that distinguishes brown-out and power-on reports the difference to its firmware.
+  /// chip that distinguishes a brown-out from a power-on reports the difference to its firmware.
   virtual void power_recovered(SimTime t) { power_on(t); }
   /// Stops the firmware; all pins become inputs without pull-up.
   virtual void power_off(SimTime t) = 0;
@@ -68,8 +68,9 @@ class Executor {
   virtual Activity activity() = 0;
   /// Returns when the firmware last called the API. The call is fast.
   virtual SimTime last_call() const = 0;
-  /// Returns whether the firmware provably never calls the API again, because it runs a loop that no
-  /// interrupt can end. Must be called in each tick. The proof is attempted only in some ticks.
+  /// Returns whether the firmware will never call the API again, because it runs a loop that no interrupt can
+  /// end. On an STM32, `true` is a guess, not a proof. Must be called in each tick, although the call checks
+  /// the loop only in some ticks.
   virtual bool hangs() { return false; }
 
   /// Returns the width of the firmware's int in bits.
@@ -91,7 +92,7 @@ class Executor {
   virtual std::string call_now() const { return ""; }
   /// Returns how often the watchdog has reset the firmware since the beginning of the run.
   virtual int watchdog_resets() const { return 0; }
-  /// Returns whether the firmware uses the board's EEPROM, so that scripts can corrupt and trace it.
+  /// Returns whether the firmware uses the board's EEPROM. If so, scripts can corrupt and trace the EEPROM.
   virtual bool has_boards_eeprom() const { return false; }
   /// Makes the firmware's clock too fast by `ppm` parts per million from `t` on. `t` must be the present
   /// time. The drift persists through power cycles.

@@ -1,5 +1,6 @@
 // Converts between the firmware's clock and the world's clock. The two clocks are equal until drift() is
-// called. If they show f0 and w0 at the last call of drift(), the conversion in whole nanoseconds is
+// called. At the last call of drift(), the firmware's clock showed f0, and the world's clock showed w0. Times
+// in whole nanoseconds are converted by:
 //   firmware = f0 + ceil((world - w0) (1 + ppm / 10^6))
 //   world    = w0 + floor((firmware - f0) / (1 + ppm / 10^6))
 // This rounding ensures that world(f) >= w if and only if f >= firmware(w).

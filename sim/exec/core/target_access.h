@@ -25,7 +25,7 @@ class ChipAccess {
   virtual std::any save() const = 0;
   /// Restores a state that save() of this executor returned. Watchers of the board are not notified.
   virtual void restore(const std::any& saved) = 0;
-  /// Returns the resources used; nullopt for an image built with checks.
+  /// Returns the resources used; nullopt for an image built with --sanitize.
   virtual std::optional<result::Resources> resources() const = 0;
   /// Turns on the detectors whose findings detected() returns. Must be called before the first power-on.
   /// `counted` lists the pins on which every edge matters, such as the pins of an encoder.
@@ -37,7 +37,7 @@ class ChipAccess {
   /// Lets a debugger halt the firmware from the next power-on. run_until() does not return while the firmware
   /// is halted. `server` must outlive all use of the executor.
   virtual void debug_with(gdb::Server& server) = 0;
-  /// Returns an object that finds the causes of firmware's actions; null if that is impossible. Must be
+  /// Returns an object that finds the causes of the firmware's actions; null if that is impossible. Must be
   /// called before the first power-on. The object is valid as long as the executor exists.
   virtual CauseFinder* find_causes() = 0;
   /// Enables driving() from the next power-on. Returns false if the executor cannot find the lines, for
@@ -59,7 +59,7 @@ class ChipAccess {
 /// Receives actions that may be mistakes of the firmware.
 class ActionWatcher {
  public:
-  /// Receives an action while the firmware carries it out: Executor::sketch_source() is the action's line.
+  /// Receives an action. During this call, Executor::sketch_source() returns the line that acts.
   virtual void acted(const FirmwareAction& action, SimTime t) = 0;
 
  protected:
@@ -73,8 +73,8 @@ class HostAccess {
   virtual const std::vector<result::DivisionByZero>& divisions_by_zero() const = 0;
   /// Returns the chip features that the host lacks, and that firmware has used since the first power-on.
   virtual const std::vector<result::Lack>& lacks() const = 0;
-  /// Delays the sketch at these times, as if its code took longer. The times must be in ascending order.
-  /// Takes effect at the next power-on.
+  /// Delays the sketch as `lateness` lists, as if the sketch's code took longer. The times in the list must
+  /// be in ascending order. Takes effect at the next power-on.
   virtual void set_lateness(const std::vector<result::Lateness>& lateness) = 0;
   /// Sets the only watcher of actions that may be mistakes. The watcher must not influence the run.
   virtual void watch_actions(ActionWatcher& watcher) = 0;

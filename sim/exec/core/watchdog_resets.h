@@ -24,7 +24,7 @@ class WatchdogResets {
   }
   /// Returns the number of all resets.
   int count() const { return count_; }
-  /// Ends the row: the power was off.
+  /// Ends the row, because the power was off.
   void end_row() { in_row_ = 0; }
 
   /// Returns the reason for the crash report.

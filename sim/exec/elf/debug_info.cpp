@@ -14,7 +14,7 @@
 namespace robosim::exec {
 namespace {
 
-// Ends the reading of line tables in damaged files. Compiled programs stay far below this limit.
+// Limit of lines, which ends the search in damaged files. Compiled programs stay far below this limit.
 constexpr std::size_t kMostRows = 300'000;
 
 /// Collects the functions and inlined functions that contain `pc`, from the outermost to the innermost.

@@ -34,7 +34,7 @@ class DebugInfo {
   /// result is empty if the function is unknown.
   std::vector<SourceLine> frames(std::uint32_t pc) const;
   /// Returns the first of frames() that is in the user's code, including libraries. Returns an empty line if
-  /// all frames are in the core. The result is cached for each `pc`.
+  /// all frames are in core files (is_core_file()). The result is cached for each `pc`.
   const SourceLine& place(std::uint32_t pc) const;
   /// Returns the first of frames() that is in the sketch itself, not in a library.
   const SourceLine& sketch_place(std::uint32_t pc) const;
@@ -97,7 +97,7 @@ class DebugInfo {
   template <class Wanted>
   const SourceLine& first(std::map<std::uint32_t, SourceLine>& places, std::uint32_t pc, Wanted wanted) const;
 
-  /// The limit of the steps of all searches (dwarf_access.h). Programs by compilers stay far below.
+  /// The limit of the steps of all searches (dwarf_access.h). Compiled programs stay far below this limit.
   static constexpr std::int64_t kMostSteps = 20'000'000;
 
   std::string content_;  ///< content of the file; a confined process could not read the file later
@@ -107,8 +107,8 @@ class DebugInfo {
   mutable std::map<std::uint32_t, SourceLine> places_, sketch_places_;
 };
 
-/// Returns whether a file named by debug information does not belong to the user. Such files belong to the
-/// core, the C library or Robosim.
+/// Returns whether a file that debug information names does not belong to the user. Such files belong to the
+/// Arduino core, the C library or Robosim.
 bool is_core_file(const std::string& file);
 
 }  // namespace robosim::exec

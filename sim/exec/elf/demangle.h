@@ -12,7 +12,7 @@ namespace robosim::exec {
 
 /// Returns the name of a variable or function with its scopes and parameters: "Motor::set_speed(int)".
 inline std::string demangle(const std::string& symbol) {
-  if (!symbol.starts_with("_Z")) return symbol;  // else `n` would be the type __int128
+  if (!symbol.starts_with("_Z")) return symbol;  // else the variable `n` would be named "__int128"
   int status = 0;
   const std::unique_ptr<char, decltype(&std::free)> name(
       abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);

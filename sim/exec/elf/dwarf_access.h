@@ -21,9 +21,9 @@ namespace robosim::exec {
 inline constexpr int kMostNested = 256;
 inline constexpr std::size_t kMostRanges = 4096, kLongestName = 1000;
 
-/// Searches debug information. Hostile information could make a search endless: a DIE may be its own sibling,
-/// and any number of DIEs may share a long table. Therefore each DIE and each row of a table costs a step.
-/// A search without steps finds nothing more.
+/// Searches debug information, which consists of entries (DIEs). Hostile information could make a search
+/// endless: a DIE may be its own sibling, and any number of DIEs may share a long table. Therefore each DIE
+/// and each row of a table costs a step. A search that has used up its steps finds nothing more.
 class DwarfSearch {
  public:
   /// `steps_left` must outlive the search, which reduces it.

@@ -58,8 +58,8 @@ DebugInfo::Argument argument_at(Dwarf_Die parameter, Dwarf_Addr pc) {
   return argument;
 }
 
-/// Adds each address from which on the parameter's location is known. Returns false if the parameter has too
-/// many locations.
+/// Adds the addresses at which the locations of a parameter become valid. Returns false if the parameter has
+/// too many locations.
 bool add_begins(Dwarf_Die parameter, std::vector<Dwarf_Addr>& begins) {
   Dwarf_Attribute attribute;
   Dwarf_Addr base = 0, begin = 0, end = 0;
@@ -96,9 +96,9 @@ DebugInfo::Range body_of(DwarfSearch& search, Dwarf_Die function) {
   return body;
 }
 
-/// Returns the entry into a function. The compiler may move single instructions of an inlined function before
-/// code of its caller, even before the condition of the call. Therefore the entry is in the largest part of
-/// the function's code, at the first address at which most parameters are known.
+/// Returns the entry into a function. The compiler may move single instructions of an inlined function to an
+/// earlier place, even before the condition of the call. Therefore the entry is in the largest part of the
+/// function's code. Of its addresses, the entry is the first with the largest number of known parameters.
 DebugInfo::Entry entry_of(DwarfSearch& search, Dwarf_Die function) {
   std::vector<std::optional<Dwarf_Die>> parameters = parameters_here(search, function);
   const DebugInfo::Range body = body_of(search, function);

@@ -188,8 +188,8 @@ struct Loop {
   Addresses outside;  ///< calls and branches of the cycle that are outside loop()
 };
 
-/// Drops the loops within an inlined loop() that never return to main(), such as a final `for (;;) {}`.
-/// Returns false if these loops cannot be distinguished from main()'s loop.
+/// An inlined loop() may contain loops that never return to main(), such as a final `for (;;) {}`. Drops
+/// these loops. Returns false if they cannot be distinguished from main()'s loop.
 bool keep_those_of_main(const Steps& function, std::vector<Loop>& loops) {
   const auto erase_if_others = [&](const auto& is) {
     if (!std::all_of(loops.begin(), loops.end(), is)) std::erase_if(loops, is);

@@ -5,10 +5,10 @@
 // same instruction: in `for (;;) { while (!ready) {} work(); }`, two loops jump to the first instruction.
 // Therefore the mark is an instruction that runs exactly once in each round:
 //
-//   if loop() is inlined   an instruction on each path through main()'s own code, and on no path that stays
-//                          inside loop(). main()'s code is identified by its calls and branches, since the
-//                          compiler may attribute computations inside loop() to main(). A loop inside loop()
-//                          that never returns to main()'s code is a part of the last round
+//   if loop() is inlined   an instruction that is on each path through main()'s own code, but on no path that
+//                          stays inside loop(). main()'s code is identified by its calls and branches, since
+//                          the compiler may attribute computations inside loop() to main(). A loop inside
+//                          loop() that never returns to main()'s code is a part of the last round
 //   otherwise              the head of the loop. Only one jump may lead back to the head, and no inner loop
 //                          may span the same source lines as the whole loop
 //

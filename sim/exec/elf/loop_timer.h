@@ -26,8 +26,8 @@ class LoopTimer {
     add(period, rounds - 1);
     began_ += static_cast<Time>(rounds - 1) * period;
   }
-  /// Begins `rounds` rounds, of which the last round begins at `at`. Must be called only if no round is
-  /// longer than an earlier round.
+  /// Begins `rounds` rounds, of which the last round begins at `at`. Must be called only if none of these
+  /// rounds is longer than an earlier round.
   void went_on(Time at, std::uint64_t rounds) {
     count_ += rounds;
     total_ += at - began_;

@@ -1,4 +1,4 @@
-// Loads linked programs from ELF files: the functions that do not depend on the chip.
+// Loads linked programs from ELF files. Declares the functions that do not depend on the chip.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ namespace robosim::exec::gdb {
 namespace {
 
 constexpr char kInterrupt = '\x03';
-constexpr int kSlice_ms = 200;  // longest poll(), because a signal just before poll() does not end it
+constexpr int kSlice_ms = 200;  // limits each poll(), which a signal that came just before would not end
 constexpr std::size_t kLongestPacket = 1 << 16;
 
 int checksum(std::string_view body) {

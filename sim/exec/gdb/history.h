@@ -55,8 +55,8 @@ class History {
   /// Returns whether the run is at its latest time. If not, the run has already reported events of later
   /// times.
   virtual bool is_at_front() const = 0;
-  /// Drops the snapshots after the debugger has changed the state. A run from a snapshot would not reach the
-  /// changed state.
+  /// Drops the snapshots. Must be called after the debugger has changed the state, because a run from a
+  /// snapshot would not reach the changed state.
   virtual void forget() = 0;
 
   Search search;

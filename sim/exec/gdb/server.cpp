@@ -121,7 +121,7 @@ std::string Server::query(Processor& processor, const std::string& packet) {
     const char* const back = history_ ? ";ReverseStep+;ReverseContinue+" : "";
     return fmt::format("PacketSize={:x};QStartNoAckMode+{}{}", 2 * kMostBytes, features, back);
   }
-  if (begins(packet, "qAttached")) return "1";  // makes gdb detach, not kill, when gdb quits
+  if (begins(packet, "qAttached")) return "1";  // after this answer, gdb detaches when it quits
   if (begins(packet, "qRcmd,")) {
     Fields fields(std::string_view(packet).substr(6));
     return to_hex(processor.monitor(fields.bytes()));

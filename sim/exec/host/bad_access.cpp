@@ -64,7 +64,7 @@ std::vector<Object> variables(std::uintptr_t frame, const char* text) {
 }
 
 std::optional<Object> local_near(std::uintptr_t address, MemoryRange stack, std::uintptr_t shadow) {
-  constexpr std::uintptr_t kMagic = 0x41B58AB3;  // first word of a frame with such a text
+  constexpr std::uintptr_t kMagic = 0x41B58AB3;  // first word of a frame that gcc describes by a text
   constexpr std::uintptr_t kGrain = 8;
   const auto bottom = reinterpret_cast<std::uintptr_t>(stack.begin);
   std::uintptr_t at = address / kGrain * kGrain;

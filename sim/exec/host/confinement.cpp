@@ -30,8 +30,8 @@
 namespace robosim::exec {
 namespace {
 
-// Placeholders in the common filter for numbers that differ between processes: the key and the process
-// number.
+// Placeholders in the filter that all processes share (filter_for_all()). Each process replaces them by its
+// key and its process number.
 constexpr std::uint32_t kKeyHere = 0x4F1D5A01, kOtherKeyHere = 0x4F1D5A02, kProcessHere = 0x4F1D5A03;
 
 /// Size in bytes of the kernel's signal sets.
@@ -40,7 +40,7 @@ constexpr std::size_t kSignalSet = 8;
 /// bounds them. Read-only pages can use memory: a process may have written them before, and some kernels
 /// allocate even unwritten pages.
 constexpr rlim_t kConfinedAddresses = kConfinedMemory + (64 << 20);
-/// Size of the process's first stack, which RLIMIT_DATA does not count.
+/// Size of the main thread's stack, which RLIMIT_DATA does not count.
 constexpr rlim_t kConfinedStack = 8 << 20;
 
 CallKey key_of_process{};
@@ -117,11 +117,11 @@ void add_memory(Filter& filter) {
       filter.allow(name, {has(2, 0, one), has(3, MAP_PRIVATE, kUncounted), is(4, kImageFd)});
   }
   filter.allow("mprotect", {has(2, 0, PROT_EXEC)});
-  // Rejects names for memory ranges. RE2 in Debian 13 sets such names, but also works if the kernel rejects
-  // them.
+  // Rejects names for memory ranges. The library RE2 of Debian 13 sets such names, but also works if the
+  // kernel rejects them.
   filter.add(SCMP_ACT_ERRNO(EINVAL), "prctl", {is(0, PR_SET_VMA)});
-  // Allows only these kinds of advice. Other kinds may affect other processes. For example, root could take
-  // pages of memory out of use.
+  // Allows only these kinds of advice. Other kinds may affect other processes. With MADV_HWPOISON, for
+  // example, root could take pages of memory out of use.
   for (const std::uint32_t advice : {MADV_DONTNEED, MADV_FREE, MADV_HUGEPAGE})
     filter.allow("madvise", {is(2, advice)});
   for (const char* name : {"futex", "futex_time64"}) filter.allow(name, {has(1, FUTEX_WAKE, FUTEX_CMD_MASK)});

@@ -14,16 +14,16 @@ namespace robosim::exec {
 
 /// The descriptors of a confined process, in addition to 0, 1 and 2, which are /dev/null.
 enum ConfinedDescriptor : int {
-  kTellFd = 3,      ///< written by the process
-  kAnswersFd = 4,   ///< read by the process
-  kLinesFd = 5,     ///< read by the process
+  kTellFd = 3,      ///< messages to the runner
+  kAnswersFd = 4,   ///< the runner's answers
+  kLinesFd = 5,     ///< input from the client
   kImageFd = 6,     ///< the image that is being loaded
   kFirstSealed = 8  ///< from this number on, sealed images, which the process cannot change or close
 };
 
-/// A random key that Robosim passes in argument registers that a system call does not use. A sketch does not
-/// know the key. Without the key, the kernel rejects calls that use kTellFd, kAnswersFd or kLinesFd. It also
-/// rejects calls that replace the file at kImageFd or end the process.
+/// A random key. Robosim passes the key in the argument registers that a system call leaves unused. A sketch
+/// does not know the key. Without the key, the kernel rejects calls that use kTellFd, kAnswersFd or kLinesFd.
+/// Calls that replace the file at kImageFd or end the process need the key, too.
 using CallKey = std::array<std::uint32_t, 2>;
 
 /// Returns why this kernel cannot confine processes, as a clause: "the kernel has no filter of system calls
@@ -33,10 +33,10 @@ std::string what_kernel_lacks();
 /// Returns an empty text if runs are confined.
 std::string why_not_confined();
 
-/// Confines this process permanently. The process can no longer obtain files, sockets, processes, signals or
-/// programs. It can execute only the code of images and of Robosim. The process can allocate at most
-/// kConfinedMemory, and its environment is empty. System calls that are not allowed raise SIGSYS. Throws
-/// std::runtime_error if confinement is impossible.
+/// Confines this process permanently. The process can no longer open files or sockets, start processes or
+/// programs, or send signals. It can execute only the code of images and of Robosim. The process can allocate
+/// at most kConfinedMemory, and its environment is empty. System calls that are not allowed raise SIGSYS.
+/// Throws std::runtime_error if confinement is impossible.
 ///
 /// `has_grown` must be true if the process may have allocated much memory since prepare_to_confine(). Callers
 /// pass false for a new process, because measuring the memory takes as long as the rest of this function.
@@ -77,8 +77,8 @@ bool serve_call(const siginfo_t& info, ucontext_t& context);
 /// Returns the signal that the process has sent or tried to send to itself; 0 = none. Must be called in a
 /// signal handler.
 int own_signal(const siginfo_t& info, ucontext_t& context);
-/// Ends a confined process with an exit status by which the runner recognises the signal. For SIGABRT, sends
-/// the signal itself.
+/// Ends a confined process with an exit status by which the runner recognises the signal. For SIGABRT, ends
+/// the process by a real SIGABRT instead.
 [[noreturn]] void end_by_signal(int signal);
 
 /// Returns the message for a refused call: "the sandbox refuses its system call openat (files)".

@@ -9,7 +9,7 @@ namespace robosim::exec {
 namespace {
 
 #ifdef ROBOSIM_ASAN
-// Compares memory even where a sanitizer forbids access, since stacks and heaps contain such bytes.
+// Compares memory even where a sanitizer forbids access, since parts of stacks and heaps are forbidden.
 __attribute__((no_sanitize("address"))) bool is_like_copy(FirmwareSnapshot::Memory memory,
                                                           const std::vector<std::byte>& copy) {
   if (memory.size() != copy.size()) return false;
@@ -39,8 +39,8 @@ FirmwareSnapshot::Memory memory_of(const char* begin, const char* end) {
   return {reinterpret_cast<const std::byte*>(begin), reinterpret_cast<const std::byte*>(end)};
 }
 
-// Returns the used part of the heap, rounded up to whole pages. The rounding adds some bytes after the used
-// part, to which a faulty sketch may have written.
+// Returns the used part of the heap, rounded up to whole pages. A faulty sketch may have written to the bytes
+// that the rounding adds.
 FirmwareSnapshot::Memory used_heap(const host::FirmwareState& state) {
   constexpr std::size_t kPage = 4096;
   const std::size_t whole = (state.heap_used + kPage - 1) / kPage * kPage;

@@ -99,8 +99,8 @@ class HostExecutor::Instance final : public host::Host {
     return !owner_.crash_;
   }
 
-  /// If the firmware only polls, runs the firmware up to the present time limit. Its fiber may have been
-  /// suspended for some time.
+  /// If the firmware only polls, its fiber may have been suspended for some time. In this case, runs the
+  /// firmware up to the present time limit.
   void come_up() {
     if (!state_.polls || owner_.crash_) return;
     state_.called_up = true;
@@ -302,8 +302,8 @@ void HostExecutor::Instance::on_fault(int signal, siginfo_t* info, void* context
   if (refused && serve_call(*info, *static_cast<ucontext_t*>(context))) return;
   if (Instance* const self = running_) {
     const HostFault fault = describe(signal, *info, *static_cast<ucontext_t*>(context));
-    // Includes faults in Robosim's own code on the firmware's stack. Bad arguments from the firmware cause
-    // such faults.
+    // A fault in Robosim's own code counts as a fault of the firmware if it occurs on the firmware's stack.
+    // Bad arguments from the firmware cause such faults.
     const bool firmware = self->stack_.in_guard_before(fault.address) ||
                           self->stack_.contains(fault.stack_pointer) ||
                           !in_same_object(fault.pc, reinterpret_cast<const void*>(&Instance::on_fault));

@@ -51,7 +51,7 @@ std::string reason_of(const HostFault& fault, const GuardedMemory& heap, const G
   if (fault.address == fault.pc) return fmt::format("jump to address {:#x}{}", address, hint);
   // An x86-64 processor does not report the address if the address is not canonical.
   if (fault.signal == SIGSEGV && fault.code == SI_KERNEL)
-    return "access through a wild pointer, or a forbidden instruction";
+    return "access through an invalid pointer, or a privileged instruction";
   const bool behind_heap = fault.address >= heap.end() && fault.address < heap.end() + kNullPage;
   if (heap.in_guard_before(fault.address) || behind_heap)
     return fmt::format("{} outside the heap", fault.access());

@@ -204,7 +204,7 @@ LoadedImage::LoadedImage(const ImageFile& file) : file_(file) {
                      "not a firmware image for this machine" + (error.empty() ? "" : ": " + error));
   }
   if (std::count(handles().begin(), handles().end(), handle_) > 0)
-    throw std::logic_error("the loader does not tell two copies of an image apart");
+    throw std::logic_error("the loader treats two copies of an image as one");
   handles().push_back(handle_);
   link_map* map = nullptr;
   dlinfo(handle_, RTLD_DI_LINKMAP, &map);
@@ -259,7 +259,8 @@ SourceLine LoadedImage::locate(const std::vector<CodeAddress>& addresses) const 
     if (has_code(reinterpret_cast<const void*>(pc))) offsets.push_back(pc - base_);
   }
   if (offsets.empty()) return {};
-  // Skips instructions without a source line. Their folder is unknown, too, and they may belong to the core.
+  // Skips instructions without a source line. Their file is also unknown, so they may belong to the Arduino
+  // core.
   for (const SourceLine& frame : frames_of(offsets))
     if (frame.line > 0 && !is_own_file(frame.file)) return frame;
   return {};

@@ -66,8 +66,8 @@ class LoadedImage {
   /// Returns whether `address` lies in the image's code.
   bool has_code(const void* address) const;
   /// Returns the source line of the first of `addresses` that is in the user's code. The user's code is the
-  /// sketch and its libraries, not the core or hal. Returns an empty line if there is no such address, or if
-  /// addr2line is not installed.
+  /// sketch and its libraries, not the Arduino core or hal. Returns an empty line if there is no such
+  /// address, or if addr2line is not installed.
   SourceLine locate(const std::vector<CodeAddress>& addresses) const;
 
  private:

@@ -58,7 +58,8 @@ struct Whole {
   bool is_signed;
 };
 
-/// Returns a value of `bits` bits. If the value is wider than a register, `handle` is the value's address.
+/// Returns a value of `bits` bits. `handle` is the value itself or, if the value is wider than a register,
+/// its address.
 template <typename T>
 T stored(std::uintptr_t handle, int bits) {
   T result = 0;
@@ -102,8 +103,8 @@ std::string number(const Type& type, std::uintptr_t handle) {
   return "number";
 }
 
-// Returns a remark that the variable may never have been set, if all bytes of a value are FE. The compiler
-// fills local variables with this value (sim/build/target.cpp).
+// If all bytes of a value are 0xFE, returns a remark that the variable may never have been set. The compiler
+// fills local variables with 0xFE (sim/build/target.cpp).
 std::string if_never_set(const Type& type, std::uintptr_t handle) {
   constexpr std::uintptr_t kFilling = 0xFE;
   const int width = std::min(bits(type), 64);
@@ -150,7 +151,7 @@ std::string explain_mismatch(const Mismatch& data, std::uintptr_t address) {
     return fmt::format(
         "{} at an address that is not a multiple of {} (the Uno accepts it, other chips do not)", use,
         alignment);
-  return use + " at a place that is too small for it";
+  return use + " at an address with too little memory for it";
 }
 
 std::string explain_pointer(std::uintptr_t base, std::uintptr_t result) {

@@ -10,7 +10,7 @@
 
 namespace robosim::exec {
 
-/// The data that gcc passes to all handlers.
+/// The data that gcc passes to the handlers.
 namespace ubsan {
 
 struct Location {

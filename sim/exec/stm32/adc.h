@@ -3,10 +3,10 @@
 //
 //   code = volts / supply * 4096, 0 to 4095     a conversion = (sampling time + 12.5) ADC cycles
 //
-// The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins. Only ADC1 has channel 16, the
-// temperature sensor (always at 25 degrees Celsius), and channel 17, the 1.20 V reference (DS5319, tables 50
-// and 12). Dual modes are not modelled and are refused. Channels 10 to 15 are refused, too, since this chip
-// has no pins for them.
+// The pin is sampled at the end of the sampling time. Channels 0 to 9 are pins. Only ADC1 has channels 16 and
+// 17 (DS5319, tables 50 and 12). Channel 16 is the temperature sensor, always at 25 degrees Celsius. Channel
+// 17 is the 1.20 V reference. Dual modes are not modelled and are refused. Channels 10 to 15 are refused,
+// too, since this chip has no pins for them.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"

@@ -1,7 +1,7 @@
 // Models power control and the backup domain: backup registers and RTC (RM0008 5, 6, 18). A chip reset does
 // not change the backup domain.
 //
-//   Power    PWR_CR, whose DBP bit unlocks Backup and Rtc; the supply is always above the PVD's threshold
+//   Power    PWR_CR, whose DBP bit unlocks Backup and Rtc; the voltage detector (PVD) sees no low supply
 //   Backup   ten registers of 16 bits
 //   Rtc      counts up by 1 every PRL + 1 periods of its clock: LSE 32768 Hz, LSI 40 kHz, or HSE / 128
 //

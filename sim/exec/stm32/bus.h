@@ -152,7 +152,7 @@ class Bus : DmaBus {
   Crc crc_;
   Tracing tracing_;
   std::array<Block, (kEnd - kPeripherals) / kBlockBytes> blocks_{};
-  std::vector<Peripheral*> peripherals_;       ///< each peripheral once, in the order of priority for pins
+  std::vector<Peripheral*> peripherals_;       ///< each peripheral once; the first one that drives a pin wins
   std::function<void(Address)> before_store_;  ///< may be empty
   State state_;
 };

@@ -20,8 +20,8 @@ class Clock {
   SimTime limit = kNever;  ///< end of the tick; the last instruction of the tick may end later
 
   std::uint32_t hz() const { return static_cast<std::uint32_t>(hz_); }
-  /// Sets the cycle duration to 1/hz from `now` on. Times are rounded down to a nanosecond. Rounding errors
-  /// accumulate only from one call of set_hz() to the next.
+  /// Sets the cycle duration to 1/hz from `now` on. Times are rounded down to a nanosecond. Only calls of
+  /// set_hz() accumulate rounding errors, less than 1 ns each.
   void set_hz(std::uint32_t hz) {
     if (static_cast<SimTime>(hz) == hz_) return;
     base_time_ = time_of(now);

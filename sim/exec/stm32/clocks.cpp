@@ -56,7 +56,7 @@ std::uint32_t Clocks::rtc_hz() const {
 
 std::uint32_t Clocks::hz() const {
   const std::uint32_t source = state_.configuration & kSwMask;
-  // HPRE divides by 1, or by 2 to 512 except 32.
+  // HPRE selects a power of two from 1 to 512, except 32, as the divisor.
   const std::uint32_t bits = state_.configuration >> 4 & 15;
   const std::uint32_t ahb = bits < 8 ? 1 : bits < 12 ? 2u << (bits - 8) : 64u << (bits - 12);
   return (source == kSwPll ? pll_hz() : source == 1 ? kHse : kHsi) / ahb;

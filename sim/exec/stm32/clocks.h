@@ -38,7 +38,7 @@ class Clocks final : public Peripheral {
 
   /// Returns the gate of the peripheral whose registers begin at `block`.
   Gate gate(Address block) const;
-  /// Returns the prescaler of the bus (APB1 or APB2) that has the peripheral at `address`: the processor's
+  /// Returns the prescaler of the bus (APB1 or APB2) of the peripheral at `address`: the processor's
   /// frequency, divided by the frequency of the bus.
   std::uint32_t bus_divider(Address address) const {
     return robosim::stm32::behind_apb2(address) ? divider(state_.configuration >> 11)

@@ -64,8 +64,8 @@ class Cpu {
 
   /// Resets everything as after power-on, except RAM and statistics.
   void reset();
-  /// Enters the handler of the pending exception with the highest priority, if that exception can preempt
-  /// now.
+  /// Enters the handler of the pending exception with the highest priority, if that exception may interrupt
+  /// the running code.
   void take_exception();
   /// Runs until `cycle`. Returns earlier if the processor sleeps or fails, or if another part of the chip may
   /// have an event.
@@ -130,7 +130,7 @@ class Cpu {
   // --- statistics
   Cycle last_io() const {
     return state_.last_io;
-  }  ///< cycle of the last access to a register, or of the last call of millis(), outside handlers
+  }  ///< cycle of the last access to a peripheral, or of the last call of millis(), outside handlers
   std::uint32_t last_io_pc() const { return state_.last_io_pc; }
   Cycle handler_cycles() const;
   Cycle sleep_cycles() const { return state_.sleep_cycles; }
@@ -157,7 +157,7 @@ class Cpu {
   friend class Idle;
   friend class Engine;
   struct Hooks;
-  /// The actions to take before the instruction at `pc` runs.
+  /// The actions to take before the instruction at `pc` runs; see reached(), halts_at() and Idle::at_head().
   struct Mark {
     std::uint32_t pc = 0;
     bool starts = false, loop = false, call = false, sets = false, watched = false, counted = false,

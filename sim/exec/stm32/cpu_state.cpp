@@ -1,5 +1,5 @@
 // Implements the processor's special registers (PM0056 2.1.3), the execution of an instruction by libunicorn,
-// and the marks of instructions.
+// and the marks on instructions (Cpu::Mark).
 #include <algorithm>
 #include <utility>
 

@@ -25,7 +25,7 @@ struct Instruction {
   std::uint8_t bytes = 2;
   std::uint8_t cycles = 1;
   bool grows_stack = false;  ///< may lower the stack pointer
-  bool masks = false;        ///< may change PRIMASK or BASEPRI
+  bool masks = false;        ///< may change PRIMASK, FAULTMASK or BASEPRI
   bool sleeps = false;       ///< is WFI or WFE
   bool divides = false;
   std::uint8_t divisor = 0;     ///< for a division, the register that contains the divisor

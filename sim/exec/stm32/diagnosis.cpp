@@ -36,7 +36,7 @@ SourceLine Diagnosis::where_now() const {
 }
 
 std::string Diagnosis::access_text(const char* kind, std::uint32_t address) const {
-  constexpr std::uint32_t kTwice = 2 * kStm32f103c8.flash_bytes;  // many chips really have this much flash
+  constexpr std::uint32_t kTwice = 2 * kStm32f103c8.flash_bytes;  // many STM32F103C8 really have this much
   if (address >= kFlash && address < kFlash + kTwice)
     return fmt::format("{} address 0x{:08X}, after the {} KB of flash that the chip's data sheet guarantees",
                        kind, address, kStm32f103c8.flash_bytes / 1024);
@@ -85,7 +85,7 @@ std::string Diagnosis::reason(const Fault& fault) const {
     case Fault::Kind::watchdog:
       return WatchdogResets::reason();
     case Fault::Kind::exception_return:
-      return "return from an interrupt that has not begun or whose stack was overwritten";
+      return "return from an interrupt that never began, or whose return address was overwritten";
     default:
       return jump_text(fault);
   }

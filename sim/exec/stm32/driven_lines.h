@@ -1,10 +1,11 @@
-// Finds the line of the sketch that drives a pin. Call it only while the chip reports the pin's change.
+// Finds the line of the sketch that drives a pin. Call line_of() only while the chip reports the pin's
+// change.
 //
 //   cause                                  line
-//   an instruction writes to a register    line of the instruction. For an instruction of the core, line of
-//                                          the last jump from user code, or else of the innermost user call
+//   an instruction writes to a register    line of the instruction. In the Arduino core, line of the last
+//                                          jump from user code, or else of the innermost user call
 //   a timer applies a new duty cycle       the line that last wrote TIMx_CCRy before the timer's update
-//   a timer or handler of the core         none
+//   a timer or a handler of the core       none
 #pragma once
 
 #include <map>

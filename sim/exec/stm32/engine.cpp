@@ -103,7 +103,7 @@ struct Cpu::Hooks {
 };
 
 Engine::Engine(const FlashMemory& flash) {
-  // Does not set UC_MODE_MCLASS. In this mode, libunicorn ignores the CPU model, and executes instructions
+  // Does not set UC_MODE_MCLASS. With it, libunicorn would ignore the CPU model, and execute instructions
   // that a Cortex-M3 does not have.
   check(uc_open(UC_ARCH_ARM, UC_MODE_THUMB, &uc_));
   try {

@@ -29,8 +29,8 @@ class Engine {
 
   uc_struct* uc() const { return uc_; }
 
-  /// The state that libunicorn keeps from instruction to instruction: the monitor of LDREX and STREX. The Cpu
-  /// sets all other state before each instruction.
+  /// The state that libunicorn stores from one instruction to the next: the monitor of LDREX and STREX. The
+  /// Cpu sets all other state before each instruction.
   using Context = std::shared_ptr<const uc_context>;
   Context save() const;
   void restore(const Context& saved);

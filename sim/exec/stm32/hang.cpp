@@ -7,8 +7,8 @@ namespace {
 using namespace robosim::stm32;
 
 // A loop may briefly mask interrupts to read values that a handler writes. Interrupts count as masked for
-// ever if an interrupt is pending and no handler has begun for this duration. Normally, the handler of the
-// core's clock begins every 1 ms.
+// ever if an interrupt is pending and no handler has begun for this duration. Normally, the handler for the
+// Arduino core's clock begins every 1 ms.
 constexpr SimTime kMaskedFor = kSecond;
 
 bool are_masked_for_good(const Machine& machine) {

@@ -1,4 +1,4 @@
-// Predicts whether firmware that no longer accesses registers will never access registers again.
+// Predicts whether firmware that no longer accesses peripherals will never access peripherals again.
 #pragma once
 
 #include "sim/exec/stm32/firmware.h"
@@ -6,8 +6,9 @@
 
 namespace robosim::exec::stm32 {
 
-/// Returns whether the firmware probably hangs. Call it only if the firmware has not accessed a register for
-/// some time. Returns false for firmware without Robosim's core.
+/// Returns whether the firmware probably hangs. Call it only if the firmware has not accessed a peripheral
+/// for some time. Returns false for firmware without Robosim's Arduino core, and while the independent
+/// watchdog runs.
 ///
 /// Returns true if only the core's interrupts for its clock, waits and Serial are enabled. A sketch that does
 /// not call the core cannot observe the effects of these interrupts. Also returns true if interrupts are

@@ -1,7 +1,7 @@
-// Models I2C1 and I2C2 as masters (RM0008 26). The bus has pull-ups but no devices, so that no device
-// acknowledges an address (AF). A bit takes N * CCR cycles of APB1, where N is 2, 3 or 25 (F/S and DUTY in
-// I2C_CCR). Neither I2C is ever addressed as a slave. DMA requests do not occur, because no data is
-// transferred. SMBus is not modelled and is refused.
+// Models I2C1 and I2C2 as masters (RM0008 26). The bus has pull-ups but no devices, so no address is
+// acknowledged (AF). A bit takes N * CCR cycles of APB1, where N is 2, 3 or 25 (F/S and DUTY in I2C_CCR).
+// Neither I2C is ever addressed as a slave. DMA requests do not occur, because no data is transferred. SMBus
+// is not modelled and is refused.
 #pragma once
 
 #include "sim/exec/stm32/clocks.h"

@@ -44,8 +44,8 @@ class Idle {
   bool is_recording() const { return recorded_ != nullptr; }
   /// Notes that `bytes` of RAM at `address` are about to change.
   void stores(std::uint32_t address, std::uint32_t bytes);
-  /// Notes a read from a peripheral. The value that was read stays valid before the cycle `until`. If `until`
-  /// is the present cycle, it is unknown how long the value stays valid.
+  /// Notes a read from a peripheral. A repeated read would return the same value before the cycle `until`. If
+  /// `until` is the present cycle, it is unknown how long the value stays valid.
   void looks(Cycle until);
   /// Notes that a round of loop() begins.
   void round_began();

@@ -21,7 +21,7 @@ class Machine {
   void set_clock(SimTime start);
   /// Reports to `bytes` each byte that the firmware prints. `bytes` must outlive this object.
   void trace_bytes(TxProvenance& bytes);
-  /// Sets a function that is called before each store to a register.
+  /// Sets a function that is called before each store to a peripheral's register.
   void before_stores(std::function<void(Address)> watcher) { bus_.before_stores(std::move(watcher)); }
   Resources resources() const;
   int watchdog_resets() const { return state_.watchdog_resets.count(); }

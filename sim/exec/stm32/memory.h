@@ -45,7 +45,7 @@ class FlashMemory : public AlignedBytes {
 
  private:
   const std::vector<std::uint8_t> program_;
-  mutable State state_;                ///< result of the last save(), without the pages in `unsaved_`
+  mutable State state_;                ///< result of the last save(), or argument of the last restore()
   mutable std::set<Address> unsaved_;  ///< offsets of pages that have changed since the last save()
 };
 

@@ -107,7 +107,7 @@ bool Ports::read_input(ChipPin pin) {
 }
 
 Cycle Ports::input_same_until(ChipPin pin) const {
-  constexpr Cycle kRounding = 4;  // largest error when board times are converted to cycles
+  constexpr Cycle kRounding = 4;  // largest error, in cycles, of a converted board time
   const Pin number = number_of(pin);
   if (number == kNoPin || configuration(pin) == kAnalog) return kNoCycle;
   if (makes_pwm(pin)) return pulse_(pin).until;

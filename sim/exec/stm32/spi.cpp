@@ -99,7 +99,7 @@ std::uint32_t Spi::read(Address address) {
       return state_.control2;
     case kSpiSr: {
       const std::uint32_t value = state_.status;
-      // Clears OVR if firmware has read the data register before.
+      // Clears OVR if firmware has read the data register before this status register.
       if (!(state_.status & kSpiRxne)) state_.status &= ~kOvr;
       return value;
     }

@@ -1,5 +1,5 @@
 // Models SPI1 and SPI2 as masters (RM0008 25), without connected devices. All bits of a received frame have
-// the level of the MISO pin at the frame's end. A frame takes 8 or 16 * 2^(BR + 1) cycles of the SPI's bus.
+// the level of the MISO pin at the frame's end. A frame takes (8 or 16) * 2^(BR + 1) cycles of the SPI's bus.
 // SCK and MOSI are reported as idle. I2S, the hardware CRC, and masters that only receive are not modelled
 // and are refused. An SPI that is configured as a slave waits for ever.
 #pragma once

@@ -245,7 +245,7 @@ Step step_of(const Thumb& t, const Instruction& instruction) {
     step.n = instruction.predicates;
     if (step.n == 1) step.kind = step.within = Kind::it_one;
   }
-  // Gives a Step that reads the program counter the kind `reads_pc`, and stores the original kind in `shift`.
+  // A Step that reads the program counter gets the kind `reads_pc`. Its original kind is stored in `shift`.
   if (step.n == Thumb::kPc || step.m == Thumb::kPc) {
     if (step.kind == Kind::tbb || step.kind == Kind::tbh) return step;
     step.shift = static_cast<std::uint8_t>(step.kind);

@@ -1,6 +1,6 @@
-// Represents an instruction for the interpreter's loop (cpu_run.cpp): the code in the loop, and the operands.
-// A Step is created from a Thumb (thumb.h) when the instruction first runs. There is one Step for each
-// halfword of flash.
+// Represents an instruction for the interpreter's loop (cpu_run.cpp). The kind selects code in the loop. The
+// other members are the operands. A Step is created from a Thumb (thumb.h) when the instruction first runs.
+// There is one Step for each halfword of flash.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 namespace robosim::exec::stm32 {
 
 // The names of the kinds. An s after the name of a data operation, as in movs_i and bics, means that the kind
-// sets flags. The second operand is `value` for names with _i, and r[m] for names with _r. For all other
-// names, the second operand is r[m] + value.
+// sets flags. The second operand is `value` for names with _i, and r[m] for names with _r. For other data
+// operations without a shift, the second operand is r[m] + value.
 // clang-format off
 #define ROBOSIM_STM32_STEPS(X)                                                                           \
   X(fetch) X(mark) X(emulate) X(reads_pc) X(nop) X(mov_i) X(mov_r) X(movs_i) X(movs_r) X(add_i) X(add_r) \

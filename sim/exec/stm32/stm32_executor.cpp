@@ -73,7 +73,7 @@ class Stm32Executor::Running final : public RunningChip {
 
   const Image& image_;
   stm32::Machine machine_;
-  std::optional<stm32::DrivenLines> lines_;  ///< nullopt if the lines that drive pins are not traced
+  std::optional<stm32::DrivenLines> lines_;  ///< finds the lines that drive pins; nullopt = not requested
   stm32::DebugPort* debugger_;               ///< null without a debugger
   stm32::Machine*& seen_;                    ///< Firmware::machine, which this object sets and clears
 };

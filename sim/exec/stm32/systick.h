@@ -20,7 +20,7 @@ class SysTick final : public Peripheral {
   /// is disabled.
   Cycle next_event() const override;
   Cycle same_until(Address address) const override;
-  /// Sets COUNTFLAG and the interrupt for all times at which the counter has reached 0 by now.
+  /// Sets COUNTFLAG and the pending interrupt if the counter has reached 0 since the last call.
   void update() override;
 
  private:

@@ -8,6 +8,7 @@
 
 namespace robosim::exec::stm32 {
 
+// A comment after the last of several related operations applies to all of them.
 enum class Op : std::uint8_t {
   other,  ///< executed by libunicorn, not by the interpreter
   // r[d] = r[n] op (r[m] + value)
@@ -80,8 +81,8 @@ enum class Op : std::uint8_t {
   str,
   strb,
   strh,
-  // r[d] is loaded from, or stored to, the address r[n], or r[n] + value if `shift` is 1; r[n] becomes r[n] +
-  // value
+  // r[d] is loaded or stored. The address is r[n] + value if `shift` is 1, otherwise r[n]. Then r[n] becomes
+  // r[n] + value
   ldr_back,
   ldrb_back,
   ldrh_back,

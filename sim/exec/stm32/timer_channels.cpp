@@ -12,8 +12,8 @@ using namespace robosim::stm32;
 
 namespace {
 
-// The timer whose TRGO is an internal trigger, for each timer and trigger (table 86). 0 = a timer that the
-// chip does not have.
+// For each timer and each of its internal triggers, the timer whose TRGO is the trigger (table 86). 0 = a
+// timer that the chip does not have.
 constexpr int kInternalTriggers[4][4] = {{0, 2, 3, 4}, {1, 0, 3, 4}, {1, 2, 0, 4}, {1, 2, 3, 0}};
 // DMA channel of each timer channel (table 78); 0 = none.
 constexpr int kChannelDma[4][4] = {{2, 0, 6, 4}, {5, 7, 1, 7}, {6, 0, 2, 3}, {1, 4, 5, 0}};
@@ -78,8 +78,8 @@ std::uint32_t Timer::period_us() const {
 }
 
 // Returns whether an output is inverted. If the main output is enabled, the complementary output is its
-// inverse. Otherwise the complementary output is not inverted (table 83). The polarity bits invert each
-// output, too.
+// inverse. Otherwise the complementary output is not inverted (table 83). In addition, each output has a
+// polarity bit that can invert it.
 bool Timer::inverts(int channel, bool complement) const {
   const std::uint32_t own = state_.outputs >> (4 * channel) & 15;
   const bool opposite = complement && own & 1;

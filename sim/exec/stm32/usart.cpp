@@ -10,7 +10,7 @@ using namespace robosim::stm32;
 
 namespace {
 
-constexpr std::uint32_t kErrors = 1u << 0;  // USART_CR3: EIE, ignored because errors do not occur
+constexpr std::uint32_t kErrors = 1u << 0;  // USART_CR3: EIE (interrupt on errors with DMA), has no effect
 
 ChipPin pin_named(std::string_view name) {
   for (int i = 0; i < kStm32f103c8.pin_count; ++i)

@@ -12,7 +12,8 @@
 namespace robosim::client {
 namespace {
 
-/// Maximum number of later runs that may begin before a run ends. Their results wait in memory for that run.
+/// Maximum number of runs that may begin after an unfinished run. Their results wait in memory for the
+/// unfinished run.
 constexpr std::size_t kMostAhead = 10'000;
 /// Limits the wall time of one poll(), because a signal that arrives just before poll() does not wake it.
 constexpr int kSlice_ms = 100;
@@ -45,7 +46,7 @@ struct Pool::Worker {
       runner = std::make_unique<Runner>(start(task.target));
       target = task.target;
     }
-    task.request.started = false;  // not needed, and each line costs three processes a context switch
+    task.request.started = false;  // omits an event that a pool ignores, and saves context switches
     runner->begin(task.request);
     run = index;
     busy = true;

@@ -135,8 +135,8 @@ std::string Process::finish() {
   const std::int64_t deadline = now_ms() + kPatience_ms;
   while (read_line(static_cast<int>(std::max(std::int64_t{0}, deadline - now_ms())))) {
   }
-  // The process id is not reused before the program has been waited for. Therefore the signal reaches only
-  // the program and its forks.
+  // The kernel does not reuse the process id until this process waits for the program. Therefore the signal
+  // reaches only the program and its forks.
   while (!child_.has_ended() && now_ms() < deadline) {
     const timespec pause{0, 500'000};
     ::nanosleep(&pause, nullptr);

@@ -36,7 +36,7 @@ class Process {
   /// earlier.
   std::optional<std::string_view> read_bytes(std::size_t count);
 
-  /// Returns a descriptor for poll(2), which is readable when the program has written or ended.
+  /// Returns a descriptor that poll(2) reports as readable when the program has written or ended.
   int descriptor() const { return answers_.get(); }
   /// Returns whether read_line() reached the end of the output.
   bool silent() const { return silent_; }

@@ -21,8 +21,8 @@
 
 namespace robosim::client {
 
-/// Returns the targets for which this version has runners: "host", "avr", "stm32". A build without an
-/// emulator's package lacks its runner. In this case, Runner throws ToolMissing.
+/// Returns the targets for which this version has runners: "host", "avr", "stm32". A build lacks a target's
+/// runner if the package of the target's emulator is missing. In this case, Runner throws ToolMissing.
 const std::vector<std::string>& available_targets();
 
 class Process;
@@ -57,9 +57,8 @@ class Runner {
   std::optional<result::RunResult> take(const wire::OnEvent& on_event = {});
   int descriptor() const noexcept;
 
-  /// From now on, lets the runner be ahead of `on_event` by at most a few kilobytes of events.
-  /// Viewers need this limit, so that an interrupt takes effect near the visible state. The limit slows the
-  /// run down.
+  /// From now on, stops the runner whenever it is a few kilobytes of events ahead of `on_event`. Viewers need
+  /// this limit, so that an interrupt takes effect near the visible state. The limit slows the run down.
   void keep_close() noexcept;
 
   /// Ends the current run with the verdict `interrupted`; run() still returns the result. If the runner is
@@ -88,7 +87,7 @@ class Runner {
   wire::Hello hello_;
   long long last_id_ = 0;
   wire::BatchReader batches_{{}};  ///< reader for the last requested run
-  bool batch_is_damaged_ = false;  ///< true: the last requested run's further batches are not read
+  bool batch_is_damaged_ = false;  ///< true: skips further batches of the last requested run
 };
 
 }  // namespace robosim::client

@@ -24,8 +24,8 @@ CellFloor::CellFloor(const map::Map& map)
   pack_neighbours(map.height - 1, bits.data());
 }
 
-// The loops are simple so that the compiler can vectorise them. A map with a million stations has 55 million
-// cells.
+// The loops below are simple, so that the compiler can vectorise them. A map with a million stations has 55
+// million cells.
 void CellFloor::pack_own(int y) {
   const auto* row = reinterpret_cast<const std::uint8_t*>(map_.cells.data() + map_.index_of({0, y}));
   std::uint8_t* own = cells_.data() + index_of({0, y});

@@ -144,7 +144,7 @@ class CellRobot {
   bool noisy_ = false;
   std::uint64_t moves_ = 0;
   std::uint64_t limit_ = kEndless;
-  std::uint64_t free_until_ = kEndless;  ///< number of moves at which free_moves() ends
+  std::uint64_t free_until_ = kEndless;  ///< moves() may reach this number without checks
   double speed_;
   MoveWatcher* watcher_ = nullptr;
   double miss_ = 0.0, slip_ = 0.0;

@@ -109,8 +109,8 @@ inline bool CellWalker::goes_on() {
   }
 }
 
-// Continues to the next landmark. The cell's byte alone shows the landmark if no obstacle is near. The line
-// must also continue on three or four sides, or only behind the robot.
+// Continues to the next landmark. If no obstacle is near, the cell's byte alone shows a junction. Unless a
+// wall is ahead, it also shows the end of the line: the only line is then behind the robot.
 Landmark CellWalker::met() {
   const CellFloor& floor = robot_.floor();
   const Spot spot = robot_.spot();

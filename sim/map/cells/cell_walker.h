@@ -3,7 +3,7 @@
 // The walker makes the moves of Robosim v1. At a junction, the ways out are counted from the right of the
 // entry. `choose_right` takes the first way, `choose_left` the last way, and `step_forward` the way between
 // them. To take the way back, the walker makes `turn_around` and then `step_forward`. Places are the map's
-// cells. Heading 0 is always east, whatever the robot's first direction.
+// cells. Heading 0 is always east, whatever the robot's first direction is.
 //
 // The walker records each line, because an explorer goes back over every line of a tree. If the robot goes
 // back over the latest recorded line, the walker puts the robot directly at the other end. The line's moves
@@ -28,8 +28,8 @@ class CellWalker {
 
   explicit CellWalker(CellRobot& robot) : robot_(robot) {}
 
-  /// Reads the landmark at the robot's place from the map, without a move. If the robot is at a line's end
-  /// and faces away from the line, it first makes a `turn_around`.
+  /// Reads the landmark at the robot's place from the map. The only possible move is a `turn_around`: at a
+  /// line's end, a robot that faces away from the line makes this move.
   nav::Landmark begin();
   nav::Landmark follow();
   void leave(nav::Turn turn);

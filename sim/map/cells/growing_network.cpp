@@ -3,7 +3,7 @@
 namespace robosim::cells {
 namespace {
 
-// Contains, for each set of arms and each entry, the headings of a node's slots, two bits each.
+// Contains the headings of a node's slots, two bits per slot. The index is 4 * arms + entry.
 constexpr auto kHeadings = [] {
   std::array<std::uint8_t, 64> all{};
   for (unsigned arms = 0; arms < 16; ++arms) {

@@ -1,8 +1,8 @@
 // Finds the junction at a cell of a map. The map is divided into tiles of 64 x 64 cells; only tiles with
 // junctions are stored.
 //
-// Almost always, a bit of the tile shows that the cell has no junction yet. Otherwise the tile's junctions
-// are searched, in the order in which they were added.
+// A bit of the tile shows whether the cell has a junction; almost always, it has none. If it has one, the
+// tile's junctions are searched, in the order in which they were added.
 #pragma once
 
 #include <algorithm>

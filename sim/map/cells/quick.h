@@ -1,6 +1,6 @@
 // Makes many moves at once if no watcher follows each move. The robot's place, direction and moves are then
-// in registers. The byte of the robot's cell decides the next move. If the byte is not sufficient, these
-// functions stop, and the caller makes the next move by CellRobot.
+// in processor registers. The byte of the robot's cell decides the next move. If the byte is not sufficient,
+// these functions stop, and the caller makes the next move with CellRobot.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace robosim::cells {
 
-/// The side on which a wall-following walk keeps the line.
+/// The side to which a walk keeps, as in wall following.
 enum class Side { left, right };
 
 /// Moves along plain line. In a plain cell, line continues on exactly two sides, of which one is behind the

@@ -98,7 +98,7 @@ class Survey {
   struct Truth {
     map::TrueGraph graph;
     std::unordered_map<std::size_t, int> station_at;  ///< number of the station, by cell
-    int from = 0;                                     ///< the start of `distances`
+    int from = 0;                                     ///< station from which `distances` are measured
     std::vector<int> distances;
   };
 

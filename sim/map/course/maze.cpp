@@ -15,14 +15,14 @@ constexpr int kMostCells = 256;  // for each side
 // Line mazes have 150 mm between lines (LVBots: 5 to 7 inches). A map has one cell of floor between two
 // lines.
 constexpr double kCell = 0.075;  // m
-constexpr int kLines = 2;        // cells of a map between neighbouring lines
-// With walls, a map's cell is 11.25 mm, a sixteenth of the classic 180 mm. The rules specify walls of
-// 12 mm.
+constexpr int kLines = 2;        // in map cells: distance between neighbouring lines
+// With walls, a map's cell is 11.25 mm, a sixteenth of a classic maze's cell of 180 mm. The rules specify
+// walls of 12 mm.
 constexpr int kWalls = 16;
 
 struct Maze {
   int width = 0, height = 0;
-  std::vector<bool> east, north;  // for each cell, from the south-west corner on: a wall is on that side
+  std::vector<bool> east, north;  // whether each cell has a wall on that side; the south-west cell is first
   std::optional<map::CellAt> start, goal;
 
   std::size_t index(int x, int y) const {

@@ -8,9 +8,9 @@
 namespace robosim::course {
 namespace {
 
-constexpr double kSame = 1e-6;     // m
-constexpr double kAhead = 1e-9;    // rad; a smaller turn is not a bend
-constexpr double kBack = 3.14159;  // rad; an arc cannot turn back
+constexpr double kSame = 1e-6;     // in m
+constexpr double kAhead = 1e-9;    // in rad: a smaller turn is not a bend
+constexpr double kBack = 3.14159;  // in rad: a larger turn leads straight back, so that no arc fits
 
 }  // namespace
 

@@ -1,5 +1,5 @@
-// Represents a path of points with straights between them and rounded bends. This is an implementation detail
-// of the readers.
+// Represents a path by points, with straights between them and rounded bends. This is an implementation
+// detail of the readers.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace robosim::course {
 
 struct Corner {
   Vec2 at;
-  double rounding = 0.0;    ///< m, radius of the bend, smaller if the straights are too short; 0 = sharp
+  double rounding = 0.0;    ///< radius of the bend in m, reduced if the straights are too short; 0 = sharp
   bool gap_behind = false;  ///< unpainted between this point and the next point
 };
 

@@ -306,8 +306,8 @@ class RescueReader {
     }
   }
 
-  // Sets the goal along the first path. Sets no goal if the path and the route pass different tiles. Levels,
-  // and lines on a tile's edge, can cause this.
+  // Sets the goal along the first path. Sets no goal if the path and the route pass different tiles. Possible
+  // causes are several levels, and lines on a tile's edge.
   void set_goal(map::Map& map) {
     const std::vector<double> middles = tile_middles(map.course.paths.front(), kTile);
     map.goal = "none";
@@ -374,7 +374,7 @@ class RescueReader {
   std::map<Key, Tile> tiles_;
   std::vector<Polyline> lines_;
   std::vector<map::Area> areas_;
-  std::vector<bool> checkpoints_;  // for each tile of the first route
+  std::vector<bool> checkpoints_;  // whether each tile of the first route is a checkpoint
   std::vector<std::string> remarks_;
   int simplified_ = 0;
   bool to_zone_ = false;  // the first path ends at the evacuation zone

@@ -21,11 +21,11 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kCm = 0.01;
-constexpr double kTouching = 1e-5;       // m; circles with a shorter tangent touch each other
+constexpr double kTouching = 1e-5;       // in m: circles with a shorter tangent touch each other
 constexpr double kMostCoordinate = 1e5;  // cm
 constexpr std::size_t kMostCircles = 1000;
 constexpr double kMarkLength = 0.040, kMarkAway = 0.070;
-constexpr double kClose = 0.0005;  // m; closer corners share one mark
+constexpr double kClose = 0.0005;  // in m: closer changes of curvature share one mark
 
 struct Circle {
   Vec2 centre;
@@ -159,7 +159,7 @@ class Reader {
     mark(goal, -kMarkAway);
     map.course.race = map::RaceLines{0, 0.0, rounded(goal)};
     map.goal = "robotrace";
-    // Starts the robot between the goal line and the start line, with its sensors behind the start line.
+    // Starts the robot between the goal line and the start line. Its sensors have not reached the start line.
     map.start = map::start_on(map, {0, rounded(goal + start_to_goal / 2.0), false});
     return {std::move(map), {}};
   }

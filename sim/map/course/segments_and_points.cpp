@@ -10,10 +10,10 @@
 namespace robosim::course {
 namespace {
 
-constexpr double kMostMissing = 1.1;  // m, from goal line to start line
-constexpr double kAside = 0.05;       // m, sideways distance
-constexpr double kSamePoint = 1e-4;   // m; closer points are merged
-constexpr double kBeside = 3e-4;      // m, from removed points to the straight that replaces them
+constexpr double kMostMissing = 1.1;  // in m: largest distance from the goal line to the start line
+constexpr double kAside = 0.05;       // in m: largest sideways distance between these lines
+constexpr double kSamePoint = 1e-4;   // in m: closer points are merged
+constexpr double kBeside = 3e-4;      // in m: largest distance of a removed point from the new straight
 constexpr std::size_t kMostThinned = 100;
 
 // Closes a course by a straight from its goal line to its start line.

@@ -108,7 +108,7 @@ void Pdf::line_to(Vec2 p) { HPDF_Page_LineTo(impl_->page, points(p.x), points(p.
 // Approximates the arc by a cubic curve. The distance between them is at most 2e-8 of the radius.
 void Pdf::arc_to(const Line& arc) {
   const Vec2 from = arc.from - arc.centre, to = arc.to - arc.centre;
-  // The control points lie on the tangents of the ends, at 4/3 tan(turn / 4) of the radius.
+  // Each control point lies on the tangent at an end of the arc, 4/3 tan(turn / 4) radii from that end.
   const double turn = std::atan2(cross(from, to), dot(from, to));
   const double reach = 4.0 / 3.0 * std::tan(turn / 4.0);
   const Vec2 first = arc.from + left_of(from) * reach, second = arc.to - left_of(to) * reach;

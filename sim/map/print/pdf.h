@@ -18,7 +18,7 @@ class Pdf {
   ~Pdf();
 
   void begin_page(double width, double height);
-  /// Clips everything until end_part().
+  /// Clips all drawings to a box until end_part().
   void begin_part(const Box& clip);
   void end_part();
   /// Sets the grey of lines, areas and text: 0 = black, 1 = white.

@@ -11,7 +11,7 @@
 namespace robosim::print {
 namespace {
 
-constexpr double kLongest = 200.0;  // mm; lines are split into pieces, so that a page can skip distant pieces
+constexpr double kLongest = 200.0;  // in mm: longer lines are split, so that a page can skip distant pieces
 constexpr double kHairline = 0.15;
 constexpr double kBar = 100.0;
 
@@ -46,7 +46,7 @@ class Printer {
 
   Box floor() const { return {0.0, 0.0, sheets_.width, sheets_.height}; }
 
-  // Draws the paint of the floor that is within the box.
+  // Draws the part of the floor's paint that is within the box.
   void paint(const Box& box, const View& view, double least_pen) {
     if (dark_floor_) {
       pdf_.set_grey(0.0);

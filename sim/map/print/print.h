@@ -10,7 +10,7 @@ namespace robosim::print {
 
 struct Options {
   Paper paper;
-  double margin = 5.0;  ///< mm that the printer cannot print
+  double margin = 5.0;  ///< in mm: width of the edge on which the printer cannot print
   /// Prints white on black as black on white. Pictures stay unchanged.
   bool swapped = false;
   bool compressed = true;  ///< compresses the pages' contents

@@ -8,7 +8,7 @@ namespace robosim::print {
 namespace {
 
 constexpr double kMillimetre = 1e3;
-constexpr double kFine = 0.5;  // mm; longest piece of a line when testing whether it enters a box
+constexpr double kFine = 0.5;  // in mm: any_line() halves a line until its pieces are at most this long
 
 Box around(const Line& line) {
   Box box{std::min(line.from.x, line.to.x), std::min(line.from.y, line.to.y),

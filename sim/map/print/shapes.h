@@ -37,9 +37,9 @@ class Shapes {
 
   /// Returns the paints, to which lines and bars refer by index.
   const std::vector<map::Paint>& paints() const { return paints_; }
-  /// Calls `use` for each part of a paint's centre lines that may reach into the box. A part is at most
-  /// `longest` long, and turns by at most 22.5 degrees. Each part has round ends, so that adjacent parts join
-  /// without gaps.
+  /// Divides the lines with this paint into parts, and calls `use` for each part that may reach into the box.
+  /// A part is at most `longest` long, and turns by at most 22.5 degrees. Each part has round ends, so that
+  /// adjacent parts join without gaps.
   void lines_near(std::size_t paint, const Box& box, double longest,
                   const std::function<void(const Line&)>& use) const;
   const std::vector<Bar>& bars() const { return bars_; }

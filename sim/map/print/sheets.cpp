@@ -10,7 +10,7 @@
 namespace robosim::print {
 namespace {
 
-constexpr double kWorthLooking = 20'000.0;  // sheets; larger floors are rejected without examining each sheet
+constexpr double kWorthLooking = 20'000.0;  // in sheets: larger floors are rejected without examining them
 
 Sheets divided(const map::Map& map, const Shapes& shapes, Paper paper, double margin, bool dark_floor) {
   Sheets sheets;

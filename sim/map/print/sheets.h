@@ -17,8 +17,8 @@ struct Paper {
   double width = 210.0, height = 297.0;  ///< mm
 };
 
-constexpr double kFlap = 10.0;        ///< mm
-constexpr double kMostMargin = 40.0;  ///< mm: the bar of 100 mm has to fit on A4
+constexpr double kFlap = 10.0;        ///< in mm
+constexpr double kMostMargin = 40.0;  ///< in mm; with this margin, the bar of 100 mm still fits on A4
 constexpr std::size_t kMostSheets = 400;
 
 struct Sheet {
@@ -27,9 +27,9 @@ struct Sheet {
 
 struct Sheets {
   Paper paper;                 ///< portrait or landscape
-  double margin = 0.0;         ///< mm from the paper's edge to the flap
-  double width = 0.0;          ///< mm, of the floor
-  double height = 0.0;         ///< mm
+  double margin = 0.0;         ///< distance from the paper's edge to the flap in mm
+  double width = 0.0;          ///< width of the floor in mm
+  double height = 0.0;         ///< height of the floor in mm
   int rows = 0, columns = 0;   ///< for the whole floor
   std::vector<Sheet> printed;  ///< the sheets with any paint, row by row
 

@@ -98,7 +98,7 @@ void Adc::write_control(Address address, std::uint8_t value) {
 }
 
 // Handles SBI and CBI, which can address ADCSRA on an ATtiny85. If SBI or CBI changes another bit, ADIF
-// is not cleared (2586Q, notes on the register summary).
+// is not cleared (ATtiny85 data sheet 2586Q, notes on the register summary).
 void Adc::write_control_bit(Address address, std::uint8_t value, std::uint8_t bit) {
   write_control(address, bit == kAdif ? value : static_cast<std::uint8_t>(value & ~kAdif));
 }

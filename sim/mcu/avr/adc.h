@@ -1,6 +1,6 @@
 // Models the analog-to-digital converter (data sheet DS40002061B, chapter 24). hal/board/avr_adc.h documents
 // the converter's registers. One period of the ADC clock takes P processor cycles; ADPS selects P. The
-// prescaler starts when ADEN is set. Its rising edges occur at these cycles e:
+// prescaler starts when ADEN is set. The rising edges of the ADC clock occur at these cycles e:
 //
 //   e = origin + P/2 + k P            origin: the cycle at which ADEN was set; k = 0, 1, 2 …
 //   start    the first e after ADSC is written; ADMUX is latched at this edge

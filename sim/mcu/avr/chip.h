@@ -50,8 +50,8 @@ class Chip {
   // --- external inputs
   /// Reports a level change of a pin whose edges were requested; `pin` is an index in ChipSpec::pins.
   void edge(int pin, bool level, Cycle at) { pins_.edge(pin, level, at); }
-  /// Delivers a whole frame to a UART, or a byte to the USB serial line, at cycle `at`. The USB line's number
-  /// follows the UARTs' numbers. The data is lost if the receiver is off.
+  /// Delivers a whole frame to a UART, or a byte to the USB serial line, at cycle `at`. `line` is an index in
+  /// ChipSpec::uarts; the number after the last UART is USB. The data is lost if the receiver is off.
   void receive(int line, std::uint16_t data, Cycle at);
   /// Requests a call of ChipEnvironment::called() at `cycle`; a new request replaces the old one.
   void call_at(Cycle cycle) { core_.schedule(call_, cycle); }

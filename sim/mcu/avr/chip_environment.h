@@ -1,9 +1,9 @@
 // Declares the interface through which a chip accesses its environment. A robot's board, a test or a web page
-// implements it. The default is a chip with nothing connected to its pins.
+// implements the interface. By default, nothing is connected to the chip's pins.
 //
 // Pins are indices in ChipSpec::pins, and times are processor cycles. The time of a call may be earlier than
-// that of the previous call, by at most the cycles of one instruction. No call may call the chip, except
-// Chip::edge(), receive(), call_at() and Cpu::stop().
+// that of the previous call, by at most the cycles of one instruction. During a call, the environment may
+// call only these functions of the chip: Chip::edge(), receive(), call_at() and Cpu::stop().
 #pragma once
 
 #include "hal/board/board.h"
@@ -20,8 +20,8 @@ class ChipEnvironment {
   /// Returns the first cycle after `at` at which the result of level() may change. Before that cycle, the
   /// caller need not call level() again. Returns `at` if that cycle is unknown.
   virtual Cycle level_until(int /*pin*/, Cycle at) { return at; }
-  /// Returns the source at a pin, for a sample of the ADC or comparator. `high` is set if the chip's output
-  /// or pull-up drives the pin high.
+  /// Returns the voltage source at a pin, for a sample of the ADC or comparator. `high` is set if the chip's
+  /// output or pull-up drives the pin high.
   virtual Source source(int /*pin*/, bool high, Cycle /*at*/) { return high ? supply_volts() : 0.0; }
   /// Returns the present voltage of VCC and AVCC.
   virtual double supply_volts() const { return 5.0; }

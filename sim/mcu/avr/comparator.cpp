@@ -113,7 +113,7 @@ void Comparator::write(Address address, std::uint8_t value) {
 }
 
 // Handles SBI and CBI, which can address ACSR on an ATtiny85. If SBI or CBI changes another bit, ACI is not
-// cleared (2586Q, notes on the register summary).
+// cleared (ATtiny85 data sheet 2586Q, notes on the register summary).
 void Comparator::write_bit(Address address, std::uint8_t value, std::uint8_t bit) {
   write(address, bit == kAci ? value : static_cast<std::uint8_t>(value & ~kAci));
 }

@@ -144,7 +144,7 @@ struct Core {
   AdcTriggers triggers;
   ChipEnvironment& environment;
   const std::int64_t oscillator_hz;
-  std::int64_t clock_hz;  ///< processor clock: the oscillator's frequency over CLKPR's divisor
+  std::int64_t clock_hz;  ///< processor clock: the oscillator's frequency divided by CLKPR's divisor
   SnapshotRegistry snapshots;
   MarkVisitor* visitor = nullptr;  ///< called at marks (mark_visitor.h); null = marks stop the chip
   /// Set while the watchdog can reset the chip even with interrupts off.
@@ -152,8 +152,8 @@ struct Core {
   /// Resets the chip after the current instruction, and adds `flags` to MCUSR. The chip sets this callback.
   void (*reset)(void* self, std::uint8_t flags) = nullptr;
   void* reset_self = nullptr;
-  /// Called when the ADC has sampled a pin whose source has a resistance, or the next pin after such a pin;
-  /// may be null. `error` is the capacitor's voltage minus the source's voltage.
+  /// Called when the ADC has sampled a pin; may be null. Not called if neither this source nor the source of
+  /// the previous sample has a resistance. `error` is the capacitor's voltage minus the source's voltage.
   void (*on_conversion)(void* self, int pin, double error) = nullptr;
   void* on_conversion_self = nullptr;
   /// Called when an interrupt request is lost; may be null.

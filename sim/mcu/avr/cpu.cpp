@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint8_t kErased = 0xFF;
 constexpr std::uint16_t kErasedWord = 0xFFFF;
-// Largest flash with vectors of one word. In a larger flash each vector has two words, enough for a JMP.
+// Up to this flash size, an interrupt vector has one word. In a larger flash it has two words, for a JMP.
 constexpr std::uint32_t kFlashOfRelativeJumps = 0x2000;
 bool counts_down(const Instruction& first, const Instruction& second) {
   return first.op == Op::sbiw && first.b == 1 && second.op == Op::brbc && second.b == Cpu::kZ &&

@@ -40,7 +40,7 @@ class Cpu {
     mark,      ///< the instruction at the program counter has a mark; the next run() executes it
     break_,    ///< BREAK ran
     illegal,   ///< the program counter is at a reserved opcode
-    outside,   ///< the program counter is outside the flash: after a jump to outside_pc(), or at flash end
+    outside,   ///< the program counter is after the flash's end, perhaps after a jump to outside_pc()
     bad_read,  ///< the last instruction read bad_address(), which has no memory
     bad_write,
     spm,      ///< SPM ran
@@ -103,7 +103,7 @@ class Cpu {
     /// Implements SBI and CBI. `value` is the byte in `data` with the bit already changed; `bit` is the bit's
     /// mask. Without this hook, SBI and CBI read and write the register.
     void (*write_bit)(void* self, Address address, std::uint8_t value, std::uint8_t bit) = nullptr;
-    /// Predicts reads. A register with `read` and without this hook has no forecast.
+    /// Predicts reads. Without this hook, a register with `read` has a forecast only if it is steady.
     ReadForecast (*forecast)(void* self, Address address, std::uint8_t bits) = nullptr;
     bool is_steady = false;
     void* read_self = nullptr;
@@ -128,8 +128,8 @@ class Cpu {
   /// Returns the relevant bits of the I/O register that the instruction at `pc` reads. The other bits are
   /// discarded by this instruction or the next one. Returns kAllBits if the relevant bits are unknown.
   std::uint8_t bits_read(std::uint32_t pc) const;
-  /// Returns the bits that firmware tests first after a read. Unlike with bits_read(), firmware may use other
-  /// bits later.
+  /// Returns the bits that firmware tests first after a read. It may still use further bits later, but never
+  /// the bits that bits_read() excludes.
   std::uint8_t bits_tested(std::uint32_t pc) const;
   static constexpr std::uint8_t kAllBits = 0xFF;
 

@@ -81,8 +81,9 @@
     STORE(address, r[i->a], 1);        \
   }
 
-// Runs the TimeCount handler (time_count.h) in one step. Requires that nothing can interrupt the handler, and
-// that the handler's pushes do not overwrite its variables. Otherwise runs the instructions separately.
+// Runs the handler that counts millis() (TimeCount, time_count.h) in one step. Requires that nothing can
+// interrupt the handler, and that the handler's pushes do not overwrite its variables. Otherwise runs the
+// instructions separately.
 #define CODE_OF_TIME_COUNT                                                                                \
   OPERATION(count_time, 0) {                                                                              \
     constexpr int kPushes = TimeCount::kPushes;                                                           \

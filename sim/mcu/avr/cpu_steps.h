@@ -22,7 +22,7 @@ constexpr std::int64_t kCyclesOfCount = 4;  // SBIW, and a taken BRNE
 /// whole word just after two byte writes.
 inline __attribute__((always_inline)) std::uint16_t word_at(const std::uint8_t* low) {
   unsigned first = low[0];
-  asm("" : "+r"(first));  // prevents merging into one read
+  asm("" : "+r"(first));  // prevents the compiler from merging the reads
   return static_cast<std::uint16_t>(first | static_cast<unsigned>(low[1]) << 8);
 }
 

@@ -49,7 +49,7 @@ namespace robosim::avr {
   /* the status register: b = the bit's mask */ \
   X(bset) X(bclr) \
   X(nop) X(sleep) X(wdr) X(break_) X(illegal) \
-  /* pseudo-operations: a mark before an instruction, and addresses beyond the end of flash */ \
+  /* pseudo-operations: a stop before a marked instruction, and addresses beyond the end of flash */ \
   X(mark) X(outside) \
   /* BRBS and BRBC for the flags that compilers use */ \
   X(brcs) X(brcc) X(breq) X(brne) X(brmi) X(brpl) X(brlt) X(brge) \
@@ -61,7 +61,7 @@ namespace robosim::avr {
   X(read_number) \
   /* BRNE back to the SBIW Rd,1 before it: a loop that counts down, executed in one step. a = Rd */ \
   X(count_down) \
-  /* a complete TimeCount handler except its RETI */ \
+  /* the handler that counts millis() (time_count.h), complete except its RETI */ \
   X(count_time) \
   ROBOSIM_AVR_PAIRS(ROBOSIM_AVR_AS_ONE, X)
 

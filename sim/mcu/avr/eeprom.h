@@ -1,6 +1,7 @@
 // Models the EEPROM (data sheet DS40002061B, 8.4 and 8.6). hal/board/avr_eeprom.h describes its control
-// register. The window of EEMPE has 4 cycles. A read halts the processor for 4 cycles, a write for 2. A write
-// continues through sleep and resets. The duration of a write does not depend on CLKPR.
+// register. After EEMPE is set, firmware can start a write within 4 cycles. A read halts the processor for 4
+// cycles, a write for 2. A write continues through sleep and resets. The duration of a write does not depend
+// on CLKPR.
 #pragma once
 
 #include <cstdint>

@@ -61,7 +61,7 @@ class Events {
   /// Returns the cycle at which the next event is due.
   Cycle next() const { return state.next; }
   /// Allows one event to occur late, after a sleep or a skipped loop. The event must have no effect on the
-  /// chip. While no instruction runs, the event's result must not change.
+  /// chip. As long as no instruction runs, it must not matter when the event occurs.
   void let_wait(Id id) { waits_ = id; }
   /// Returns the due cycle of the next event, except the event that may occur late (let_wait()).
   Cycle next_urgent() const {

@@ -12,7 +12,7 @@ namespace robosim::avr {
 struct Flags {
   unsigned carry = 0;     ///< 0 or 1
   unsigned zero = 0;      ///< Z is set if this variable is 0
-  unsigned negative = 0;  ///< N in bit 7; bit 15: S was written with a value other than N xor V
+  unsigned negative = 0;  ///< N in bit 7; bit 15 is set if S was written as other than N xor V
   unsigned overflow = 0;  ///< carries into each bit; V is the carry into bit 7 xor the carry out of bit 7
   unsigned half = 0;      ///< H in bit 4
   unsigned others = 0;    ///< T and I, at their positions in SREG

@@ -256,7 +256,7 @@ void HighSpeedTimer::entered(int vector) {
   settle();
 }
 
-// Returns the events that pins and their listeners need, in addition to interrupts.
+// Returns the events that pins and their listeners need. Enabled interrupts may need further events.
 std::uint8_t HighSpeedTimer::wanted() const {
   unsigned wanted = 0;
   for (std::size_t output = 0; output < kOutputs; ++output) {
@@ -296,7 +296,7 @@ void HighSpeedTimer::schedule() {
 
 // --- pins
 
-/// Returns whether an output has no PWM and is reported at each match.
+/// Returns whether an output drives its pin without PWM, so that a match can change the pin's level.
 bool HighSpeedTimer::switches(std::size_t output) const {
   return output_pins_[output] >= 0 && connection(output) != 0 && !has_pwm(output);
 }

@@ -1,9 +1,9 @@
 // Models timer 4 of an ATmega32U4 (data sheet 7766J, chapter 15).
 //
 //   TOP    OCR4C; 0xFF after a reset
-//   PWM4x  0 for all outputs: counts up to TOP and restarts at 0 with TOV4; OCR4x take effect at once
+//   PWM4x  0 for all outputs: counts up to TOP, restarts at 0 and sets TOV4; OCR4x take effect at once
 //   WGM4   with PWM: 0 fast: counts as above; the output is high for OCR4x + 1 of TOP + 1 ticks
-//                    1 phase and frequency correct: counts up and down, with TOV4 at 0; the output is high
+//                    1 phase and frequency correct: counts up and down, sets TOV4 at 0; the output is high
 //                      for OCR4x of TOP ticks
 //   COM4x  at a match, 1 toggles the output, 2 clears it, 3 sets it (2 and 3 also with PWM)
 //   CS4    divides the clock by 2^(CS4 - 1)

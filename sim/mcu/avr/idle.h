@@ -5,9 +5,9 @@
 //   explores   occasionally watches some hundred instructions: targets of repeated backward jumps become
 //              loop heads
 //   records    runs one pass, from a head back to this head, and stores its inputs (loop_trace.h)
-//   skips      at a head with unchanged inputs, advances time by all passes that end before the next event
-//              and within the counter's window (counter_extrapolation.h), except the last pass. The last
-//              pass runs, to compute its results
+//   skips      at a head with unchanged inputs, counts the passes that end before the next event and within
+//              the counter's window (counter_extrapolation.h). Skips all of them except the last, which runs
+//              to compute its results
 //
 // The processor stops only at the marks of heads, so that loops without a head cost nothing. If a head costs
 // more than it saves, it loses its mark (backoff_budget.h).

@@ -1,7 +1,7 @@
 // Decides whether a program is in an infinite loop. Runs the program without interrupts and peripherals until
 // registers and memory repeat.
 //
-// A state that repeats once repeats forever, unless an interrupt changes memory that the loop reads.
+// Once a state has repeated, the loop runs forever, unless an interrupt changes memory that the loop reads.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ struct InfiniteLoop {
   bool interruptible = false;  ///< the I flag is set somewhere in the loop
 };
 
-/// Finds the loop within at most `most_instructions`. Returns nothing if the program depends on more than the
-/// processor, or accesses I/O registers other than SREG and SP. `cpu` does not change.
+/// Finds the loop within at most `most_instructions` instructions. Returns nothing if the program depends on
+/// more than the processor, or accesses I/O registers other than SREG and SP. `cpu` does not change.
 std::optional<InfiniteLoop> find_infinite_loop(const Cpu& cpu, int most_instructions);
 
 /// For each address in data memory: whether an interrupt handler may change the byte. Excludes the handler's

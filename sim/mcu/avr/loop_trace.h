@@ -22,7 +22,8 @@ namespace robosim::avr {
 
 class LoopTrace {
  public:
-  /// The preconditions and effects of one pass, except its computations.
+  /// The preconditions of one pass, and its effects on time, calls and marks. Excludes the values that the
+  /// pass computes.
   struct Pass {
     struct Byte {
       Address address = 0;
@@ -32,7 +33,7 @@ class LoopTrace {
       Address address = 0;
       std::uint8_t value = 0;
       std::uint8_t bits = 0xFF;  ///< relevant bits
-      bool counts = false;       ///< the register is a timer's counter: a read may exceed `value` by `window`
+      bool counts = false;       ///< a timer's counter: a read may exceed `value` by up to `window`
       Cycle after = 0;           ///< cycles from the head to the read
     };
     std::vector<Byte> reads;  ///< inputs: registers and memory

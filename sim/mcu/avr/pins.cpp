@@ -119,9 +119,9 @@ void Pins::write_digital_off(Address address, std::uint8_t value) {
   for (const std::uint16_t at : core_.chip.at.digital_off) state_.some_off |= core_.at(at) != 0;
 }
 
-// Returns whether the digital input of a pin is on: DIDR0 and DIDR1 (24.9.5, 23.3.2). If the chip has a
-// DIDR2, this register contains the bits of the analog inputs from 8 on. On an ATtiny85, DIDR0 contains one
-// bit per pin of the port.
+// Returns whether the digital input of a pin is on, according to DIDR0 and DIDR1 (24.9.5, 23.3.2). DIDR2, if
+// the chip has it, contains the bits of the analog inputs from 8 on. On an ATtiny85, DIDR0 contains one bit
+// per pin of the port.
 bool Pins::is_read(int pin) const {
   if (!state_.some_off) [[likely]]
     return true;
@@ -138,8 +138,8 @@ bool Pins::is_read(int pin) const {
 std::uint8_t Pins::read_pins(Address address) {
   const int number = port_at_[address];
   PortState& port = state_.ports[static_cast<std::size_t>(number)];
-  // Reads only the relevant bits: reading a sensor can be slow, and can consume a sample of the sensor's
-  // noise.
+  // Reads only the bits that the instruction uses. Reading a sensor can be slow, and can consume a sample of
+  // the sensor's noise.
   const std::uint8_t asked = core_.cpu.bits_read(core_.cpu.last_pc());
   const Cycle now = core_.now();
   const bool settled = now >= port.changed_at + kSynchroniserCycles;

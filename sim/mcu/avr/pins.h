@@ -5,10 +5,10 @@
 //   ChipEnvironment::level ─► synchroniser ─► PINx           also reads back the chip's outputs
 //   ChipEnvironment's edges, own outputs ────► listeners: interrupts, capture, timers' clock inputs
 //
-// A value written to PORTx appears in PINx from the second instruction after the write on (14.2.4). A write
-// to PINx toggles PORTx. PUD switches all pull-ups off. A pin whose digital input is off (DIDR0, DIDR1) reads
-// 0. The environment receives PWM and tones as a duty cycle, never as edges. For PINx and listeners, the
-// timer computes the levels and edges (Wave).
+// A value written to PORTx appears in PINx from the second instruction after the write on (14.2.4). Writing 1
+// to a bit of PINx toggles the bit in PORTx. PUD switches all pull-ups off. A pin whose digital input is off
+// (DIDR0, DIDR1) reads 0. The environment receives PWM and tones as a duty cycle, never as edges. For PINx
+// and listeners, the timer computes the levels and edges (Wave).
 #pragma once
 
 #include <array>
@@ -28,9 +28,9 @@ class Pins final : public Peripheral {
   void reset(Cycle at) override;
 
   // --- for peripherals that drive pins
-  /// Makes `drive` replace the port's latch from now on. With `even_input` (a UART's transmitter), `drive`
-  /// applies even while DDRx makes the pin an input. Otherwise (timers), `drive` applies only while the pin
-  /// is an output.
+  /// Makes `drive` replace the port's latch from now on. With `even_input` (for a UART's transmitter),
+  /// `drive` applies even while DDRx makes the pin an input. Otherwise (for timers), `drive` applies only
+  /// while the pin is an output.
   void take(int pin, const PinDrive& drive, bool even_input = false);
   void give_back(int pin);
 
@@ -76,7 +76,7 @@ class Pins final : public Peripheral {
 
   /// Returns the current level of a pin, whatever drives the pin.
   bool level(int pin);
-  /// Returns the source at a pin, whatever drives the pin; 0 V for pin -1 (no pin).
+  /// Returns the voltage source at a pin, whatever drives the pin; 0 V for pin -1 (no pin).
   Source source(int pin, Cycle at);
   /// Handles an external level change of a pin with a listener.
   void edge(int pin, bool level, Cycle at);

@@ -7,7 +7,7 @@
 //   other modes                  stopped     stopped     stopped     the oscillator's start-up time
 //
 // Table 9-4 lists the oscillator's start-up time: 16384 cycles for a crystal (ChipSpec stores the time of
-// each chip). Afterwards the processor waits for 4 more cycles, and then takes 4 cycles to enter the
+// each chip). After the start-up, the processor waits for 4 more cycles, and then takes 4 cycles to enter the
 // interrupt (10.2).
 //
 // While a bit in PRR stops a peripheral, the peripheral's registers read 0 and keep their content (10.11.3).
@@ -28,8 +28,8 @@ class Power final : public Peripheral {
 
   explicit Power(Core& core);
 
-  /// Connects a peripheral to its clock. The peripheral stops in sleep modes without `clock`, and while `bit`
-  /// of the PRR at address `reduction` is set; -1 = no bit.
+  /// Connects a peripheral to its clock. The peripheral stops in sleep modes that stop `clock`, and while bit
+  /// number `bit` of the PRR at address `reduction` is set; -1 = no bit.
   void supply(Peripheral& peripheral, Clock clock, Address reduction, int bit);
 
   void reset(Cycle at) override;

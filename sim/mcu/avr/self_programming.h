@@ -3,8 +3,8 @@
 //   SIGRD and SPMEN written together   LPM within three cycles reads the signature row: the signature at 0, 2
 //                                      and 4 (28.3). The rest of the row reads as erased
 //
-// Bits clear themselves four cycles after they were written. The owner of the Chip handles SPM
-// (Cpu::Stop::spm). Not modelled: fuses and lock bits (BLBSET).
+// The bits of SPMCSR clear themselves four cycles after they were written. The owner of the Chip handles the
+// instruction SPM (Cpu::Stop::spm). Not modelled: fuses and lock bits (BLBSET).
 #pragma once
 
 #include <cstdint>

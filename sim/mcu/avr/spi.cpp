@@ -98,8 +98,8 @@ void Spi::look_at_select() {
   request();
 }
 
-// Takes the pins of a master (table 19-1): MISO is an input; the other pins are outputs if DDRx makes them
-// outputs.
+// In master mode, takes the pins (table 19-1): MISO is an input; the other pins are outputs if DDRx makes
+// them outputs. Otherwise, gives the pins back.
 void Spi::drive() {
   const bool master = SpiMaster::is_on(core_.at(control_));
   if (master) {

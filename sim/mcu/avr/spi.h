@@ -1,6 +1,6 @@
 // Models the serial peripheral interface as master (data sheet DS40002061B, chapter 19): interrupt and pins.
-// hal/board/avr_spi.h models its registers. In slave mode, nothing happens, because no other master provides
-// a clock.
+// hal/board/avr_spi.h models its registers. In slave mode, nothing happens, because the model has no other
+// master that provides a clock.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@ struct Word {
   std::uint16_t value, mask = 0xFFFF;
 };
 constexpr Word kAnyAddress{0, 0};  // matches any address of a variable
-// Masks for instructions with a constant: summands and limits depend on the board's clock.
+// Masks that ignore the constant of an instruction, because the constants depend on the board's clock.
 constexpr std::uint16_t kConstant = 0xF0F0, kSmall = 0xFF30;
 
 // clang-format off

@@ -1,13 +1,13 @@
-// Recognises the Arduino core's handler of timer 0's overflow (wiring.c), which advances millis(). Every
-// sketch runs the handler a thousand times a second, even while the sketch sleeps or waits. The handler is
-// identified by the 62 instructions that avr-gcc generates. The processor runs all of these instructions
+// Recognises the Arduino core's handler of timer 0's overflow (wiring.c), which advances millis(). An Arduino
+// sketch runs the handler about a thousand times a second, even while the sketch sleeps or waits. The handler
+// is identified by the 56 instructions that avr-gcc generates. The processor runs all of these instructions
 // except RETI in one step.
 //
 //   push r1, r0, SREG, r18, r19, r24 to r27; eor r1, r1
 //   f = fraction + step;  m = millis + few
 //   if (f >= limit) { f = fraction + carried_step;  m = millis + many }
 //   fraction = f;  millis = m;  overflows += 1
-//   pop all of them; reti
+//   pop all these registers; reti
 #pragma once
 
 #include <cstdint>

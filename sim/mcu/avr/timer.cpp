@@ -210,7 +210,7 @@ void Timer::settle() {
   schedule();
 }
 
-// Returns the events that pins and ADC triggers need, in addition to interrupts.
+// Returns the events that pins and ADC triggers need. Enabled interrupts may need further events.
 std::uint8_t Timer::wanted() const {
   const Counter& counter = state_.counter;
   unsigned wanted = state_.watched & ~state_.flags & flags_of_ticks();

@@ -6,15 +6,15 @@
 //   pin ICPn ─► canceler ─┘ ICRn
 //
 // - Time. A write to a register takes effect after the cycle of the write. With a prescaler of 1, a value
-//   written to TCNTn in cycle c reads unchanged in c + 1, and as one more in c + 2. A flag reads as set from
-//   the cycle after its tick on. Its interrupt can be entered in the cycle of the tick. If a tick sets a flag
-//   in the cycle in which firmware writes 1 to the flag, the flag stays set.
+//   written to TCNTn in cycle c reads unchanged in c + 1, and as one more in c + 2. A flag that a tick sets
+//   still reads as 0 in the cycle of the tick, but its interrupt can be entered in this cycle. If a tick
+//   sets a flag in the cycle in which firmware writes 1 to the flag, the flag stays set.
 // - Counting happens on demand. Only observable changes are scheduled as events: the setting of a flag whose
 //   interrupt is enabled, a changed level of a pin, or an OCRnx that changes a duty cycle.
 // - Pins. PWM is reported as a duty cycle, and a pin in toggle mode (COM = 1) as a tone of the pin's
 //   frequency. If the tone is too low to be heard, each match reports a new level. COM = 2 and 3 without PWM
 //   also report levels. If the counter has no clock, its pins keep their levels. PINx reads the current
-//   level. While the chip listens to the pin, each edge is an event.
+//   level. If the chip also listens to such a pin, each edge is an event.
 // - Capture. Edges of ICPn are recorded once firmware uses capture: it sets ICIEn, ICESn or ICNCn, or reads
 //   ICRn or TIFRn. An unused pin therefore costs nothing. The analog comparator can replace the pin.
 // - PRR. Without a clock, the registers read 0 and ignore writes (10.10).

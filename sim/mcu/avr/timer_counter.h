@@ -68,8 +68,8 @@ class Counter {
 
   /// Advances by `ticks`. Returns the events, as a sum of Hit.
   std::uint8_t advance(Cycle ticks);
-  // Returns whether the counter is in the usual state: it counts up to TOP and restarts, without a recent
-  // write.
+  // Returns whether the counter is in the usual state: it counts up to TOP and restarts, and no written value
+  // is pending.
   bool is_regular() const { return !how_.dual_slope && !hidden_ && !waits() && value_ <= top(); }
   /// Advances a regular counter whose events have no listener.
   void pass(Cycle ticks) {
@@ -82,7 +82,7 @@ class Counter {
   Cycle matches(std::size_t channel, Cycle ticks) const;
   /// Returns the events of the next tick, without advancing.
   std::uint8_t next_hits() const;
-  /// Returns the number of ticks, from 1, to the next event in `wanted`; kNoCycle = never.
+  /// Returns the number of ticks (at least 1) to the next event in `wanted`; kNoCycle = never.
   Cycle ticks_to(std::uint8_t wanted) const;
   /// Returns a number of ticks during which the counter certainly counts up by one per tick.
   Cycle ticks_upwards() const { return down_ ? 0 : straight(); }

@@ -4,8 +4,8 @@
 //   pin ─► synchroniser, edge detector: 3 cycles ─► counter, or ICRn
 //   pin ─► noise canceler: 4 more cycles; a level shorter than 4 cycles is ignored
 //
-// An asynchronous edge is delayed by 2.5 to 3.5 cycles. An edge that the chip itself causes is synchronous
-// with its clock.
+// A real chip delays an asynchronous edge by 2.5 to 3.5 cycles. An edge that the chip itself causes is
+// synchronous with its clock.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ class EdgesUnderWay {
   std::uint8_t count_ = 0;
 };
 
-/// Filters levels like the noise canceler.
+/// Filters levels like the noise canceler of ICPn.
 class NoiseCanceler {
  public:
   enum class Verdict : std::uint8_t { passes, takes_back };

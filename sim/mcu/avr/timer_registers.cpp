@@ -125,7 +125,7 @@ std::uint8_t Timer::read_flags(Address address) {
   return core_.at(address) = state_.flags;
 }
 
-// Predicts reads of the flags. A flag reads as set from the cycle after its tick on.
+// Predicts reads of the flags. A flag that a tick sets still reads as 0 in the cycle of the tick.
 ReadForecast Timer::forecast_of_flags(Address, std::uint8_t) {
   if (!state_.runs) return {kNoCycle, 0};
   count_to(before_now());

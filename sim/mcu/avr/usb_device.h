@@ -2,8 +2,8 @@
 //
 //   PLLE     PLOCK reads 1 after 100 us
 //   device   attached while USBE and OTGPADE are set, and FRZCLK and DETACH are not
-//   UDINT    end of reset (EORSTI) and one frame per millisecond (SOFI); requests the general vector while
-//            UDIEN has the same bit
+//   UDINT    end of reset (EORSTI) and one frame per millisecond (SOFI); a bit requests the general vector
+//            while the same bit is set in UDIEN
 //   UENUM    selects the endpoint that the other registers access; a flag of UEINTX that UEIENX enables
 //            requests the endpoint vector
 //

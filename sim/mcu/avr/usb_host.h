@@ -4,8 +4,8 @@
 //   attached ── 100 ms ── reset, 10 ms ── 10 ms ── descriptors, address, configuration
 //            ── line coding (115200 8N1), DTR
 //
-// The port is then open. ChipEnvironment::sent() receives the device's bytes, with a line number after the
-// UARTs' numbers. Bytes for the device wait here until the device accepts them. A transaction takes 100 us.
+// The port is then open. ChipEnvironment::sent() receives the device's bytes, with the number after the last
+// UART as line. Bytes for the device wait here until the device accepts them. A transaction takes 100 us.
 //
 // The host opens the port as soon as the port exists, as if a user were waiting for it. Earlier output of a
 // sketch is lost, unless the sketch waits for the port.

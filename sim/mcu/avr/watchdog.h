@@ -1,6 +1,6 @@
 // Models the watchdog (data sheet DS40002061B, 11.8 and 11.9.2). hal/board/avr_watchdog.h describes its
-// modes. The window of WDCE has 4 cycles. After a watchdog reset, the watchdog continues with 16 ms. It runs
-// in all sleep modes, on its own clock.
+// modes. After WDCE is set, firmware can change the mode within 4 cycles. After a watchdog reset, the timeout
+// is 16 ms. The watchdog runs in all sleep modes, on its own clock.
 #pragma once
 
 #include <cstdint>

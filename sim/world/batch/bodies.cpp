@@ -70,7 +70,7 @@ ROBOSIM_LANES_FUNCTION void roll(const BodyBlock& block, BodyMotion& after, Lane
 }
 
 // Simulates a tick of each body that keeps rolling, or that stands without being driven. All other bodies
-// stay unchanged; their `done` is 0. `after` is memory for the result.
+// stay unchanged; their `done` is 0. `after` is scratch memory.
 void roll(BodyBlock& block, BodyMotion& after, Lanes& done) {
   Lanes moves;
   roll(block, after, moves, done);

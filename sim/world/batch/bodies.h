@@ -1,16 +1,16 @@
 // Simulates many bodies, each as if it were alone on one floor. A search uses a batch to simulate one
 // body many times, with different parameters or commands.
 //
-// A tick of a rolling body (sim/world/body.h) is about a hundred additions and multiplications. Each
+// A tick of a rolling body (sim/world/body.h) takes about a hundred additions and multiplications. Each
 // operation needs the result of the previous one. A batch therefore computes each operation for a block of
 // bodies at once (lanes.h). The order of operations is that of world::Body, so all bits of the results are
 // equal. Blocks are used for the usual state of a body: both tyres roll, both wheels keep their direction,
-// and no obstacle is near. Each tick tests each body for this state.
+// and no obstacle is near. In each tick, each body is tested for this state.
 //
 // If a body starts, stops, slips, skids, or comes near a wall in a tick, the code of world::Body simulates
 // that tick. The same code simulates all ticks of special bodies (windings with inductance, steered wheels,
-// wheels that skid, loads that shift). The tick of a rolling body is in rolling_step.h, which single bodies
-// use, too.
+// wheels that skid, loads that shift). rolling_step.h computes the tick of a rolling body, also of a single
+// one.
 // tests/unit/batch/batch_test.cpp compares batches with single bodies, bit by bit.
 //
 // Bodies of a batch neither detect nor touch each other.
@@ -70,7 +70,7 @@ class Bodies {
   /// Simulates one tick of all bodies.
   void step();
 
-  /// Returns the complete state of a body, which is valid until the body changes again.
+  /// Returns a body with its complete present state. Call this function again after the body has changed.
   const world::Body& body(std::size_t number) const;
   // Fast access to single values.
   double wheel_angle(std::size_t number, world::Side side) const {

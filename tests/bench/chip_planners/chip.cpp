@@ -68,7 +68,7 @@ __attribute__((noinline)) static nav::Plan plan(uint8_t from, uint8_t to) {
 #endif
 }
 
-static uint8_t stations[kNodes];  // a byte per node is enough: the RAM of this array is not measured
+static uint8_t stations[kNodes];  // not packed into bits, because the RAM of this array is not measured
 
 static void readTree() {
   const uint8_t size = GPIOR1;

@@ -1,7 +1,7 @@
 // Macros for programs that examine the effect of a write cycle by cycle. Each macro emits a write, a number
 // of NOPs and a read.
 //
-//   OUT_IN    the read comes nops + 1 cycles after the write; both registers are among the first 64 of I/O
+//   OUT_IN    the read comes nops + 1 cycles after the write; for the first 64 I/O registers only
 //   STS_LDS   the read comes nops + 2 cycles after the write
 //
 // host.h has these macros for the target host.

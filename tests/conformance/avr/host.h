@@ -1,5 +1,5 @@
 // Helpers of report.h and cycles.h for the target host. end_program() sends the reported bytes by the UART,
-// followed by their number and by kEnd of host.cpp. On the host, every access to a register takes 2 cycles.
+// followed by their number and by "END". On the host, every access to a register takes 2 cycles.
 #pragma once
 
 static uint8_t reported_[64], count_;
@@ -26,7 +26,7 @@ static inline __attribute__((noreturn)) void end_program(void) {
 #define NOPS(count) robosim_spend_cycles(count)
 #define IN_TAKES 2
 
-/// Reads a register `cycles` cycles after the last access, or at once if these are less than 2.
+/// Reads a register `cycles` cycles after the last access. If `cycles` is less than 2, reads after 2 cycles.
 #define READ_AFTER(cycles, from)                                      \
   ({                                                                  \
     if ((cycles) > IN_TAKES) robosim_spend_cycles((cycles)-IN_TAKES); \

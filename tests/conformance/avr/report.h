@@ -5,7 +5,7 @@
 //   // Source: DS40002061B, 15.7.2
 //   // Expect: 05 05 ff          bytes in hex; `..` matches any byte
 //   // Ends: 20000               optional: cycle limit; default 100000
-//   // Chips: atmega2560         optional: chips with this behaviour; foreign emulators test only the first
+//   // Chips: atmega2560         optional: chips with this behaviour; main.cpp uses only the first
 //   // Loop: 0                   optional: connects TX of USART 0 to its RX
 //   // Host: cycles              optional: why the program fails on the host (kHostReasons in program.cpp)
 //
@@ -32,7 +32,7 @@ static inline __attribute__((noreturn)) void end_program(void) {
 }
 /// Spends `count` cycles (at least 1) with NOPs, without a loop.
 #define NOPS(count) __asm__ volatile(".rept " #count "\n\tnop\n\t.endr")
-/// The cycles of a read of one of the first 64 registers of I/O.
+/// The number of cycles that a read of one of the first 64 I/O registers takes.
 #define IN_TAKES 1
 
 #endif

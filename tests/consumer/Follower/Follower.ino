@@ -1,4 +1,4 @@
-// Keeps the line between two sensors of uno2, or between the outermost two sensors of another robot.
+// Keeps the line between the sensors S2 and S4 of uno5, on A1 and A3.
 #include "steering.h"
 
 const int kCruise = 110;

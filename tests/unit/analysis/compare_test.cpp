@@ -1,4 +1,4 @@
-// Tests the comparison of two runs' histories. The histories are fictitious.
+// Tests compare(), which finds the first difference between two runs. The runs are fictitious.
 
 #include "sim/campaign/analysis/compare.h"
 

@@ -1,4 +1,4 @@
-// Tests the analog comparator with voltages; conformance programs can only set digital levels.
+// Tests the analog comparator with voltages, which the programs of tests/conformance cannot set.
 #include <gtest/gtest.h>
 
 #include "hal/board/atmega2560.h"
@@ -133,7 +133,7 @@ TEST_F(ComparatorTest, AChangeOfWhatIsCapturedIsAnEdgeIfTheyDiffer) {
   EXPECT_EQ(read(kTifr1) & kIcf, 0) << "a falling edge";
 }
 
-/// A chip of another type. Its processor also waits in an endless loop.
+/// A chip of any type, whose processor waits in an endless loop.
 class OtherChip {
  public:
   explicit OtherChip(const ChipSpec& spec) : bench(spec, kLoop) {}

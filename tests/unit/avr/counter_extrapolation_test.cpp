@@ -1,6 +1,6 @@
-// Tests the window of counter values that CounterExtrapolation finds. For all counter values in this window,
-// a computation takes the same branches. The registers passed to hold() and the flags passed to hold_flags()
-// then also have the same values.
+// Tests the window that CounterExtrapolation finds: a range of counter values. A computation must take the
+// same branches for each counter value in the window. The registers passed to hold(), and the flags passed to
+// hold_flags(), must also get the same values.
 #include "sim/mcu/avr/counter_extrapolation.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace counter_extrapolation_test {
 constexpr Address kCounter = 0x4A;  // GPIOR1
 constexpr Address kMemory = 0x110;
 
-/// Computes sums, differences and shifts of several bytes from a counter, as clock functions do.
+/// Computes multi-byte sums, differences and shifts from a counter, as micros() does.
 class Computation : public RandomCode {
  public:
   explicit Computation(unsigned seed) : RandomCode(seed) {

@@ -1,4 +1,4 @@
-// A chip for tests of peripherals: its processor only waits, in an endless loop at each interrupt vector. The
+// A chip for tests of peripherals. Its processor waits in an endless loop, also at each interrupt vector. The
 // test writes the chip's registers as firmware would.
 #pragma once
 

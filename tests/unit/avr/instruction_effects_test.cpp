@@ -48,8 +48,8 @@ class InstructionEffectsTest : public testing::Test {
     cpu_.set_pc(pc);
   }
   /// Calls visit(pc, instruction, state, effects) before each instruction, with the chip in a random state.
-  /// Skips instructions whose `effects.elsewhere` is true, and instructions that access data memory outside
-  /// RAM.
+  /// Skips instructions that access data memory outside RAM, or affect more than registers, flags and data
+  /// memory.
   template <typename Visit>
   void each_instruction(Visit visit) {
     for (std::uint32_t pc = 2; pc < kAllWords && !HasFatalFailure(); ++pc) {

@@ -1,4 +1,4 @@
-// Tests the sleep modes. Above all, tests the number of cycles from a wake-up event to the interrupt handler.
+// Tests the sleep modes, above all the number of cycles from a wake-up event to the interrupt handler.
 #include <gtest/gtest.h>
 
 #include "tests/unit/avr/idle_chip.h"

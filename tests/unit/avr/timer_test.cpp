@@ -1,4 +1,5 @@
-// Tests those effects of timers that no program can observe: duty cycles, number of events, external edges.
+// Tests what a program on the chip can neither observe nor cause: timers' duty cycles as seen by the robot,
+// scheduled events, and external edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -92,7 +93,7 @@ TEST_F(TimerTest, TellsTheLevelsOfAPinThatIsToggledTooSlowlyForATone) {
   }
 }
 
-// A counter above TOP counts up to MAX, and can match OCR1A before it reaches MAX (16.9.2).
+// A counter above TOP counts up to MAX, and can match OCR1A before it reaches MAX (data sheet, 16.9.2).
 TEST_F(TimerTest, TogglesAboveTop) {
   constexpr Address kOcr1a = 0x88;
   write(kDdrb, 1 << 1);

@@ -1,5 +1,4 @@
-// Tests the USART's receiver. Also tests the level that the transmitter puts on its pin, which a program
-// cannot read.
+// Tests the USART: received and sent frames, the duration of a frame, and the drives of its pins.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

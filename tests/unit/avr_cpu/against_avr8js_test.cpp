@@ -1,5 +1,5 @@
-// Runs random instructions on the processor and on avr8js, each from the same random state. Then compares
-// program counter, cycles, status, stack pointer, registers and memory.
+// Runs random instructions on Robosim's AVR processor and on avr8js, each from the same random state. Then
+// compares program counter, cycles, status, stack pointer, registers and memory.
 //
 // Skips the instructions that avr8js 0.21 does not execute as the manual says (docs/evidence/conformance.md
 // lists them). Also skips accesses at the ends of flash and memory, which avr8js does not support. Needs

@@ -1,6 +1,6 @@
-// Runs random programs on the processor and on the manual's model (manual_model.h). Runs several instructions
-// at a time, so that the processor also executes pairs in one step. Then compares program counter, cycles,
-// status, stack pointer, registers and 64 KB of memory.
+// Runs random programs on Robosim's AVR processor and on the model in manual_model.h. Runs several
+// instructions at a time, so that the processor also executes pairs in one step. Then compares
+// program counter, cycles, status, stack pointer, registers and 64 KB of memory.
 //
 // ROBOSIM_FUZZ=100000000 runs 100,000,000 instructions; the default is small.
 #include <gtest/gtest.h>

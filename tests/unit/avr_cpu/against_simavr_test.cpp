@@ -1,4 +1,4 @@
-// Runs random instructions on the processor and on libsimavr's processor, each from the same random state.
+// Runs random instructions on Robosim's AVR processor and on libsimavr's, each from the same random state.
 // Then compares program counter, cycles, status, stack pointer, registers and memory.
 //
 // Skips instructions that libsimavr 1.6 lacks or does not execute as the chip does: SPM, SLEEP and BREAK.
@@ -25,7 +25,7 @@ namespace against_simavr_test {
 
 constexpr std::uint32_t kAt = 0x1000;  // flash address of the instruction
 constexpr Address kLastRam = 0x8FF, kFirstRam = 0x100;
-constexpr std::size_t kFlash = 0x2000;  // the rest is erased
+constexpr std::size_t kFlash = 0x2000;  // bytes of random flash; the rest is erased
 constexpr int kInstructions = test::rounds(20000);
 
 bool is_compared(const Instruction& i) {

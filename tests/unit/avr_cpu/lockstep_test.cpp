@@ -1,5 +1,6 @@
-// Runs the stock sketches in lockstep on the emulated chip and on libsimavr's processor. Compares program
-// counter, cycles, status, stack pointer and registers after each instruction. Occasionally compares all RAM.
+// Runs Robosim's example sketches in lockstep on the emulated chip and on libsimavr's processor. Compares
+// program counter, cycles, status, stack pointer and registers after each instruction. Compares all RAM every
+// 1024 instructions.
 //
 // The test does not use libsimavr's peripherals, but sets the values of I/O registers and the times of
 // interrupts. tests/conformance compares the chip's peripherals with libsimavr.

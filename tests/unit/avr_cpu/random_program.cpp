@@ -48,8 +48,8 @@ bool moves_its_own_register(std::string_view name, unsigned word) {
   return pointer != 0 && (d == pointer || d == pointer + 1);
 }
 
-/// Returns the name of an instruction that may follow the instruction `name`, so that the processor executes
-/// both in one step. Sometimes returns `name` instead.
+/// Draws one of the pairs of instructions that the processor executes in one step. Returns the second
+/// instruction if the first one is `name`, otherwise `name`.
 std::string_view partner_of(std::string_view name, std::mt19937& random) {
   constexpr std::string_view kPartners[][2] = {
       {"ADD", "ADC"}, {"SUB", "SBC"},  {"SUBI", "SBCI"}, {"CP", "CPC"},   {"CPI", "CPC"},
@@ -59,7 +59,7 @@ std::string_view partner_of(std::string_view name, std::mt19937& random) {
   return name == first ? second : name;
 }
 
-/// Clears those high bits of a JMP's or CALL's target that exceed the address of the last word of flash.
+/// Clears high bits of a JMP's or CALL's target, so that the target is in flash.
 std::uint16_t within_flash(std::uint16_t word, bool long_pc) {
   return static_cast<std::uint16_t>(word & ~0x01F0u & (long_pc ? ~0u : ~1u));
 }

@@ -1,4 +1,5 @@
-// Runs random instructions on the processor and on the manual's model, from the same random state.
+// Runs random instructions on Robosim's AVR processor and on the model in manual_model.h, from the same
+// random state.
 #pragma once
 
 #include <cstdint>

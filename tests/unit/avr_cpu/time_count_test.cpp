@@ -1,5 +1,5 @@
-// Tests that the processor may execute the Arduino core's timer 0 handler in one step. The result must equal
-// that of single instructions. Also tests this for the code with which millis() reads the time.
+// Tests the Arduino core's timer 0 handler, and the code with which millis() reads the time. The processor
+// executes each of them in one step. The result must equal that of single instructions.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -21,7 +21,7 @@ constexpr std::uint16_t kTimeProgram[] = {
     0x91B0, 0x0103, 0x9601, 0x1DA1, 0x1DB1, 0x9380, 0x0100, 0x9390, 0x0101, 0x93A0, 0x0102, 0x93B0, 0x0103,
     0x91BF, 0x91AF, 0x919F, 0x918F, 0x913F, 0x912F, 0x900F, 0xBE0F, 0x900F, 0x901F, 0x9518};
 constexpr std::uint32_t kTimeHandler = 2;
-// in r18,SREG; cli; lds r22 to r25; out SREG,r18; rjmp back
+// Reads a number as millis() does: in r18,SREG; cli; lds r22 to r25; out SREG,r18; rjmp back
 constexpr std::uint16_t kNumberProgram[] = {0xB72F, 0x94F8, 0x9160, 0x0105, 0x9170, 0x0106,
                                             0x9180, 0x0107, 0x9190, 0x0108, 0xBF2F, 0xCFF4};
 constexpr Address kRamEnd = 0x8FF;

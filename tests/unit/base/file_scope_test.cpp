@@ -28,7 +28,7 @@ class FileScope : public testing::Test {
     write_file(outside_ / "secret", "secret");
   }
   /// Returns the text of the file `name`, opened through a handle on `inside_`. Returns "" if the path leads
-  /// outside.
+  /// outside, or the system's message for another error.
   std::string read(const std::string& name) const {
     const HeldFolder folder(inside_);
     const Descriptor file = folder.open(name, O_RDONLY);
@@ -97,8 +97,8 @@ TEST_F(FileScope, RefusesEveryLinkOnTheWayWhereAFileIsToBeWritten) {
   EXPECT_TRUE(folder.open("team/robot.toml", O_RDONLY, HeldFolder::Links::refused).is_open());
 }
 
-/// Sets the file scope of this process to `folders`, and runs `holds`. Returns 0 if `holds` returns true,
-/// otherwise 1. Must run in a separate process, because a file scope cannot be removed.
+/// Restricts the files that this process may open to the file scope `folders`, and runs `holds`. Returns 0 if
+/// `holds` returns true, otherwise 1. Must run in a separate process, because a file scope cannot be removed.
 int in_scope(const std::vector<fs::path>& folders, const std::function<bool()>& holds) {
   const std::string variable = file_scope_variable(folders);
   ::setenv(kFileScope, variable.substr(variable.find('=') + 1).c_str(), 1);

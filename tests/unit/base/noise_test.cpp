@@ -16,7 +16,7 @@ TEST(Noise, DependsOnEveryPartOfItsNameAndOnNothingElse) {
   EXPECT_NE(NoiseStream(1, 0, "ab", "c").bits(0), NoiseStream(1, 0, "a", "bc").bits(0));
 }
 
-TEST(Noise, IsFrozen) {  // the profile `ideal` and every recorded hash depend on these bits
+TEST(Noise, IsFrozen) {  // the recorded hashes of all runs with noise depend on these bits
   EXPECT_EQ(NoiseStream(42, 0, "S1", "noise").bits(0), 12954214989329750460u);
 }
 

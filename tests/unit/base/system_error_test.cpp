@@ -48,8 +48,8 @@ TEST(MachineFault, IsToldFromWhatIsWrongWithASketch) {
   EXPECT_EQ(fault("S.ino:1:2: fatal error: error writing to /tmp/x.s: No space left on device"),
             "the compiler failed: there is no room left on the disk");
   EXPECT_EQ(fault("S.ino:1:2: error: expected ';' before '}' token\n"), "");
-  // The first output quotes a source line as gcc 5 for the AVR does. The second output prints a text of the
-  // sketch.
+  // The first output quotes a source line as gcc 5 for the AVR does. The second output contains text from
+  // the sketch.
   EXPECT_EQ(fault("S.ino:1:1: error: static assertion failed: cannot execute 'ld'\n static_assert(false, "
                   "\"cannot execute "
                   "'ld'\");\n ^\n"),

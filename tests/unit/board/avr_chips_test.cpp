@@ -1,5 +1,5 @@
 // Compares the data of AVR chips with avr-libc's headers, and the data of their boards' pins with Arduino's
-// variants. avr-g++ evaluates these headers.
+// pins_arduino.h. avr-g++ evaluates these headers.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -233,7 +233,7 @@ TEST(AvrChips, HaveTheirRegistersAndVectorsWhereAvrLibcHasThem) {
   ROBOSIM_NEEDS_TARGET("avr");
   for (const ChipSpec* chip : avr_chips()) {
     SCOPED_TRACE(chip->name);
-    // Defines the names of registers as their addresses, not as their contents.
+    // With _SFR_ASM_COMPAT, the name of a register stands for its address, not for its content.
     const std::string arguments = fmt::format("-mmcu={} -D_SFR_ASM_COMPAT=1", chip->compiler_name);
     EXPECT_EQ(
         compiled("#include <avr/io.h>\n" + statements_about(*chip), arguments + " -fsyntax-only").errors, "");

@@ -18,7 +18,7 @@ using Top = Counting::Top;
 constexpr const AdcSpec& kAdc = kAtmega328p.adc;
 constexpr std::int64_t kClock_hz = 16'000'000;
 
-/// The way in which a timer counts in a mode. `top` applies to OCRnA = 100 and ICR1 = 5000.
+/// How a timer counts in a mode. `top` is the counter's TOP for OCRnA = 100 and ICR1 = 5000.
 struct Mode {
   int number;  ///< value of the bits WGM
   Kind kind;
@@ -104,11 +104,11 @@ TEST(AvrTimer, PhaseCorrectPwmReachesBothEnds) {
 }
 
 TEST(AvrTimer, AToggledPinHasTheFrequencyOfTheDataSheetsFormula) {
-  // f = clock / (2 N (1 + OCRnA)), 15.7.2
+  // f = clock / (2 N (1 + OCRnA)) with the prescaler N, 15.7.2
   const PinDrive tone = driven(2, 0x42, 4, 141, 0);
   EXPECT_EQ(tone.tone_hz, 16'000'000u / (2 * 64 * 142));
   EXPECT_EQ(tone.duty, 0.5);
-  // In this mode, there is one compare match, at TOP, in 2 * TOP ticks.
+  // In mode 5 (phase-correct PWM up to OCRA), a compare match occurs once in 2 * TOP ticks, at TOP.
   EXPECT_EQ(driven(2, 0x41, 0x0C, 100, 0).tone_hz, 16'000'000u / (2 * 64 * 200));
 }
 
@@ -199,7 +199,7 @@ TEST(AvrAdc, TheSupplyIsAReferenceThatSinksAndTheBandgapIsNot) {
   EXPECT_EQ(adc.sample(0xC0 | 0), 1023);
 }
 
-// 1 MOhm charges 14 pF with a time constant of 14.14 us.
+// 1 MOhm and the ADC's 10 kOhm charge 14 pF with a time constant of 14.14 us.
 TEST(AvrAdc, ASlowSourceLeavesAPartOfTheOldVoltage) {
   Adc adc;
   adc.sample(0x40 | 0);

@@ -1,5 +1,5 @@
-// Runs a sketch on a board that knows nothing of robots, worlds and executors. The class BreadBoard is the
-// shortest example of the interface between firmware and board (hal/board/firmware_port.h).
+// Runs a sketch on a board without a robot or a world, and without code of sim/exec. The class BreadBoard is
+// the shortest example of the interface between firmware and board (hal/board/firmware_port.h).
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 

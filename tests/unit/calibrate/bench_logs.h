@@ -56,7 +56,7 @@ periods = 150
 /// A sensor that passes a 19 mm tape every second, at 100 mm/s. Its footprint is 4 mm long.
 struct Eye {
   int floor = 100, tape = 900;
-  double first_s = 0.5, last_s = 6.0;  ///< time of the first and last passage
+  double first_s = 0.5, last_s = 6.0;  ///< outside of these times, the sensor reads only floor
   int most = 2000;
   int at(double t) const {
     const double into = std::fmod(t, 1.0) - 0.5;
@@ -73,8 +73,8 @@ inline std::string sweep(const Eye& eye = {}, const std::string& name = "S1", in
   return text;
 }
 
-/// Returns a sweep with encoder counts. Each wheel makes `per_second` counts per second. The left wheel turns
-/// backward.
+/// Returns the log of a sensor's sweep over the tape, with encoder counts. Each encoder counts `per_second`
+/// edges per second. The left wheel turns backward.
 inline std::string counted_sweep(double per_second) {
   std::string text = "# counts_per_period = 2\nt_us,count_left,count_right,S1\n";
   for (int i = 0; i < 1200; ++i) {
@@ -84,7 +84,7 @@ inline std::string counted_sweep(double per_second) {
   return text;
 }
 
-/// Returns the log of a drive at PWM value `told`. The wheels make `left` and `right` counts per second.
+/// Returns the log of a drive at PWM value `told`. The encoders count `left` and `right` edges per second.
 inline std::string drive(int told, double left, double right,
                          const char* head = "# counts_per_period = 2\n") {
   std::string text = std::string(head) + "t_us,left,right,count_left,count_right\n";

@@ -13,8 +13,8 @@ namespace stopwatch_test {
 
 constexpr double kRpm = 2.0 * std::numbers::pi / 60.0;
 
-// Returns distances that a simulated uno3 travelled, rounded to 5 mm. At 7.11 V, its motors have these
-// values: 156.1 rpm without load, a stall torque of 1.024 kg cm, and a no-load current of 192 mA.
+// Returns distances that a simulated uno3 travelled, with an uncertainty of 5 mm. At 7.11 V, its motors have
+// these values: 156.1 rpm without load, a stall torque of 1.024 kg cm, and a no-load current of 192 mA.
 std::vector<Timed> timed() {
   return {{"", 0, 255, 0.4, 0.221, 0.005},
           {"", 0, 255, 1.0, 0.509, 0.005},

@@ -181,8 +181,8 @@ TEST(Quick, AScanAndDrivesEndAsWatchedOnes) {
   EXPECT_GT(arrived, test::rounds(500));
 }
 
-// Scans one long line with a dead end at every second cell. The route back has more line sections than a
-// walker can store.
+// Scans one long line with a dead end at every second cell. The route back has more lines than a CellWalker
+// can record.
 TEST(Quick, AScanDeeperThanTheWalkersMemoryEndsAsAWatchedOne) {
   constexpr int kWidth = 1001, kRows = test::rounds(150);
   map::Map map;

@@ -188,7 +188,7 @@ TEST(SurveyTest, AnObstacleRightBesideAJunctionCostsNoMove) {
   EXPECT_EQ(s.graph().junctions[0].arms.size(), 4u);
 }
 
-// Tests the maps on which Robosim v1 crashed or never ended. The last table of v1's description lists them.
+// Tests the maps on which Robosim v1 crashed or never ended.
 TEST(WhereTheOriginalFailed, ALineWithoutJunctionsHasTwoStations) {
   for (const char* start :
        {"0,1,E", "0,1,W", "0,1,N", "2,1,E", "2,1,W", "2,1,N", "2,1,S", "4,1,W", "4,1,E"}) {

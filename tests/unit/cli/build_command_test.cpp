@@ -12,7 +12,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// A fixture with an image like the result of a build. However, the image's file is not an ELF file.
+// A fixture with the result of a build, whose image file is not an ELF file.
 class BuildReport : public ::testing::Test {
  protected:
   BuildReport() {

@@ -20,7 +20,7 @@ std::string printed(const std::vector<std::string>& words) {
   return std::get<PrintText>(parse_arguments(words)).text;
 }
 
-/// Returns all commands without actions, and the actions of all other commands.
+/// Returns all commands without actions, and all actions, such as `map check`.
 std::vector<CommandHelp> leaves() {
   std::vector<CommandHelp> all;
   for (const CommandGroup& group : command_groups())
@@ -95,8 +95,8 @@ TEST(Help, FitsInEightyColumns) {
 }
 
 /// Returns whether a help text seems to be incomplete without the line above it. A complete text begins with
-/// a verb in the imperative. A text seems incomplete if it begins with a capital letter or a word below,
-/// or ends with a full stop.
+/// a verb in the imperative. A text seems incomplete if it is empty or ends with a full stop. The same
+/// holds if it begins with a capital letter or a word below.
 bool leans_on_others(const std::string& text) {
   for (const char* word : {"of ", "the ", "a ", "as ", "is ", "that ", "with ", "for ", "where ", "which ",
                            "what ", "how ", "file", "folder", "default", "if ", "name,"})

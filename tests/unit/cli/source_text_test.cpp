@@ -42,8 +42,8 @@ class SourceTextTest : public ::testing::Test {
  protected:
   SourceTextTest() { write_file(folder_.path() / "My.ino", kSketch); }
 
-  /// Calls explain() for a chain of causes. The chain consists of one cause at `lines` of My.ino. Returns the
-  /// texts and line numbers of the causes that explain() adds to the chain.
+  /// Calls explain() for a chain of causes. The chain consists of one cause, which names `lines` of My.ino.
+  /// Returns the texts and line numbers of the causes that explain() adds to the chain.
   std::vector<std::pair<std::string, std::vector<int>>> added_to(std::vector<int> lines) {
     SourceText source(folder_.path(), {}, true);
     result::Cause cause{0.0, "in loop()", {}};

@@ -28,7 +28,7 @@ Combination combination(const std::string& map) {
   return c;
 }
 
-/// Returns a plan with seeds 1 to 4 on two maps, which makes runs 0 to 7.
+/// Returns a plan of eight runs, 0 to 7: seeds 1 to 4 on each of two maps.
 SweepPlan plan() {
   SweepPlan plan;
   plan.combinations = {combination("oval"), combination("tight")};

@@ -1,4 +1,4 @@
-// Replaces robosim-host in tests of the pool. A request's "image" tells this program what to do:
+// Replaces robosim-host in tests of the worker pool. A request's "image" tells this program what to do:
 //   die          ends itself
 //   never        does not answer
 //   input        answers with an error of kind "input"

@@ -23,7 +23,8 @@ TEST_F(HeapTest, GrowsWhereATextIsKept) {
   EXPECT_EQ(found[0].detector, "heap_grows");
   EXPECT_EQ(found[0].where.file, "Test.ino");
   EXPECT_EQ(found[0].where.line, 4);
-  EXPECT_THAT(found[0].what, HasSubstr("20 each second, and keeps growing: in about"));
+  EXPECT_THAT(found[0].what,
+              HasSubstr("20 each second, and keeps growing: it will reach the stack in about"));
 }
 
 TEST_F(HeapTest, HasNoMemoryForAStringThatBecomesEmpty) {

@@ -12,8 +12,8 @@ using testing::SizeIs;
 class LossesTest : public AvrDetectorTest {
  protected:
   LossesTest() { counted_ = {2}; }
-  /// Returns the findings for a sketch whose loop() executes `line`, on line 4. Pulses of 0.2 ms arrive at
-  /// pin 2, one per millisecond.
+  /// Returns the findings for a sketch whose loop() executes the statements `line`. They are on line 4 of the
+  /// sketch. Pulses of 0.2 ms arrive at pin 2, one per millisecond.
   std::vector<Detected> seen(const std::string& line, const std::string& handler = "++count;") {
     start("volatile unsigned count; volatile float f = 1;\nvoid pulse() { " + handler +
           " }\nvoid setup() { Serial.begin(115200); attachInterrupt(0, pulse, RISING); }\nvoid loop() { " +
@@ -57,7 +57,7 @@ TEST_F(LossesTest, TicksThatComeWhileTwoHandlersRunInTurnAreNotLostToInterruptsT
       "void setup() { attachInterrupt(0, tick, CHANGE); attachInterrupt(1, tock, CHANGE); }\n"
       "void loop() { for (;;) asm volatile(\"rcall 1f\\nrjmp 2f\\n1: ret\\n2:\"); }\n");
   // Each pin gets two edges, so the handlers run in turn for 3.2 ms. Each burst begins one cycle later than
-  // before.
+  // the previous burst.
   for (int burst = 0; burst < 12; ++burst) {
     const SimTime t = now_ + kMillisecond + 62 * burst;
     for (const Pin pin : {2, 3}) {

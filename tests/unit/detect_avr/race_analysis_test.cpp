@@ -116,7 +116,7 @@ TEST_P(TearingTest, AByteThatNoHandlersWriteIsUndoneOfIsNone) {
   }
 }
 
-// Tests correct ways to share `ticks` with the handler. The handler runs as often as in the tests above.
+// Tests correct ways to share `ticks` with the handler.
 TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
   const std::string kHandsOver = "if (!ready) { ticks = ticks + 777; ready = true; }";
   const std::array<std::string, 2> right[] = {
@@ -132,7 +132,7 @@ TEST_P(TearingTest, ANumberThatNoHandlerCanTearIsNone) {
       {"seen = ticks;", "ready = !ready;"}};
   for (const auto& [line, handler] : right) {
     start(pluralize(line, handler));
-    run(20 * kMillisecond);  // the handler runs 400 times; the torn read above is found within 60 runs
+    run(20 * kMillisecond);  // the handler runs 400 times; a torn read would be found within 60 runs
     EXPECT_EQ(torn().text, "") << line;
   }
 }
@@ -339,8 +339,8 @@ TEST_P(TearingTest, IsReportedOncePerNumberAndLine) {
   EXPECT_NE(avr_->detected()[0].where.line, avr_->detected()[1].where.line);
 }
 
-// tone() writes the number of pin changes, which has 4 bytes. Meanwhile, an interrupt handler of the core may
-// still decrement this number for the previous tone.
+// tone() writes the number of pin changes, which has 4 bytes. Meanwhile, an interrupt handler of the Arduino
+// core may still decrement this number for the previous tone.
 TEST_P(TearingTest, WhatTheCoreDoesWithItsOwnNumbersIsNotTheSketchs) {
   start("void setup() {}\nvoid loop() { tone(11, 4000, 512); delayMicroseconds(random(1000)); }\n");
   run(500 * kMillisecond);

@@ -11,9 +11,9 @@ using testing::SizeIs;
 
 class StackMarginTest : public AvrDetectorTest {
  protected:
-  /// Returns the findings for a sketch whose variables have `taken` bytes and a few more. When loop()'s stack
-  /// is deepest, 1832 - `taken` bytes of RAM are free. This is the case for about 10 µs of each 5 ms. Timer
-  /// 2's handler uses 108 bytes of stack. It runs once per ms, but not during these 10 µs.
+  /// Returns the findings for a sketch whose variables take slightly more than `taken` bytes. When loop()'s
+  /// stack is deepest, 1832 - `taken` bytes of RAM are free. The stack is that deep for about 10 µs in each
+  /// 5 ms. Timer 2's handler uses 108 bytes of stack. It runs once per ms, but not during these 10 µs.
   std::vector<Detected> seen(int taken, const std::string& loop = "deep();", const char* attribute = "") {
     start("volatile byte all[" + std::to_string(taken) + "], sum;\nISR(TIMER2_COMPA_vect" + attribute +
           ") {\n"

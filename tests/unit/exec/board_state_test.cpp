@@ -22,8 +22,8 @@ PinDrive pull_up() {
 
 class BoardStateTest : public testing::Test {
  protected:
-  /// Returns all inputs up to `until`, in order. An edge is returned as its pin, and a received byte as 100 +
-  /// byte.
+  /// Returns all inputs up to `until`, in order. An edge is returned as its pin number, and a received byte
+  /// as 100 + its value.
   std::vector<int> inputs(SimTime until) {
     std::vector<int> result;
     BoardInput input;

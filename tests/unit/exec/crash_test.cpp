@@ -51,8 +51,8 @@ TEST_F(CrashTest, DeepRecursion) {
 
 TEST_F(CrashTest, AWildPointer) {
 #if defined(__x86_64__)
-  const char* const reason = "wild pointer";
-#else  // unlike x86-64, these processors report a non-canonical address
+  const char* const reason = "invalid pointer";
+#else  // unlike x86-64, other processors report even an address that is not canonical
   const char* const reason = "of address 0x";
 #endif
   expect(crash("void faulty() { *(volatile char*)0x123456789ABCDEFull = 1; }"), reason, "faulty", 2);

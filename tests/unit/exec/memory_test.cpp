@@ -53,7 +53,7 @@ TEST_F(MemoryTest, AnOverrunStopsAtTheHeapsEnd) {
       "1;\n}\nvoid loop() {}\n");
   run(kSecond);
   ASSERT_TRUE(host_->crash());
-  // Only an x86 processor informs the signal handler whether the access was a write.
+  // Only an x86 processor tells the signal handler whether the access was a write.
   EXPECT_THAT(host_->crash()->reason, testing::AnyOf("write outside the heap", "access outside the heap"));
   EXPECT_EQ(host_->crash()->where.line, 4);
 }

@@ -194,7 +194,7 @@ void loop() {})");
   run(510 * kMillisecond);
   for (int i = 0; i < 7; ++i) board().schedule_edge(5, i % 2 == 0, now_ + i * kMillisecond);
   run(60 * kMillisecond);
-  EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // `full` is 3, because the PWM of init() adds one
+  EXPECT_THAT(numbers(), ElementsAre(98, 5, 3, 3));  // 3: two matches, and one from the PWM of init()
 }
 
 }  // namespace robosim::exec::own_outputs_test

@@ -1,5 +1,5 @@
-// Tests that skipping the waiting loops of firmware is not observable. Skipping changes neither the later
-// actions of the firmware nor any report.
+// Tests that skipping busy-wait loops of firmware is not observable. The later actions of the firmware and
+// all reports stay the same.
 #include <fmt/format.h>
 
 #include "tests/unit/exec/fixture.h"
@@ -130,8 +130,8 @@ TEST_F(Polling, OfAFlagThatATimerSets) {
       "void loop() { uint8_t before = ticks; while (ticks == before); digitalWrite(13, ticks & 1); }\n");
 }
 
-// While the loop waits, timer 0 overflows repeatedly. Its handler delays the loop at any point of an
-// iteration.
+// While the loop waits, timer 0 overflows repeatedly. Each time, its handler delays the loop at another point
+// of an iteration.
 TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   const std::string begin =
       "volatile bool flag, other; volatile uint8_t rounds; bool on;\n"
@@ -152,7 +152,7 @@ TEST_F(Polling, OfAFlagThatIsSeldomSet) {
   }
 }
 
-// The ADC is free-running: a conversion begins when the firmware notices the end of the previous conversion.
+// The ADC is free-running. The host computes its conversions only when the firmware accesses the ADC.
 TEST_F(Polling, WhileTheConverterRunsFreely) {
   same(
       "unsigned long last, sum;\n"

@@ -1,5 +1,5 @@
-// Tests writes to the registers of timer 2 that disturb its regular period. The expected values are those
-// that the same sketch prints on target avr.
+// Tests register writes that disturb the regular period of timer 2. The same sketch on target avr printed the
+// expected values.
 #include "tests/unit/exec/fixture.h"
 
 namespace robosim::exec::timer_turns_test {

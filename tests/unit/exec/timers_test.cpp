@@ -37,7 +37,7 @@ void loop() { for (volatile int i = 0; i < 100; ++i); delay(3); analogRead(0); }
   const std::vector<SimTime> times = changes(13);
   ASSERT_GT(times.size(), 20u);
   // Timer 2 overflows every 256 * 1024 cycles. The first interrupt comes early, because the PWM of init() has
-  // already set its flag.
+  // already set the overflow flag.
   for (std::size_t i = 3; i < times.size(); ++i)
     EXPECT_NEAR(static_cast<double>(times[i] - times[i - 1]), 16.384e6, 15e3);
 }

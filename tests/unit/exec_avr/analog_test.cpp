@@ -19,7 +19,7 @@ void loop() {})");
   run(5 * kMillisecond);
   ASSERT_EQ(source.asked_at.size(), 2u);
   const SimTime started = changes(13)[1], ended = changes(13)[2];
-  // The conversion starts with the next ADC clock, whose period is 8 us.
+  // The conversion starts with the next ADC clock. The clock period is 8 us.
   const auto sampled = static_cast<double>(source.asked_at[1]);
   EXPECT_NEAR(sampled - static_cast<double>(started), 16e3, 4.5e3);
   EXPECT_NEAR(static_cast<double>(ended) - sampled, 104e3 - 12e3, 1e3);

@@ -91,8 +91,8 @@ TEST_F(CausesTest, LeadToAVariableThatHasWhatItBeganWith) {
   EXPECT_EQ(lines.at(1).kind, CauseStep::Kind::keeps);
 }
 
-// Records the second half of a run, and follows the causes back to the beginning of this half. Then repeats
-// and records the first half from a snapshot, and follows the causes further back.
+// Records the second half of a run, and traces the causes back to the beginning of this half. Then restores
+// the start of the run, records the first half, and traces the causes to their origin.
 TEST_F(CausesTest, AreFollowedThroughWhatWasNotedApart) {
   FixedSource sensor(3.0);
   start(R"(volatile int gain;
@@ -126,7 +126,8 @@ void loop() {
   EXPECT_EQ(lines.at(4).pin, kA2);
 }
 
-// The skipped assignment may be far from the branch, in a function that the skipped code would have called.
+// A value stays unchanged because a branch skips the code that would change it. The skipped assignment may be
+// in a function that this code calls.
 TEST_F(CausesTest, LeadToTheBranchThatLeftAValueAsItWas) {
   const auto lines = lines_behind_pin_5(3.0, R"(int speed = 90, lost;
 volatile int dark;

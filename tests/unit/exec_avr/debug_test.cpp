@@ -44,7 +44,7 @@ class DebugTest : public AvrTest {
     gdb_->say(packet);
     ++asked_;
   }
-  /// Lets the chip continue. If the chip halts again, replies() has one more reply.
+  /// Resumes the chip. If the chip halts again, replies() has one more reply.
   void go(const char* order = "c") { gdb_->say(order); }
   std::vector<std::string> replies(int halts = 0) {
     std::vector<std::string> texts;

@@ -123,8 +123,7 @@ TEST_F(AvrLoopTest, WhatCannotBeToldIsNotSaid) {
 }
 
 TEST_F(AvrLoopTest, TheShareOfHandlersIsWhatTheLoopLoses) {
-  // Timer 1 counts the cycles of the delay loop, which are always the same, and the cycles of interrupt
-  // handlers.
+  // Timer 1 counts the delay loop's cycles, whose number is constant, plus the cycles of interrupt handlers.
   const std::string text = R"(#include <util/delay_basic.h>
 volatile byte table[8];
 ISR(TIMER2_COMPA_vect) { for (byte i = 0; i < 8; ++i) table[i] = i; }

@@ -1,4 +1,5 @@
-// A test fixture that runs sketches, built with Robosim's core for the Blue Pill, on an STM32 executor.
+// A test fixture that runs sketches on an STM32 executor. Robosim's Arduino core for the Blue Pill is linked
+// into these sketches.
 #pragma once
 
 #include <optional>

@@ -56,7 +56,7 @@ TEST_F(Stm32ChipTest, DelaysLastTheirTimeAtBothClocks) {
 }
 
 TEST_F(Stm32ChipTest, AnInterruptPreemptsAndReturnsToTheVeryInstruction) {
-  // The checksum of a long computation must not depend on whether SysTick and a timer interrupt it.
+  // Interrupts by SysTick and by a timer must not change the checksum of a long computation.
   const std::string sum =
       "uint32_t work() { uint32_t h = 1; double d = 1; for (uint32_t i = 0; i < 3000; ++i) { h = h * 31 + i "
       "/ "
@@ -182,7 +182,8 @@ TEST_F(Stm32ChipTest, EveryFaultIsToldWithItsReasonAndPlace) {
 TEST_F(Stm32ChipTest, AReturnFromAnInterruptThatHasNotBegunIsACrash) {
   const auto& crash = crash_of("asm volatile(\"ldr r0, =0xFFFFFFF9\\n bx r0\\n .ltorg\" ::: \"r0\");");
   ASSERT_TRUE(crash);
-  EXPECT_EQ(crash->reason, "return from an interrupt that has not begun or whose stack was overwritten");
+  EXPECT_EQ(crash->reason,
+            "return from an interrupt that never began, or whose return address was overwritten");
 }
 
 TEST_F(Stm32ChipTest, AnExceptionWithoutAHandlerIsACrash) {

@@ -50,7 +50,7 @@ TEST_F(DmaTest, CopiesMemoryInItsTimeAndTellsOfTheHalf) {
   pass(10);
   EXPECT_EQ(flags(3), 0b011u);
   EXPECT_EQ(left(3), 0u);
-  // If the target items are wider, DMA fills them up with zeros.
+  // If the target items are wider, DMA fills their upper halves with zeros.
   for (Address i = 0; i < 4; ++i) {
     EXPECT_EQ(half(kTable + 0x40 + 4 * i), half(kTable + 2 * i));
     EXPECT_EQ(half(kTable + 0x42 + 4 * i), 0u);

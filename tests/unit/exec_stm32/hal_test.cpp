@@ -252,7 +252,7 @@ TEST_F(HalTest, AnalogReadTakesAnotherResolution) {
   analogReadResolution(10);
 }
 
-/// The PWM period in cycles. A new duty takes effect at the next period.
+/// Slightly more than a PWM period, which is 282 * 255 cycles. A new duty takes effect at the next period.
 constexpr Cycle kPwmPeriod = 73'440;
 
 TEST_F(HalTest, AnalogWriteTakesAnotherResolution) {

@@ -9,8 +9,8 @@
 
 namespace robosim::exec::snapshots_test {
 
-// The first lines of each sketch. They let the sketch access registers, and install handlers for 60
-// interrupts in a vector table in RAM.
+// The first lines of each sketch. They give access to registers, and define functions that install
+// interrupt handlers in a vector table in RAM.
 const std::string kBegins = R"(#include "hal/stm32/registers.h"
 using namespace robosim::stm32;
 #define R(address) (*(volatile unsigned*)(address))

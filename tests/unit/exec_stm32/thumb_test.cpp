@@ -68,12 +68,12 @@ std::vector<std::uint16_t> random_code(std::mt19937& random) {
     if (random() % 2) first = static_cast<std::uint16_t>(0xE800 | (first & 0x17FF));
     const Thumb thumb = decode_thumb(kCode + 2 * static_cast<std::uint32_t>(code.size()), first, second);
     const bool jumps = thumb.op >= Op::b && thumb.op <= Op::tbh;
-    // libunicorn keeps the lowest bits of a value that is moved to SP. The chip clears them (DDI 0403E,
-    // B1.4.7). The program therefore contains no such moves.
+    // The program contains no writes to PC. It also contains no additions and moves of high registers: in SP,
+    // libunicorn keeps the lowest bits, but the chip clears them (DDI 0403E, B1.4.7).
     const bool to_pc = thumb.d == 15 || thumb.op == Op::add_high || thumb.op == Op::mov_high ||
                        (thumb.op == Op::ldm && thumb.value & 1u << 15);
     // In IT blocks, and shortly after them, the addresses of loads and stores are seldom in RAM. Most of
-    // these instructions are therefore not added to the program.
+    // these loads and stores are therefore not added to the program.
     const bool transfers = thumb.op >= Op::ldr && thumb.op <= Op::stm;
     const bool goes_wrong = transfers && block > -4 && random() % 8 != 0;
     if (thumb.op == Op::other || thumb.op >= Op::it || jumps || to_pc || goes_wrong) {

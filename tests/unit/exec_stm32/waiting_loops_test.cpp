@@ -99,7 +99,7 @@ class RandomProgram : public Program {
     made.globals_end = kRam + 0x100;
     return made;
   }
-  /// Returns the address at which each iteration of the main loop begins.
+  /// Returns a random address that counts as the beginning of each round of loop().
   LoopMarks rounds() const {
     LoopMarks rounds;
     rounds.each = {round_};

@@ -213,7 +213,8 @@ end 1000, heading 2 at -299,3, cost 161; axle at -298.2,0.0, 9.42 rad, 9205 ms
 )");
 }
 
-// Over the slant, the outer sensor gets as dark as over a junction's arm, but the row as a whole does not.
+// Over the slant, the outer sensor gets as dark as over a junction's arm. But no more of the row of sensors
+// is dark than a line alone can cover.
 TEST(LineWalkerTest, FollowsALineThatComesUnderItsOuterSensorAslant) {
   for (const int length : {40, 80, 150, 300}) {
     const double slant = 36 * M_PI / 180, x = 200 + length * std::cos(slant), y = length * std::sin(slant);

@@ -138,7 +138,7 @@ TEST_P(PathFollowerTest, TurnsToTheOtherSideWhereTheLineEnds) {
 
 TEST_P(PathFollowerTest, DoesNotTakeTheFloorBesideTheEdgeForTheEndOfTheLine) {
   see(kLine, 300);
-  see(kOffTheEdge, 76);  // as in a wide zigzag: slightly longer than the initial width of 70 ms
+  see(kOffTheEdge, 76);  // as in a wide zigzag; the line ends only after 84 ms
   EXPECT_EQ(path.state(), State::following);
 }
 
@@ -200,7 +200,7 @@ TEST_P(PathFollowerTest, KeepsItsMeasureWhereABranchCannotHaveBeenOneWidth) {
   EXPECT_EQ(path.widthMs(), PathFollower::Settings().width_ms);
 }
 
-// Tests the millisecond at which each output changes, with the settings of a real robot.
+// Tests the millisecond at which each output changes, with the default settings.
 TEST_P(PathFollowerTest, KeepsToItsTimetable) {
   static const char* const states[] = {"following", "crossing", "rolling", "stopping", "turning", "settling"};
   std::string said = "\n", before;

@@ -19,7 +19,7 @@ constexpr std::uint8_t kPonyBumper = 7;
 constexpr std::uint8_t kSensors[] = {A0, A1, A2};
 
 /// A simulated Pony, the robot of the sketch PonyNavigator. Its motors follow the bits of shift register 0
-/// with a time constant of 50 ms. Its sensors read HIGH on the line.
+/// with a time constant of 50 ms, up to 257 mm/s. Its sensors read HIGH on the line.
 class PonyBody : public walked::Body {
  public:
   explicit PonyBody(std::vector<walked::Line> lines) : Body(std::move(lines), kPonyBumper) { look(); }

@@ -142,7 +142,7 @@ TEST(FloorImage, BadPicturesAreToldInASentence) {
   }
 }
 
-// The PNG is a decompression bomb: with 100,000 x 100,000 pixels, 97 KB could expand to 10 GB.
+// A decompression bomb: the header of a tiny file announces 100,000 x 100,000 pixels.
 TEST(FloorImage, AHugePictureIsRefusedByItsHeader) {
   std::string png;
   {

@@ -29,7 +29,7 @@ void for_many(Family family, int maps, Visit visit) {
 
 // Returns the number of line cells of a graph that has no blocked lines: nodes, and cells between nodes.
 std::size_t cells_of(const TrueGraph& graph) {
-  std::size_t between = 0;  // twice the number, because each line is counted at both ends
+  std::size_t between = 0;  // twice the cells between nodes, because each line is counted at both ends
   for (const GraphStation& station : graph.stations)
     between += static_cast<std::size_t>(station.arm.length - 1);
   for (const GraphJunction& junction : graph.junctions)

@@ -16,7 +16,7 @@ namespace robosim::map::legend_test {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// Returns the grip and the rolling resistance of each cell. Both are 0 for the normal floor.
+// Returns the grip and the rolling resistance of each cell. The pair 0, 0 stands for the normal floor.
 std::vector<std::pair<double, double>> surfaces_of(const Map& map) {
   std::vector<std::pair<double, double>> all;
   for (std::size_t i = 0; i < map.cells.size(); ++i) {

@@ -131,7 +131,7 @@ TEST_P(Sample, HasTheFactsOfTheDocumentation) {
   EXPECT_EQ(ends / 2 + pieces - cells.size(), GetParam().cycles);
 }
 
-// A robot with motors needs space before a landmark, next to a line, and beyond a line's end.
+// A robot with motors needs space around a line, and before a landmark: an end, a bend or a junction.
 TEST_P(Sample, LeavesThreeCellsBetweenLandmarksAndAroundLines) {
   const Map map = sample(GetParam().name);
   for (const CellAt cell : line_cells(map)) {
@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(All, Sample,
 
 // Expects the scan times of the Robosim paper (docs/howto/research.md). Robosim v1's formula for trees of
 // three-way forks is T = 2(L-1) + S + 2W + W0. L is the number of line cells, and S is the number of
-// stations. W and W0 are numbers of stations at a wall, which are 0 on these maps.
+// stations. W and W0 count stations at a wall. These maps have no stations at a wall.
 TEST(SampleMaps, CToFTakeTheScanTimesOfThePaper) {
   const std::pair<const char*, std::size_t> times[] = {{"c", 94}, {"d", 141}, {"e", 129}, {"f", 247}};
   for (const auto& [name, time] : times) {
@@ -178,7 +178,8 @@ TEST(SampleMaps, CToFTakeTheScanTimesOfThePaper) {
   }
 }
 
-// The obstacle is on the direct route from the first station to the second, which is 24 cells long.
+// An obstacle blocks the direct route of 24 cells from the first station to the second. If bare floor
+// replaces the obstacle, the direct route has a gap, but all stations stay reachable.
 TEST(SampleMaps, BlockedHasADetour) {
   Map map = sample("blocked");
   const auto obstacle = std::find(map.cells.begin(), map.cells.end(), Cell::obstacle);

@@ -135,8 +135,8 @@ TEST(FixedNetwork, Holds64JunctionsInACycleAndRefusesOneMore) {
 }
 
 TEST(FixedNetwork, Holds64JunctionsWithFourArmsAllJoined) {
-  // The floor is a torus of 8 by 8 junctions. Of its 128 lines, 63 form the scan's tree, and 65 are side
-  // lines.
+  // The floor is a torus of 8 by 8 junctions. Of its 128 lines, 63 form the scan's spanning tree, and 65
+  // close cycles.
   Floor floor;
   for (int i = 0; i < 64; ++i) floor.addNode({1000 * (i % 8), 1000 * (i / 8)});
   for (int i = 0; i < 64; ++i) {

@@ -75,7 +75,7 @@ void expectTrips(Dice& dice, Floor& floor, Walker& walker, const Network& networ
       EXPECT_EQ(navigator.here(), to);
     } else {
       EXPECT_EQ(end, NavState::no_way);
-      // Each obstacle on the robot's map is real. So its map and the floor agree that there is no path.
+      // All obstacles on the robot's map are real. If the map has no path, the floor has unreachable nodes.
       nav::FixedPath<200> path;
       nav::FixedWork<200> work;
       EXPECT_EQ(nav::bfs(network, navigator.here(), uint8_t(to), path, work), nav::Plan::no_way);
@@ -124,7 +124,7 @@ TEST(Navigator, TakesTheCheapestWay) {
     Dice dice(seed);
     Floor floor = randomNet(dice, 2 + dice.below(20), 10);
     for (Floor::Line& line : floor.lines)
-      if (floor.isStation(line.a.node) || floor.isStation(line.b.node)) line.cost = 1;  // networks assume 1
+      if (floor.isStation(line.a.node) || floor.isStation(line.b.node)) line.cost = 1;  // as networks assume
     Scanned<SeeingWalker, Map> robot(floor, randomStand(dice, floor));
     nav::Navigator<SeeingWalker, Map, nav::TreeOrDijkstra<>> navigator(robot.walker, robot.network);
     navigator.start(0, robot.heading);

@@ -35,7 +35,7 @@ void addStation(Dice& dice, Floor& floor, Arm arm) {
 Floor randomTree(Dice& dice, int nodes, bool four_way) {
   Floor floor;
   std::vector<Arm> free{{addSomewhere(dice, floor), static_cast<nav::Heading>(dice.below(4))}};
-  // Counts each free arm as a node, because each of them gets a station at the end.
+  // Counts each free arm as a node, because each free arm gets a station after this loop.
   while (static_cast<int>(floor.nodes.size() + free.size()) + (four_way ? 3 : 2) <= nodes) {
     const Arm from = take(free, dice.below(static_cast<int>(free.size())));
     const int node = addSomewhere(dice, floor);

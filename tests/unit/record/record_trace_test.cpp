@@ -16,7 +16,7 @@ namespace record_trace_test {
 
 using Json = nlohmann::json;
 
-// Returns those events of a trace whose `key` has `value`.
+// Returns the events of a trace in which `key` has the value `value`.
 std::vector<Json> those(const Json& trace, const std::string& key, const Json& value) {
   std::vector<Json> found;
   for (const Json& event : trace["traceEvents"])

@@ -63,7 +63,7 @@ constexpr std::size_t kD2 = 0, kD5 = 1, kA0 = 2;  // indices in `columns`
 
 class TwoRobots : public ARecording {
  protected:
-  TwoRobots() : both(nullptr, 300) {  // limit in bytes for the changes of both robots
+  TwoRobots() : both(nullptr, 300) {  // 300 is the limit in bytes for the changes of both robots
     run.robots = {{"A", "Mine", "uno5", "host", run.robot_info},
                   {"B", "Yours", "mega5", "avr", run.robot_info}};
     run.request.agents.emplace_back().script = "at 1s power off\n";
@@ -225,7 +225,7 @@ TEST_F(ARecording, KeepsOnlyTheLastChangePerSpanBeyondTheLimit) {
   EXPECT_DOUBLE_EQ(volts[1][0], 0.001 * (199 * 7919 % 5000));
 }
 
-/// Packs and unpacks like Deflater, and counts the uncompressed bytes of both operations.
+/// Packs and unpacks as Deflater does. Counts the uncompressed bytes of both operations.
 class CountingPacker final : public Packer {
  public:
   explicit CountingPacker(std::size_t& bytes, std::size_t* unpacked_bytes = nullptr)

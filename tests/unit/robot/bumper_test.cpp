@@ -1,4 +1,4 @@
-// Tests bumper switches, which obstacles and manual moves press.
+// Tests bumper switches. Obstacles press them, and a script can press them like buttons.
 #include <gtest/gtest.h>
 
 #include "tests/unit/robot/bench_robot.h"

@@ -47,7 +47,8 @@ class Lcd {
     us_ += us;
     for (; us_ >= 1000; us_ -= 1000) bench.tick();
   }
-  // Initialises the display by the sequence of the data sheet's figure 24, which LiquidCrystal also uses.
+  // Initialises the display with the sequence of figure 24 in the HD44780's data sheet. The library
+  // LiquidCrystal uses the same sequence.
   void begin() {
     for (int i = 0; i < 3; ++i) {
       nibble(3);

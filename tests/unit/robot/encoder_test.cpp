@@ -26,7 +26,7 @@ void drive(BenchRobot& bench, bool forward) {
   for (const Pin pin : {6, 10}) bench.board.output(pin, !forward, bench.now);
 }
 
-// Counts edges like firmware with an interrupt for each channel: +1 if A leads B, -1 if B leads A.
+// Counts edges as firmware does with an interrupt for each channel: +1 if A leads B, -1 if B leads A.
 long count_quadrature(const std::vector<FakeBoard::Edge>& edges) {
   bool a = true, b = true;
   long count = 0;

@@ -32,7 +32,7 @@ class FakeBoard final : public FirmwarePort, public RobotPort {
     drive.mode = pullup ? PinMode::input_pullup : PinMode::input;
     set_drive(pin, drive, t);
   }
-  /// Attaches an interrupt to `pin`. Reads the pin's level, as the chip does, and wants edges from now on.
+  /// Attaches an interrupt to `pin`: sets `edges_wanted`, and reads the pin's level, as the chip does.
   void want_edges(Pin pin, SimTime t) {
     edges_wanted = true;
     levels_[pin] = read_level(pin, t);

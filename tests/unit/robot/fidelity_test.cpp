@@ -36,7 +36,7 @@ Range over_seeds(const std::function<double(std::uint64_t)>& figure) {
   return range;
 }
 
-/// A reflectance sensor that the tests move over a line of 15 mm.
+/// A reflectance sensor that the tests move across a line that is 15 mm wide.
 class Sweep {
  public:
   Sweep(double height_mm, Profile profile, std::uint64_t seed)
@@ -228,8 +228,8 @@ double creep(Profile profile, std::uint64_t seed, double slow, double fast) {
   return more < 1e-9 ? 0.0 : more;  // rounding error
 }
 
-// Returns the distance in m that the robot rolls from 0.5 m/s. The motors are shorted if `brakes` is true,
-// otherwise open.
+// Returns the distance in m that the robot rolls from 0.5 m/s. If `brakes` is true, the motors are shorted.
+// If it is false, they are open.
 double stops_within(Profile profile, std::uint64_t seed, bool brakes) {
   Drive drive(profile, seed, 0.6);
   while (drive.body().speed() < 0.5) drive.step();

@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 constexpr const char* kRemote = "[[part]]\nname = \"ir\"\ntype = \"ir-receiver\"\npin = 2\naddress = 0x04\n";
 
-// Returns the durations of alternating low and high levels in microseconds, until a level lasts 60 ms.
+// Returns the durations in us of alternating low and high levels, until a level lasts 60 ms.
 std::vector<SimTime> heard(BenchRobot& bench) {
   std::vector<SimTime> lengths;
   bool level = true;

@@ -125,9 +125,9 @@ TEST(MotorDriver, DecidesWhatBecomesOfAWindingsCurrent) {
 }
 
 // The robot of mass m drives ahead at full speed v, without friction. If a motor is reversed, the supply and
-// the motor's own voltage both drive the current. The battery then supplies the charge for the momentum
-// change 2 m v, until the robot is equally fast backward. If the motors are shorted, the robot slows down to
-// the speed at which the driver's drop stops the current. If the motors are open, the robot rolls on.
+// the motor's own voltage both drive the current. Until the robot is equally fast backward, the battery
+// supplies the charge for the momentum change 2 m v. If the motors are shorted, the robot slows down until
+// the driver's voltage drop stops the current. If the motors are open, the robot rolls on.
 TEST(MotorDriver, ReversedTakesTwiceTheStallCurrentAndBrakedOrOpenNone) {
   constexpr double kWithin = 0.02, kVolts = 6.0, kBrakes_s = 0.1;
   for (const char* const name : {"l298n", "l293d", "tb6612", "drv8833", "drv8835"}) {

@@ -10,7 +10,8 @@ namespace servo_test {
 
 using testing::HasSubstr;
 
-// Sends a pulse of `us`, which begins with this tick, and then a low level for the rest of `ms`.
+// Sends a pulse of `us` microseconds, which begins with the current tick. Then sends a low level for the rest
+// of `ms` milliseconds.
 void pulse(BenchRobot& bench, Pin pin, SimTime us, int ms = 20) {
   bench.board.output(pin, true, bench.now);
   SimTime left = us * kMicrosecond;

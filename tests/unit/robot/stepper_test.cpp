@@ -1,4 +1,4 @@
-// Tests a 28BYJ-48, which has 4075.77 half steps of 0.08833 degrees per turn.
+// Tests the stepper motor 28BYJ-48. A turn consists of 4075.77 half steps of 0.08833 degrees.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

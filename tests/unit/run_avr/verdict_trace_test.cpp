@@ -76,7 +76,7 @@ TEST_F(VerdictTrace, NamesHandlersThatTakeMuchOfTheTime) {
 
 TEST_F(VerdictTrace, NamesWhereInterruptsWentOff) {
   EXPECT_THAT(links_of("noInterrupts(); for (;;) {}"),
-              HasSubstr("interrupts went off here, and were off at all later checks"));
+              HasSubstr("interrupts were disabled here, and were off at all later checks"));
 }
 
 }  // namespace robosim::runner::verdict_trace_test

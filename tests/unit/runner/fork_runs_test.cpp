@@ -118,7 +118,7 @@ TEST_F(WaysTest, CountLinesEachForItself) {
 
 TEST_F(WaysTest, OfARunThatCannotPartAreRefused) {
   request_.ways = wire::Ways{2 * kSecond, {}, {}};
-  EXPECT_THAT(refusal(), HasSubstr("the ways of a run: expected 1 to 64, got 0"));
+  EXPECT_THAT(refusal(), HasSubstr("the branches of a run: expected 1 to 64, got 0"));
   request_.ways->scripts = {"", "at 1s lift\n"};
   EXPECT_THAT(refusal(), HasSubstr("script:1: this line is due before the run is split"));
   request_.ways->scripts = {"after boot 2 lift\n"};

@@ -76,7 +76,7 @@ TEST_F(ReadingAhead, AnImageThatIsWrittenAnewIsSeenAtOnce) {
   EXPECT_THROW(read(), InputError);
 }
 
-// Until the file system's clock has advanced, a write may leave a file's times unchanged.
+// The write of "two" may leave the file's times unchanged, if the file system's clock has not advanced.
 TEST_F(ReadingAhead, Addr2lineIsAskedOnceForTheSameAddressesOfAnImage) {
   read();
   int asked = 0;

@@ -1,5 +1,5 @@
-// Tests when a runner ends a run that hangs. The runner decides by the times of the run's process, and by the
-// simulated time that the process reports.
+// Tests when a runner ends a run that hangs. The runner decides by processor time, wall time, and the
+// simulated time that the run's process reports.
 #include "sim/runner/run_watch.h"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ class Watching : public testing::Test {
   Watching() { watch_.follow(-1, {.until = 100 * kSecond}); }
 
   /// Checks a process every 100 ms of wall time for `seconds`, as a runner does. The process uses `share` of
-  /// a processor.
+  /// a processor. `is_excused` means that a debugger has halted it, or that it awaits a processor.
   Found look_for(double seconds, double share, bool is_excused = false) {
     for (int i = 0; i < 10 * seconds; ++i) {
       wall_us_ += 100'000;

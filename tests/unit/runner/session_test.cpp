@@ -68,7 +68,7 @@ class Session {
     return text;
   }
 
-  /// Returns the next `count` bytes of the runner's output, which follow a line.
+  /// Returns the `count` bytes of the runner's output that follow the last line read.
   std::string bytes(std::size_t count) {
     char some[4096];
     while (unread_.size() < count) {

@@ -43,7 +43,7 @@ class Scripts : public testing::Test {
   std::string error_of(const std::string& script) {
     return test::refusal([&] { play(script, 0.01); }, "no error");
   }
-  /// Returns the reading at this time of sensor S1, which is next to the line.
+  /// Returns the reading of sensor S1 at this time. S1 is next to the line.
   double s1(double seconds) { return seen.at(seconds).readings[0]; }
 
   Witness seen;
@@ -158,7 +158,7 @@ TEST_F(Scripts, SayWhatATiltIs) {
   EXPECT_THAT(error_of("at 1s tilt 200deg back"), HasSubstr("from 1deg to 180deg"));
   EXPECT_THAT(error_of("at 1s tilt 20deg up"),
               HasSubstr("the side of a tilt: expected ahead, back, left or right, got “up”"));
-  EXPECT_THAT(error_of("at 1s tilt 20deg back in 1s for 1s"), HasSubstr("goes over and back"));
+  EXPECT_THAT(error_of("at 1s tilt 20deg back in 1s for 1s"), HasSubstr("goes there and back"));
 }
 
 TEST_F(Scripts, OfASweepAreEndedByPuttingTheRobotElsewhere) {

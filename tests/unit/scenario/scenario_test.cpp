@@ -220,7 +220,7 @@ TEST(AFigureWithASpread, IsRefusedWhereNotAllOfItIsAllowed) {
   EXPECT_THAT(error_of("at 2s obstacle 1,3 radius 499mm+-2mm"),
               testing::HasSubstr("expected a radius from 5mm to 500mm"));
   EXPECT_THAT(error_of("at 2s tilt 20deg ahead in 1s+-500ms for 2s+-100ms"),
-              testing::HasSubstr("a tilt goes over and back"));
+              testing::HasSubstr("a tilt goes there and back"));
 }
 
 }  // namespace robosim::scenario::scenario_test

@@ -117,8 +117,8 @@ bool is_cut_off(const Line& row, const Line& line, const Line* after) {
     return ends_table && !is_statement &&
            std::islower(static_cast<unsigned char>(line.text[line.indent])) != 0;
   }
-  // A tool may have joined the rest of `row` and the next row to `line`. Without the words of the rest, the
-  // second cells of `line` and `row` would then begin at the same column.
+  // A tool may have joined the end of `row` and the next row into `line`. If so, removing the first words
+  // of `line` aligns the second cells of `line` and `row`.
   const auto [gap_from, gap_to] = line.gaps.front();
   if (row.has_cell_at(gap_to)) return false;
   for (std::size_t word = line.indent; (word = end_of_word(line, word)) < gap_from;) {

@@ -19,15 +19,16 @@ std::vector<std::string> long_comments(const Files& files, std::size_t limit);
 ///   label   a row that fills its line up to the limit, continued
 ///           at the column of its last cell
 ///
-/// A tool that wraps a row like prose puts the row's rest at the label's column, or before the next label.
-/// People make the same mistake when a row has grown. A line is reported if it starts at the label's column
-/// and its first word would overflow the row. One of these conditions must also hold:
+/// A tool that wraps a row as prose moves the row's last words to the next line: alone, or in front of the
+/// next row's label. People make the same mistake when a row has grown. A line is reported if it starts
+/// at the labels' column, and the row above has no room for its first word. One of these conditions must also
+/// hold:
 ///
-///   - the row has an open bracket, or ends with an operator or a comma;
-///   - the line is a short text, at the table's end or before a line at the column of the last cell;
-///   - without its first words, the line would have its second cell at the column of the row's second cell.
+///   - the row above has an open bracket, or ends with an operator or a comma;
+///   - the line is short, and it is the table's last one or precedes a line at the last cell's column;
+///   - if the line's first words are removed, its second cell is at the same column as that of the row above.
 ///
-/// A line is also reported if it starts before the previous row's last cell and continues below that cell.
+/// A line is also reported if it starts left of the last cell of the row above, and reaches under this cell.
 /// Rows without a second cell, labels that are wider than their column, nested lists and pictures are not
 /// reported.
 std::vector<std::string> broken_rows(const Files& files, std::size_t limit);

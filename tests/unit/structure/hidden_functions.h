@@ -1,6 +1,6 @@
 // Finds functions that hide others if several sources are compiled as one file, as in all presets except
-// `dev`. A function in the anonymous namespace of one source may have the name of a header's function. In the
-// sources that follow, it then hides the header's function.
+// `dev`. A function in the anonymous namespace of one source may have the name of a header's function. In
+// that one file, it then hides the header's function from all later sources.
 #pragma once
 
 #include <set>

@@ -99,8 +99,8 @@ struct Element {
   bool is_anchor() const { return !negated && words.front() != "^" && words.front() != "$"; }
 };
 
-/// A list of phrases with an index by word. The keys of a phrase are the words of its anchor, which is its
-/// first element except `!a|b`, `^` and `$`.
+/// A list of phrases with an index by word. The keys of a phrase are the words of its anchor. The anchor is
+/// the first element that is none of `!a|b`, `^` and `$`.
 class PhraseList {
  public:
   template <std::size_t kCount>

@@ -42,7 +42,7 @@ TEST(Tab, IsGivenNothingThatItsCompilerLacks) {
   std::set<fs::path> elsewhere;
   for (const char* set : {"set(replaced ", "set(left_out "})
     for (const std::string& file : words_behind(list, set)) elsewhere.insert(kRoot / "sim" / (file + ".cpp"));
-  elsewhere.insert(kRoot / "sim/exec/elf/dwarf_access.h");  // only files that are left out include it
+  elsewhere.insert(kRoot / "sim/exec/elf/dwarf_access.h");  // only the files in left_out include it
   for (const fs::path& file : elsewhere) EXPECT_TRUE(fs::exists(file)) << file;
 
   std::vector<fs::path> sources;

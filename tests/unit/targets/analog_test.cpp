@@ -36,7 +36,7 @@ void loop() {})");
 }
 
 // Reads a pin with 4 V, then a pin with 1 V. With a source of 1 MOhm, the reading is too high by 24 to 43 %
-// of the 3 V difference. In each further reading, 24 to 43 % of the previous error remain. A source of 10
+// of the 3 V difference. In each further reading, 24 to 43 % of the previous error remains. A source of 10
 // kOhm causes no error.
 TEST_P(OnAtmega, AWeakSourceShiftsReadingsTowardsThePreviousChannel) {
   start(R"(void setup() {

@@ -21,8 +21,8 @@ namespace robosim::runner::debugged_run_test {
 
 using testing::HasSubstr;
 
-// A sketch that has interrupt handlers, and drives after a while. It has no sleep loop that could be skipped,
-// and crashes when it receives an "x".
+// A sketch that uses the interrupt handlers of the Arduino core, and drives from its 20th pass on. It crashes
+// when it receives an "x".
 const std::string kSketch = R"(volatile unsigned passes;
 __attribute__((noinline)) void pass() { ++passes; }
 __attribute__((noinline)) void crash() { *(volatile int*)0x4000 = 1; }

@@ -1,4 +1,4 @@
-// Tests that the executor of a chip finds the line of the sketch that has changed the drive of a pin.
+// Tests that the executor of a chip finds the sketch's line that has changed how a pin is driven.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -22,7 +22,7 @@ class DrivenLines : public TargetTest {
     lines_[pin].push_back(line.line);
     files_.insert(line.file);
   }
-  /// Returns the lines that drove the pin, each once in succession.
+  /// Returns the lines that drove the pin, in order. Merges equal lines that directly follow each other.
   std::vector<int> distinct(const char* name) {
     std::vector<int> lines = lines_[pin(name)];
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());

@@ -1,5 +1,4 @@
-// Suites of tests that run sketches on several targets. One statement of the expected result holds for all of
-// them.
+// Test suites that run each sketch on several targets. Each expected result is stated once, for all targets.
 #pragma once
 
 #include "tests/support/sketch_test.h"

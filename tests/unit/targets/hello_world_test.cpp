@@ -31,7 +31,7 @@ void loop() {
   FixedSource half(supply() / 2);
   board().connect(pin("A0"), half);
 
-  // Everything happens within run(). The board is a value between two calls: reading it changes nothing.
+  // Simulated time passes only within run(). Between two calls, reading the board changes nothing.
   EXPECT_EQ(drive("13").mode, PinMode::input);
   run(20 * kMillisecond);
 
@@ -41,12 +41,12 @@ void loop() {
   EXPECT_EQ(drive("13").mode, PinMode::output);
   EXPECT_TRUE(drive("13").level);
 
-  // All changes of pins have a time: the pin became an output, and then high.
+  // changes() returns the time of each change of a pin: the pin became an output, and then high.
   const std::vector<SimTime> times = changes(pin("13"));
   ASSERT_EQ(times.size(), 2u);
   EXPECT_LT(times[0], times[1]);
 
-  // The test decides how time goes on. The sketch is in its delay(), and then prints a second time.
+  // The sketch is still in its delay(). After the delay(), it prints a second time.
   run(20 * kMillisecond);
   EXPECT_THAT(numbers(), ElementsAre(512, 512));
   EXPECT_FALSE(executor_->crash());

@@ -30,7 +30,7 @@ void loop() {})");
     run(100 * kMillisecond);
   }
   EXPECT_THAT(numbers(), ElementsAre(255, 155));
-  // The Blue Pill's core keeps the EEPROM's bytes in flash, which the board does not see.
+  // The Blue Pill's Arduino core keeps the EEPROM's bytes in flash, which the board does not see.
   if (executor_->has_boards_eeprom()) {
     EXPECT_EQ(executor_->probe().memory()[3], 55);
   }

@@ -1,7 +1,7 @@
-// Tests that a run which continues from a snapshot equals the uninterrupted run: its trace, its events, its
-// result. The tests restore 100 random moments of each stock sketch, and of sketches for other chips. The
-// runs have noise, and a script with all possible actions on the robot. ROBOSIM_TEST_MOMENTS=1000 tries more
-// moments, in longer runs.
+// Tests that a run which continues from a snapshot has the same trace, events and result as an uninterrupted
+// run. For each example sketch, and for sketches for other chips, the tests restore 100 random moments of a
+// run. The runs have noise, and a script with all possible actions on the robot. ROBOSIM_TEST_MOMENTS=1000
+// tries more moments, in longer runs.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <stdlib.h>

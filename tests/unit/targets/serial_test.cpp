@@ -16,7 +16,7 @@ void loop() {})",
             "ab-123.142FF flash s51\r\nA");
 }
 
-// The host reports a byte when the sketch writes it to the buffer.
+// Runs only on chips, because the host reports a byte when the sketch writes it to the buffer.
 TEST_P(OnEveryChip, BytesLeaveAtTheBaudRate) {
   output("void setup() { Serial.begin(9600); Serial.print(\"0123456789\"); }\nvoid loop() {}",
          20 * kMillisecond);

@@ -10,7 +10,7 @@ namespace robosim::run::waiting_test {
 struct Waiting {
   const char* target;
   StockRun run;
-  bool waits;  ///< whether the sketch waits in loops that can be skipped for more than a quarter of the time
+  bool waits;  ///< whether the sketch spends more than a quarter of the time in skippable wait loops
 };
 
 class WaitingLoopsOfRuns : public testing::TestWithParam<Waiting> {};

@@ -112,7 +112,7 @@ TEST_F(ScreenTest, AReadThatBringsNothingIsNoHangUp) {
     termios lines = before_;
     lines.c_lflag &= ~static_cast<tcflag_t>(ECHO);
     ::tcsetattr(terminal_, TCSANOW, &lines);
-    ASSERT_EQ(::write(master_, "\004", 1), 1);  // the end of an empty line
+    ASSERT_EQ(::write(master_, "\004", 1), 1);  // Ctrl-D, so that read() returns 0 bytes
     EXPECT_EQ(screen.wait_press(1000).kind, Press::Kind::nothing);
     EXPECT_TRUE(screen.has_keys());
   }

@@ -17,8 +17,7 @@ using ::testing::SizeIs;
 
 std::string line_of(const Event& event) { return to_line(Id(std::int64_t{1}), Answer(event)); }
 
-/// Returns the bytes of a batch, which follow the batch's line. Expects that the line contains the number of
-/// bytes.
+/// Returns the bytes of a batch. They follow the batch's line, which must contain their number.
 std::string bytes_in(const std::string& said) {
   const std::size_t end = said.find('\n') + 1;
   const Line line = parse_line(said.substr(0, end));

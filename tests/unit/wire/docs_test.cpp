@@ -122,7 +122,7 @@ Table table(const char* name, bool request = false) {
   return {name, writer.text};
 }
 
-/// The table of all detectors.
+/// Returns the table of all detectors.
 Table detectors() {
   std::string text = "| detector | targets | finding |\n|---|---|---|\n";
   for (const result::DetectorName& one : result::kDetectorNames)

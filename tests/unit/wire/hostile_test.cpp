@@ -1,5 +1,6 @@
-// Tests malformed lines of the runner protocol: truncated, reversed, too deeply nested, or with values of a
-// wrong type. Each line causes one message that names the fault, and has no other effect.
+// Tests malformed lines of the runner protocol: lines that are truncated or nested too deeply, or that have a
+// changed byte or a value of a wrong type. Each malformed line causes one message that names the fault, and
+// has no other effect.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

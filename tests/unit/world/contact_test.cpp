@@ -100,7 +100,7 @@ TEST_P(OfEveryShape, NeverPassesAOneCellWallAtAnySpeedFromAnyAngle) {
   }
 }
 
-// The motors immediately reach 100 m/s, which is the maximum speed of a body and ten cells per tick.
+// The motors immediately reach 100 m/s, the maximum speed of a body. This is ten cells per tick.
 TEST_P(OfEveryShape, NeverPassesAThinWallAtTheHighestSpeed) {
   std::vector<std::string> rows(300, std::string(300, ' '));
   for (int i = 50; i < 250; ++i) rows[50][i] = rows[249][i] = rows[i][50] = rows[i][249] = '#';

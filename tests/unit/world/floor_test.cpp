@@ -227,7 +227,7 @@ TEST(Floor, ARasterFloorIsTheExactAverageOverASquare) {
   }
 }
 
-// The reference is the number of marked points of a fine grid over the footprint.
+// The reference counts the marked points of a fine grid over the footprint.
 TEST(Marks, ShareOfAFootprintIsTheAreaThatTheyCover) {
   const map::Map map = map::parse_map(
       "+++\nsize = [\"1 m\", \"1 m\"]\nline = \"1 mm\"\n[[path]]\nfrom = [\"100 mm\", \"500 mm\"]\n"

@@ -433,7 +433,8 @@ TEST_F(GroundTest, NeverGainsMoreEnergyThanItDrawsAndFalls) {
   }
 }
 
-// Pins the hash of a run over all kinds of ground. If the hash changes, the change must be announced.
+// Pins a sum over the positions and slopes of a run over hills and a seesaw. If the sum changes, the change
+// must be announced.
 TEST_F(GroundTest, TheBitsOfARunOverHillsArePinned) {
   map_.course.hills = {seesaw({10.8, 10.0}, 0.6, 0.05, 0.6), hill({11.4, 10.0}, 0.3, 1.0, {0.003, 0.003}),
                        hill({12.3, 10.0}, 1.0, 2.0, {0.0, 0.08, 0.08, 0.0}, {0.96, 0.28})};

@@ -136,7 +136,7 @@ TEST(Winding, HasTheMeanOfPulsesThatAreFollowedStepByStep) {
   }
 }
 
-// Provides a body without friction. Its driver has MOSFETs, and its motors have 1 mH.
+// Provides a body without friction. Its driver has MOSFETs, and its motors have an inductance of 1 mH.
 class WoundBody : public OneBodyTest {
  protected:
   static BodyParams wound() {
@@ -162,8 +162,8 @@ class WoundBody : public OneBodyTest {
   }
 };
 
-// If the wheel turns the motor, the motor has the torque k_e per ampere. The loss of speed therefore
-// determines the charge. The duty cycle is 0.5, so half of this charge flows into the battery.
+// If the wheel turns the motor, the motor's torque per ampere is k_e (see body.h). The loss of speed
+// therefore determines the charge. The duty cycle is 0.5, so half of this charge flows into the battery.
 TEST_F(WoundBody, GivesBackWhatASlowerDutyTakesOffItsSpeed) {
   const BodyParams p = wound();
   const WheelParams& w = p.wheel[left];

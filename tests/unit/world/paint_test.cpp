@@ -35,7 +35,8 @@ TEST(Paints, OfSegmentsAreAsWideAndAsDarkAsTheySay) {
   EXPECT_NEAR(floor.darkness({2.3, 0.5}, kSeen, Band::green), 0.90 - 0.10, 1e-12);
   // There is no seam between pieces.
   for (double x = 0.79; x < 0.81; x += 0.001) EXPECT_NEAR(dark(x, 0.0), 1.0, 1e-12) << x;
-  // The first footprint is wider than the line. The second footprint also exceeds the reach of the index.
+  // The first footprint is wider than the line. The second footprint is also wider than kUsualFootprint of
+  // floor.cpp. For it, the floor searches all stripes instead of those near the cell.
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.016), 0.5, 1e-9);
   EXPECT_NEAR(floor.darkness({1.1, 0.5}, 0.032), 0.25, 1e-9);
   // For on_line(), the line has the map's line width, or the segment's width if the segment is wider.

@@ -1,4 +1,4 @@
-// Tests floors that a picture shows, which are maps with `floor = "NAME.png"`.
+// Tests maps whose floor is a picture: `floor = "NAME.png"`.
 #include <gmock/gmock.h>
 
 #include <cmath>

@@ -50,8 +50,8 @@ TEST_F(SteerTest, TurnsOnTheRadiusOfTheBicycleModel) {
 }
 
 TEST_F(SteerTest, ADifferentialsMotorHasTheSpeedOfTheMiddle) {
-  // Drives straight and in a bend, without friction. In both cases, the motor's own voltage rises to the
-  // supply voltage. The middle of the axle is therefore as fast in the bend as on the straight.
+  // Drives straight and in a bend, without friction. In both cases, the motor's back-EMF rises to the supply
+  // voltage. The middle of the axle is therefore as fast in the bend as on the straight.
   BodyParams p = car();
   p.rolling_resistance = 0.0;
   p.grip = 3.0;

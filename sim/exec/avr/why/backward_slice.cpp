@@ -109,7 +109,7 @@ void BackwardSlice::set_out(SimTime t) {
   find_frames();
   from_ = static_cast<Index>(frames_.size()) - 1;
   Index first = 0;
-  while (first < from_) {  // finds the last entry that started by `t`
+  while (first < from_) {  // finds the last entry that started at or before `t`
     const Index middle = first + (from_ - first + 1) / 2;
     if (time_of(middle) <= t)
       first = middle;

@@ -5,9 +5,9 @@
 //   branches          belong to the slice if they decided that an instruction of the slice ran
 //   external inputs   (pins, ADC, clock, received bytes) end the slice
 //
-// An instruction of the sketch maps to its source line. An instruction of the core maps to the line of the
-// sketch that called the core. The lines that called this line are causes, too. The distance of a cause from
-// the effect is measured in lines.
+// An instruction of the sketch maps to its source line. An instruction of the Arduino core maps to the line
+// of the sketch that called the core. If a call has not returned yet, its line is a cause, too. The distance
+// of a cause from the effect is measured in lines.
 #pragma once
 
 #include <array>
@@ -63,9 +63,10 @@ class BackwardSlice final : public CauseFinder {
     Line line = nullptr;
     Index by = kLater;  ///< last entry that reads the value; kLater = the reader ran after the log's end
   };
-  /// An instruction of the slice whose deciding branch the search has not reached yet.
+  /// An instruction of the slice. The search has not yet reached the branch that decided whether it ran.
   struct Pending {
-    std::uint32_t pc = 0;  ///< address of the instruction; kLast = the last branch counts as the deciding one
+    /// The instruction's address. kLast means: the branch before it, in the order of execution, decided.
+    std::uint32_t pc = 0;
     Want want;
   };
   static constexpr std::uint32_t kLast = ~0u;
@@ -98,7 +99,7 @@ class BackwardSlice final : public CauseFinder {
   Machine* machine_ = nullptr;
   std::optional<InstructionLog> log_;
   std::optional<Branches> branches_;
-  std::vector<std::uint32_t> calls_before_;  ///< word addresses of calls running when the log began
+  std::vector<std::uint32_t> calls_before_;  ///< word addresses of the calls open when the log began
   std::vector<Index> frames_;  ///< for each entry, the entry of the enclosing call or interrupt; or kNone
   Index from_ = kNone;         ///< entry at which the next follow() starts
 

@@ -1,6 +1,6 @@
-// Finds the branches that decide whether an instruction runs (control dependence). Such a branch has another
-// path, which skips the instruction, and then returns to the branch or leaves the function. Also finds the
-// writes that a branch has skipped.
+// Finds the branches that decide whether an instruction runs (control dependence). One path of such a branch
+// leads to the instruction. Another path skips it, and then returns to the branch or leaves the function.
+// Also finds the writes that a branch has skipped.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ class Branches {
   /// the branch has led, in the same function.
   bool decides(std::uint32_t branch, std::uint32_t next, std::uint32_t pc);
 
-  /// The writes on the path not taken by a branch, up to the address `meets`, at which the paths meet.
+  /// The writes on the path that a branch has not taken, up to the address `meets`, where the paths meet.
   /// kInCaller = the paths meet after the function has returned.
   struct SkippedWrites {
     static constexpr std::uint32_t kInCaller = ~0u;
@@ -34,7 +34,7 @@ class Branches {
     std::uint32_t registers = 0;       ///< written registers, one bit each
     std::vector<std::uint16_t> bytes;  ///< sorted addresses of bytes that the path or its calls write
     /// The bytes that are written through pointers, as offsets from the pointer's value at the branch. The
-    /// index is the pointer register. Writes by called functions are not included.
+    /// key is the pointer register. Writes by called functions are not included.
     std::map<std::uint8_t, std::vector<std::uint8_t>> bytes_by_pointer;
   };
   /// Returns the writes that the branch has skipped. `next` is the address to which the branch has led.

@@ -12,7 +12,7 @@ using robosim::avr::Instruction;
 using robosim::avr::Op;
 using Entry = InstructionLog::Entry;
 
-constexpr int kOfBranch = 2;             // distance, in lines, of a branch from the instruction it decides
+constexpr int kOfBranch = 2;             // distance, in lines, of a branch from an instruction it controls
 constexpr std::size_t kTogether = 4000;  // log entries searched for the place where a branch's paths meet
 constexpr std::int32_t kPointerBefore = 100;
 

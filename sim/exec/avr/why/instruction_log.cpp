@@ -81,7 +81,7 @@ void InstructionLog::after() {
     for (Looked& one : looked_) one.index -= half;
     port_.number = -1;
   }
-  if (cpu.open_handlers() > handlers_before_) {  // entered a handler, and ran the jump in its vector
+  if (cpu.open_handlers() > handlers_before_) {  // entered a handler, and perhaps ran the jump in its vector
     next_.pc = 0;
     next_.touch = Touch::nothing;
     next_.interrupts = true;
@@ -95,8 +95,8 @@ void InstructionLog::after() {
   entries_.push_back(next_);
 }
 
-/// Finds the bit that the core's digitalRead() selects soon after it has read a port. The bit shows which pin
-/// was read.
+/// The Arduino core's digitalRead() reads a whole port, and soon afterwards selects one bit. Finds this bit,
+/// which shows the pin that was read.
 void InstructionLog::find_mask() {
   constexpr std::size_t kSoon = 12;
   if (port_.number < 0) return;

@@ -28,7 +28,7 @@ class InstructionLog {
     std::uint16_t sp = 0;       ///< stack pointer before the instruction
     std::uint8_t bytes = 0;
     Touch touch = Touch::nothing;
-    bool interrupts : 1 = false;  ///< the chip entered a handler, and ran no instruction; `pc` is 0
+    bool interrupts : 1 = false;  ///< the chip entered a handler; `pc` is 0
     bool enables : 1 = false;     ///< interrupts are enabled after the instruction
     std::uint8_t changed = 0;     ///< for a store: the bits of the byte at `address` that changed
   };

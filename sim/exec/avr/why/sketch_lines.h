@@ -25,8 +25,8 @@ class SketchLines {
   /// Returns the place of the instruction at word address `pc`.
   const Place& at(std::uint32_t pc) const;
   Line line(const SourceLine& where) const;
-  /// Returns the lines that declare the variable or constant at an ELF address, and the member at this
-  /// address.
+  /// Returns the line that declares the variable or constant at an ELF address. If a member is at this
+  /// address, also returns the line that declares the member.
   const std::vector<Line>& declarations(std::uint32_t address) const;
 
  private:

@@ -79,8 +79,8 @@ void Branches::add_writes(const std::vector<std::uint32_t>& places, SkippedWrite
   add_bytes_by_pointer(places, skipped_writes);
 }
 
-/// Adds the bytes that the path writes through pointers. Considers only pointers that the path has not
-/// changed, or has copied from registers that the path has not changed.
+/// Adds the bytes that the path writes through pointers. Skips a pointer that the path has changed, except by
+/// a copy from registers that the path has not changed.
 void Branches::add_bytes_by_pointer(const std::vector<std::uint32_t>& places, SkippedWrites& skipped_writes) {
   // For each pointer that the path has changed, the register pair from which the path has copied the pointer.
   // nullopt = the pointer's value is unknown.
