@@ -20,8 +20,8 @@ void run_attached(int number) {
   if (attached[number]) attached[number]();
 }
 
-/// Returns the pin to which the board assigns the interrupt `number`. If there is none, returns the pin of
-/// the chip's INTn with n = `number`, or kNoPin.
+/// Returns the pin that has the interrupt `number` on this board. Otherwise, returns the pin of the chip's
+/// INTn, where n is `number`; kNoPin if the chip has no such interrupt.
 Pin pin_of(uint8_t number) {
   const robosim::BoardSpec& spec = host::board->spec();
   for (Pin pin = 0; pin < spec.pin_count; ++pin)

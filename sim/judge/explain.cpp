@@ -154,9 +154,8 @@ std::string advice(const Evidence& e) {
       e.crash->reason.find("does not fit an int,") != std::string::npos;
   if (e.int_bits > 16 || !is_int_too_large) return "";
   if (check != "mul_overflow")
-    return "On the chip, an int has 16 bits: declare the variables as long, or limit the result, for example "
-           "with "
-           "constrain().";
+    return "On the chip, an int has 16 bits: declare the variables as long, or limit the result, for "
+           "example with constrain().";
   return "On the chip, an int has 16 bits: make one of the numbers long, as in 1000L * analogRead(A1).";
 }
 

@@ -129,7 +129,8 @@ double late_s() {
   return kLate_s * (1.0 + load);
 }
 
-/// Describes the first byte that would control a terminal or reorder its text. Returns "" if there is none.
+/// Returns a description of the first control character, or character that reorders text; "" if the text has
+/// none.
 std::string carried_out(const std::string& text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto at = [&](std::size_t k) { return static_cast<unsigned char>(k < text.size() ? text[k] : 0); };

@@ -100,7 +100,7 @@ struct Element {
 };
 
 /// A list of phrases with an index by word. The keys of a phrase are the words of its anchor. The anchor is
-/// the first element that is none of `!a|b`, `^` and `$`.
+/// its first element other than `!a|b`, `^` and `$`.
 class PhraseList {
  public:
   template <std::size_t kCount>
