@@ -68,6 +68,14 @@ bool is_whole(const fs::path& result, std::string_view sum) {
   }
 }
 
+bool has_content(const fs::path& result, std::string_view content) {
+  try {
+    return read_file(result) == content;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 std::string hash_folder(const fs::path& path) {
   std::vector<std::string> names;
   std::error_code error;
@@ -241,7 +249,8 @@ Entry Cache::store(const std::string& key, const Inputs& inputs, std::string_vie
   const std::string stored =
       fmt::format("{}-{}{}", base.stem().string(), hash.substr(0, 32), base.extension().string());
   const Entry entry{folder_ / "results" / stored, std::move(facts)};
-  write_file(make_way(entry.result), content);
+  // Keeps an equal file: another process may be using it, and its sandbox may let it read only that file.
+  if (!has_content(entry.result, content)) write_file(make_way(entry.result), content);
 
   std::string text = fmt::format("{}\nresult {} {}\n", kHeader, checksum(content), escape(stored));
   for (const auto& [fact, value] : entry.facts) text += fmt::format("fact {} {}\n", fact, escape(value));

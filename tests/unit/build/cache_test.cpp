@@ -55,6 +55,14 @@ TEST_F(CacheTest, KeysAndContentsAreComparedBySha256ForAStrangerMayChooseThem) {
   EXPECT_EQ(stored.result.filename(), "made-" + sha256("result of key").substr(0, 32) + ".o");
 }
 
+TEST_F(CacheTest, AResultIsNotReplacedByAnEqualOneSinceASandboxAllowsOnlyThatFile) {
+  const Entry stored = store({});
+  const fs::path other_name = folder_ / "other name";
+  fs::create_hard_link(stored.result, other_name);
+  store({}, "key");
+  EXPECT_TRUE(fs::equivalent(stored.result, other_name));
+}
+
 TEST_F(CacheTest, AFolderCountsByItsNamesAndMayAppearLater) {
   const fs::path folder = folder_ / "libraries";
   store({{}, {folder}});
