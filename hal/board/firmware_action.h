@@ -7,6 +7,8 @@
 
 namespace robosim {
 
+constexpr const char* kPinFunctions[] = {"pinMode", "digitalWrite", "digitalRead", "analogWrite"};
+
 struct FirmwareAction {
   enum class Kind : uint8_t {
     analog_write,      ///< analogWrite(pin, value)
@@ -20,7 +22,10 @@ struct FirmwareAction {
     compare_write,
     /// An AVR's ADC has sampled a pin, and the source of this pin or of the previous one has a resistance.
     /// Arguments: the pin; the capacitor's voltage minus the source's voltage, in nV.
-    conversion
+    conversion,
+    /// pinMode(), digitalWrite() or another function got a number that is not a digital pin of the board.
+    /// Arguments: the number; the function, an index in kPinFunctions.
+    missing_pin
   };
   Kind kind;
   int64_t argument[3];

@@ -71,6 +71,11 @@ bool get_level(uint8_t pin) {
   return host::read_pin(pin);
 }
 
+/// Reports a number that is not a digital pin. `function` is an index in kPinFunctions.
+void report_missing(uint8_t number, int64_t function) {
+  host::executor->acted({robosim::FirmwareAction::Kind::missing_pin, {number, function, 0}});
+}
+
 }  // namespace
 
 extern "C" {
@@ -78,7 +83,7 @@ extern "C" {
 void pinMode(uint8_t pin, uint8_t mode) {
   host::note_call("pinMode", pin, 2, pin, mode);
   host::spend(cost::kPinMode);
-  if (!host::is_digital(pin)) return;
+  if (!host::is_digital(pin)) return report_missing(pin, 0);
   set_mode(pin, mode);
   host::refresh_pin(pin);
 }
@@ -86,14 +91,18 @@ void pinMode(uint8_t pin, uint8_t mode) {
 ROBOSIM_FREQUENT void digitalWrite(uint8_t pin, uint8_t value) {
   host::note_call("digitalWrite", pin, 2, pin, value);
   host::spend(cost::kDigitalWrite + timer_cost(pin));
-  if (host::is_digital(pin)) set_level(pin, value != LOW);
+  if (!host::is_digital(pin)) return report_missing(pin, 1);
+  set_level(pin, value != LOW);
 }
 
 int digitalRead(uint8_t pin) {
   host::note_question("digitalRead", pin, 1, pin);
   host::note_read(pin);
   host::spend_asking(cost::kDigitalRead + timer_cost(pin));
-  if (!host::is_digital(pin)) return LOW;
+  if (!host::is_digital(pin)) {
+    report_missing(pin, 2);
+    return LOW;
+  }
   const bool high = get_level(pin);
   host::note_level(pin, high);
   return high ? HIGH : LOW;
@@ -144,7 +153,7 @@ ROBOSIM_FREQUENT void analogWrite(uint8_t pin, int value) {
     digital = digital || full;
   }
   host::spend(digital ? cost::kAnalogWriteDigital : cost::kAnalogWrite);
-  if (!host::is_digital(pin)) return;
+  if (!host::is_digital(pin)) return report_missing(pin, 3);
   const bool was_input = set_mode(pin, OUTPUT);
   if (digital) {
     if (was_input) host::refresh_pin(pin);

@@ -79,9 +79,26 @@ void DoubtfulActions::acted(const FirmwareAction& action, SimTime t, const Where
       for (TakenTimer& taken : timers_)
         if (taken.timer == first && !taken.wrote) taken.wrote = {t, where()};
       return;
+    case FirmwareAction::Kind::missing_pin:
+      return used_missing(first, kPinFunctions[second], t, where);
     case FirmwareAction::Kind::conversion:
       return slow_source_.converted(static_cast<Pin>(first), 1e-9 * static_cast<double>(second), t, where);
   }
+}
+
+void DoubtfulActions::used_missing(int64_t number, const char* function, SimTime t, const Where& where) {
+  const bool is_pin = number < board_->pin_count;
+  if (is_pin && board_->pins[number].digital) return;
+  if (add_occurrence("missing_pin", number)) return;
+  add(result::detector("missing_pin"), number,
+      is_pin ? fmt::format("{}() got pin {}, which can only be read with analogRead(); it was called",
+                           function, board_->pins[number].name)
+             : fmt::format("{}() got pin {}, which the {} does not have; it was called", function, number,
+                           board_->name),
+      is_pin ? "Use a digital pin."
+             : "If the number comes from an array, check its index. On an AVR, such a call reads and changes "
+               "random registers.",
+      {t, where()});
 }
 
 void DoubtfulActions::wrote(int64_t number, int64_t value, SimTime t, const Where& where) {

@@ -70,6 +70,7 @@ class DoubtfulActions {
 
   void add(const char* detector, int64_t key, const std::string& what, const std::string& mend,
            const Moment& moment);
+  void used_missing(int64_t number, const char* function, SimTime t, const Where& where);
   void wrote(int64_t number, int64_t value, SimTime t, const Where& where);
   void attached(int64_t number, SimTime t, const Where& where);
   void delayed(int64_t ms, SimTime t, const Where& where);

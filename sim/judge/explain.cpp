@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "hal/board/firmware_action.h"
 #include "sim/result/advice.h"
 
 namespace robosim::judge {
@@ -145,10 +146,14 @@ std::string whereabouts(const Evidence& e) {
                      cell_of(*e.map, stay.place), seconds(since));
 }
 
-// Returns advice on a numeric overflow that a sanitizer check found on a board with a 16-bit int. Returns ""
-// for other findings and boards.
+// Returns advice on a crash; "" if there is none. The chip's pin functions access memory outside of its RAM
+// only if they get a wrong pin number. On a board with a 16-bit int, a check may have found an overflow.
 std::string advice(const Evidence& e) {
   const std::string& check = e.crash->check;
+  if (check.empty() && !e.crash->calls.empty() && e.board)
+    for (const char* const function : kPinFunctions)
+      if (e.crash->calls.front().function == function)
+        return fmt::format("{}() got a number that is not a pin of the {}", function, e.board->name);
   const bool is_int_too_large =
       (check == "add_overflow" || check == "sub_overflow" || check == "mul_overflow") &&
       e.crash->reason.find("does not fit an int,") != std::string::npos;
@@ -355,18 +360,62 @@ bool may_stay_low(const robot::WiredPin& wired, const Evidence& e) {
   });
 }
 
-// Returns the clause that the motors were never driven. Adds a reason if both inputs of a motor were high:
-// equal levels brake a motor.
-const char* equal_inputs(const Evidence& e) {
+// Returns a reason if both inputs of a motor were high: equal levels brake a motor.
+const char* equal_inputs(const std::vector<robot::WiredPin>& motor_pins, const Evidence& e) {
   const auto was_high = [&](const robot::WiredPin& wired, const char* role) {
     const auto pin = static_cast<std::size_t>(wired.pin);
-    return turns_wheel(wired) && wired.role == role && pin < e.went_high.size() && e.went_high[pin];
+    return wired.role == role && pin < e.went_high.size() && e.went_high[pin];
   };
-  for (const robot::WiredPin& one : e.wiring)
-    for (const robot::WiredPin& two : e.wiring)
+  for (const robot::WiredPin& one : motor_pins)
+    for (const robot::WiredPin& two : motor_pins)
       if (one.part == two.part && was_high(one, "in1") && was_high(two, "in2"))
-        return "; its motors were never driven: with equal levels at both inputs, a driver brakes its motor";
-  return "; its motors were never driven";
+        return ": with equal levels at both inputs, a driver brakes its motor";
+  return "";
+}
+
+// Returns clauses on the motor pins that were never HIGH, such as "; motor pins 5 and 7 stayed LOW". Returns
+// "" if there are no such pins.
+std::string quiet_pins(const std::vector<robot::WiredPin>& motor_pins, const Evidence& e) {
+  std::vector<int> low, never_output;
+  for (const robot::WiredPin& wired : motor_pins) {
+    const auto pin = static_cast<std::size_t>(wired.pin);
+    if (pin >= e.went_high.size() || e.went_high[pin] || may_stay_low(wired, e)) continue;
+    auto& list = e.was_output[pin] ? low : never_output;
+    if (std::find(list.begin(), list.end(), wired.pin) == list.end()) list.push_back(wired.pin);
+  }
+  std::string text;
+  if (!low.empty())
+    text += fmt::format("; motor pin{} {} stayed LOW", low.size() > 1 ? "s" : "", list_of_pins(low));
+  if (!never_output.empty())
+    text +=
+        fmt::format("; motor pin{} {}: no pinMode(…, OUTPUT) or analogWrite() has run for {}",
+                    never_output.size() > 1 ? "s" : "",
+                    list_of_pins(never_output) + (never_output.size() > 1 ? " are inputs" : " is an input"),
+                    never_output.size() > 1 ? "them" : "it");
+  return text;
+}
+
+// Returns the pins that drive a wheel; -1 = either wheel.
+std::vector<robot::WiredPin> motor_pins(const Evidence& e, int wheel = -1) {
+  std::vector<robot::WiredPin> pins;
+  std::copy_if(e.wiring.begin(), e.wiring.end(), std::back_inserter(pins), [&](const robot::WiredPin& wired) {
+    return turns_wheel(wired) && (wheel < 0 || wired.wheel == wheel);
+  });
+  return pins;
+}
+
+// Returns a text if one wheel never got power, although the other wheel did.
+std::string unpowered_side(const Evidence& e) {
+  constexpr double kClearly = 0.1;
+  for (const world::Side side : {world::left, world::right}) {
+    const world::Side other = side == world::left ? world::right : world::left;
+    if (e.strongest_command[side] > robot::kSmallestPulse || e.strongest_command[other] < kClearly) continue;
+    const std::vector<robot::WiredPin> pins = motor_pins(e, side);
+    std::string text = fmt::format("the {} motor never got power", side == world::left ? "left" : "right");
+    const std::string quiet = quiet_pins(pins, e);
+    return text + (quiet.empty() ? equal_inputs(pins, e) : quiet);
+  }
+  return "";
 }
 
 // Returns a text if the motor driver's standby pin was never HIGH, so that the driver's motors stay off.
@@ -470,12 +519,14 @@ NextStep next_step(const Evidence& e) {
   if (e.verdict == Verdict::reached || e.verdict == Verdict::interrupted) return {};
   if (e.power.empty() && (e.verdict == Verdict::stuck || e.verdict == Verdict::timeout))
     return {"capacity_mAh and charge, in [battery] of the robot file, determine how long its battery lasts"};
-  if (e.crash && !e.crash->check.empty()) return {advice(e)};
+  if (e.verdict == Verdict::crashed) return {e.crash ? advice(e) : ""};
   if (!e.divisions_by_zero.empty())
     return {fmt::format("the sketch divided by zero{}: the result is meaningless, so look at what uses it",
                         place_of(e.divisions_by_zero.front().where))};
   if (e.moved)
     if (const std::string forgotten = forgotten_outputs(e); !forgotten.empty()) return {forgotten};
+  if (e.verdict == Verdict::lost || e.verdict == Verdict::stuck || e.verdict == Verdict::timeout)
+    if (const std::string unpowered = unpowered_side(e); !unpowered.empty()) return {unpowered};
   if (reads_no_more(e))
     return {
         fmt::format("the sketch has read no line sensor since {}: it must read them repeatedly, in loop()",
@@ -510,30 +561,16 @@ NextStep next_step(const Evidence& e) {
         std::ceil(100.0 * e.turning_drive))};
   if (most > 0.0) return {};  // something else holds the wheels, such as a fault of the script
   if (const std::string driver = sleeping_driver(e); !driver.empty()) return {driver};
-  std::vector<int> low, never_output;
-  for (const robot::WiredPin& wired : e.wiring) {
-    if (!turns_wheel(wired)) continue;
-    const auto pin = static_cast<std::size_t>(wired.pin);
-    if (pin >= e.went_high.size() || e.went_high[pin] || may_stay_low(wired, e)) continue;
-    auto& list = e.was_output[pin] ? low : never_output;
-    if (std::find(list.begin(), list.end(), wired.pin) == list.end()) list.push_back(wired.pin);
-  }
-  std::string text = "the robot never moved";
-  if (!low.empty())
-    text += fmt::format("; motor pin{} {} stayed LOW", low.size() > 1 ? "s" : "", list_of_pins(low));
-  if (!never_output.empty())
-    text +=
-        fmt::format("; motor pin{} {}: no pinMode(…, OUTPUT) or analogWrite() has run for {}",
-                    never_output.size() > 1 ? "s" : "",
-                    list_of_pins(never_output) + (never_output.size() > 1 ? " are inputs" : " is an input"),
-                    never_output.size() > 1 ? "them" : "it");
-  if (std::none_of(e.wiring.begin(), e.wiring.end(), turns_wheel))
+  const std::vector<robot::WiredPin> pins = motor_pins(e);
+  const std::string quiet = quiet_pins(pins, e);
+  std::string text = "the robot never moved" + quiet;
+  if (pins.empty())
     text += ": it has no motors";
-  else if (low.empty() && never_output.empty())
-    text += e.judge->last_driven() >= 0
-                ? "; its motors were driven, but not strongly or long enough to turn the wheels"
-                : equal_inputs(e);
-  const Pin pin = e.verdict == Verdict::crashed ? kNoPin : awaited_pin(e);
+  else if (quiet.empty() && e.judge->last_driven() >= 0)
+    text += "; its motors were driven, but not strongly or long enough to turn the wheels";
+  else if (quiet.empty())
+    text += std::string("; its motors were never driven") + equal_inputs(pins, e);
+  const Pin pin = awaited_pin(e);
   if (pin == kNoPin) return {text};
   text += fmt::format("; the pin that the sketch keeps reading is {}, which is {}", pin_name(e, pin),
                       e.pin_level ? "HIGH" : "LOW");

@@ -43,8 +43,9 @@ struct Evidence {
   bool in_contact = false;   ///< the body touches an obstruction
   std::string stopped_by = "a wall, an obstacle or the map's edge";  ///< what the body touches
   double left_command = 0.0, right_command = 0.0;                    ///< motor commands at the end, -1..1
-  double turning_drive = 0.0;     ///< smallest share of full power that turns a wheel from rest
-  SimTime sensors_read = kNever;  ///< last read of a floor sensor by the sketch; kNever = none
+  double strongest_command[2] = {0.0, 0.0};  ///< largest absolute commands, 0..1, by world::Side
+  double turning_drive = 0.0;                ///< smallest share of full power that turns a wheel from rest
+  SimTime sensors_read = kNever;             ///< last read of a floor sensor by the sketch; kNever = none
   double line_side = 0.0;  ///< distance in m by which the line was last left of the middle; below 0 = right
   double steered = 0.0;    ///< mean command difference while the line is off-centre; above 0 = towards it
   bool moved = false;      ///< a wheel turned

@@ -33,6 +33,9 @@ inline constexpr DetectorName kDetectorNames[] = {
     {"lost_pwm", "host, avr",
      "`analogWrite()` was called on a pin without PWM, or on a pin whose timer is used for something else."},
     {"pwm_range", "host, avr", "`analogWrite()` was called with a value below 0 or above 255."},
+    {"missing_pin", "host, avr",
+     "`pinMode()`, `digitalWrite()`, `digitalRead()` or `analogWrite()` got a number that is not a digital "
+     "pin."},
     {"no_interrupt", "host, avr",
      "`attachInterrupt()` was called with a number that the board does not have."},
     {"long_delay", "host, avr", "`delay()` was called with a negative number, or with more than 24 days."},

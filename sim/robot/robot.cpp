@@ -20,8 +20,6 @@
 namespace robosim::robot {
 namespace {
 
-constexpr double kSmallestPulse = 1.0 / 128.0;  // share of full power; above 1/256, the least 8-bit PWM
-
 template <typename Things>
 std::vector<std::string> list_of(const Things& things) {
   std::vector<std::string> names;
@@ -121,9 +119,10 @@ struct Robot::Impl {
     std::vector<ButtonPart*> bouncing;
     bool edges = false;  // the board requested edges in the last tick
     world::WheelCommand command[2];
-    std::size_t last_seen = 0;  // index of the sensor that last detected the line
-    double charge = 0.0;        // charge of the battery, 0..1
-    bool is_forced = false;     // a script sets the battery's voltage
+    double strongest[2] = {0.0, 0.0};  // largest absolute commands so far
+    std::size_t last_seen = 0;         // index of the sensor that last detected the line
+    double charge = 0.0;               // charge of the battery, 0..1
+    bool is_forced = false;            // a script sets the battery's voltage
   };
 
   const Description& description;
@@ -267,9 +266,11 @@ bool Robot::idles() const {
     if (command == in.state.command[side]) continue;
     changed = true;
     in.state.command[side] = command;
+    in.state.strongest[side] = std::max(in.state.strongest[side], std::abs(command.drive));
     in.body.command(side, command);
     if (!in.registry.differential) continue;
     in.state.command[world::right] = command;
+    in.state.strongest[world::right] = in.state.strongest[world::left];
     in.body.command(world::right, command);
   }
   if (in.feeds()) in.feed();
@@ -418,14 +419,20 @@ void Robot::read(std::vector<Reading>& readings) const {
   for (const auto& part : impl_->parts) part->read(readings);
 }
 
-std::vector<WiredPin> Robot::wiring() const {
+double Robot::strongest_command(world::Side side) const { return impl_->state.strongest[side]; }
+
+std::vector<WiredPin> Robot::wiring() const { return wiring_of(impl_->description); }
+
+std::vector<WiredPin> wiring_of(const Description& robot) {
   std::vector<WiredPin> pins;
-  if (impl_->description.driver.standby != kNoPin)
-    pins.push_back(
-        {"driver", impl_->description.driver.chip->name, "standby", impl_->description.driver.standby});
-  for (const auto& part : impl_->description.parts)
+  if (robot.driver.standby != kNoPin)
+    pins.push_back({"driver", robot.driver.chip->name, "standby", robot.driver.standby});
+  for (const auto& part : robot.parts) {
+    const int wheel = part->driven_wheel() == kBothWheels ? -1 : part->driven_wheel();
+    const bool steers = part->name == robot.chassis.steering.servo;
     for (const Wire& wire : part->wires)
-      pins.push_back({part->name, part->type, wire.role, wire.pin, wire.may_float});
+      pins.push_back({part->name, part->type, wire.role, wire.pin, wire.may_float, wheel, steers});
+  }
   return pins;
 }
 

@@ -44,7 +44,12 @@ struct WiredPin {
   std::string role;  ///< "in1", "pwm"; may be empty
   Pin pin = kNoPin;
   bool may_float = false;  ///< at times, the part gives its pin no level; the pin then needs a pull-up
+  int wheel = -1;          ///< world::Side of the wheel that the part drives; -1 = none or both
+  bool steers = false;     ///< the part is the servo that steers the front wheels
 };
+
+/// A smaller share of full power does not drive a motor: a chip's PWM outputs 1/256 even at OCR0A = 0.
+inline constexpr double kSmallestPulse = 1.0 / 128.0;
 
 /// A message of a script to a part. A remote control's receiver gets bits or a key's number; Bluetooth gets
 /// text.
@@ -103,9 +108,9 @@ class Robot {
   bool has_text_outputs() const { return has_text_outputs_; }
   /// Collects the text that the parts report at `t`, the end of a tick.
   void poll_text(SimTime t, std::vector<PartText>& told);
-  /// Returns whether the last tick's commands drive a motor. A command of up to 1/128 of full power does not
-  /// count, because a chip's PWM outputs 1/256 even at OCR0A = 0. If less than 1/64 starts a wheel from rest,
-  /// the limit for this wheel is half of the power that starts it.
+  /// Returns whether the last tick's commands drive a motor. A command of up to kSmallestPulse does not
+  /// count. If less than 1/64 starts a wheel from rest, the limit for this wheel is half of the power that
+  /// starts it.
   bool driven() const {
     return std::abs(command_[0].drive) > driven_from_[0] || std::abs(command_[1].drive) > driven_from_[1];
   }
@@ -170,11 +175,13 @@ class Robot {
   /// Appends the readings to `readings`.
   void read(std::vector<Reading>& readings) const;
 
-  /// Returns every wired pin, in the order of the robot file.
+  /// Returns wiring_of() this robot's description.
   std::vector<WiredPin> wiring() const;
   /// Return the last tick's motor commands, -1..1, for display.
   double left_command() const { return command_[0].drive; }
   double right_command() const { return command_[1].drive; }
+  /// Returns the largest absolute value of a wheel's command so far, 0..1.
+  double strongest_command(world::Side side) const;
 
  private:
   struct Impl;
@@ -185,5 +192,8 @@ class Robot {
   double driven_from_[2] = {0.0, 0.0};            // limits of driven(), by world::Side
   bool has_battery_ = false, has_text_outputs_ = false;
 };
+
+/// Returns every wired pin, in the order of the robot file.
+std::vector<WiredPin> wiring_of(const Description& robot);
 
 }  // namespace robosim::robot

@@ -36,6 +36,8 @@ judge::Evidence Agent::evidence(judge::Verdict verdict, SimTime t) {
   e.left_command = robot_.left_command();
   e.turning_drive = std::max(body_.turning_drive(world::left), body_.turning_drive(world::right));
   e.right_command = robot_.right_command();
+  for (const world::Side side : {world::left, world::right})
+    e.strongest_command[side] = robot_.strongest_command(side);
   for (const robot::WiredPin& wired : e.wiring) {
     if (wired.type.rfind("reflectance", 0) != 0 || wired.pin >= board_.spec().pin_count) continue;
     const exec::PinUse& use = executor_.probe().use(wired.pin);

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sim/judge/goal.h"
-#include "sim/robot/describe.h"
+#include "sim/robot/robot.h"
 #include "sim/run/scenario/scenario.h"
 #include "sim/runner/answers.h"
 #include "sim/runner/debugged_run.h"
@@ -174,11 +174,8 @@ void RequestedRun::debug_with(exec::gdb::Server& server) {
 }
 
 judge::Outcome RequestedRun::inquire() const {
-  const Member& member = members_.front();
-  std::vector<robot::WiredPin> wiring;
-  for (const robot::PartSummary& part : robot::describe(*member.robot).parts)
-    for (const auto& [role, pin] : part.pins) wiring.push_back({part.name, part.type, role, pin});
-  return Inquiry(setup_, *member.robot->board, std::move(wiring)).go();
+  const robot::Description& robot = *members_.front().robot;
+  return Inquiry(setup_, *robot.board, robot::wiring_of(robot)).go();
 }
 
 std::vector<judge::Outcome> RequestedRun::simulate() const {

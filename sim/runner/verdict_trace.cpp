@@ -22,7 +22,7 @@ constexpr SimTime kHistory = 30 * kMillisecond;  // shortest record before the t
 constexpr SimTime kBlind = 20 * kMillisecond;    // shortest reported time without a read of a line sensor
 constexpr SimTime kLongestGap = 500 * kMillisecond;
 constexpr int kMostGoingBack = 12, kMostStepByStep = 4, kMostForRegisters = 2;
-constexpr std::size_t kMostLinks = 9, kMostOfStopping = 6, kMostLines = 10, kFewLines = 6;
+constexpr std::size_t kMostLinks = 9, kMostOfStopping = 6, kMostLines = 16, kFewLines = 10;
 constexpr SimTime kStillOff = 150 * kMillisecond;  // from the motors' switch-off to the traced time
 constexpr SimTime kLongBefore = 300 * kMillisecond;
 constexpr double kSameCommand = 0.02;
@@ -33,31 +33,51 @@ SimTime whole_ticks(SimTime t) { return (t + kTick - 1) / kTick * kTick; }
 
 bool is_line_sensor(const robot::WiredPin& wired) { return wired.type.starts_with("reflectance"); }
 
-/// Returns the pins that drive wheels. If there are none, returns the pins of shift registers, whose outputs
-/// drive the wheels.
-std::vector<Pin> motor_pins(const std::vector<robot::WiredPin>& wiring) {
-  std::vector<Pin> direct, between;
+/// Returns what drives and steers wheels: pins of the wheel `side` if any, otherwise of all wheels. If no pin
+/// of the board does, returns the pins of shift registers, or the bytes sent to two-wire devices.
+exec::CauseFinder::Effect driving(const std::vector<robot::WiredPin>& wiring,
+                                  std::optional<world::Side> side) {
+  std::vector<Pin> of_side, direct, between;
+  bool has_motor = false;
   for (const robot::WiredPin& wired : wiring) {
+    const bool drives = wired.steers || wired.type == "motor" || wired.type == "motors" ||
+                        wired.type == "wheel-servo" || wired.type == "stepper";
+    has_motor |= drives;
     if (wired.pin >= kMaxPins) continue;
-    if (wired.type == "motor" || wired.type == "motors" || wired.type == "wheel-servo" ||
-        wired.type == "stepper")
-      direct.push_back(wired.pin);
+    if (side && wired.wheel == *side) of_side.push_back(wired.pin);
+    if (drives) direct.push_back(wired.pin);
     if (wired.type == "shift-register") between.push_back(wired.pin);
   }
-  return direct.empty() ? between : direct;
+  if (!of_side.empty()) return {of_side};
+  if (!direct.empty()) return {direct};
+  return {between, has_motor && between.empty()};
+}
+
+bool is_same(const result::SourceLine& a, const result::SourceLine& b) {
+  return a.file == b.file && a.line == b.line;
 }
 
 void add_line(std::vector<result::SourceLine>& lines, const result::SourceLine& line, std::size_t most) {
-  const bool there = std::any_of(lines.begin(), lines.end(), [&](const result::SourceLine& one) {
-    return one.file == line.file && one.line == line.line;
-  });
+  const bool there = std::any_of(lines.begin(), lines.end(),
+                                 [&](const result::SourceLine& one) { return is_same(one, line); });
   if (!there && lines.size() < most) lines.push_back(line);
 }
 
+/// Returns whether a function is an ISR(), by the name that avr-libc gives it.
+bool is_handler(const std::string& function) { return function.starts_with("__vector_"); }
+
 /// Returns whether a step is a variable's declaration, or happened long before `t` or while the sketch began.
 bool is_before(const CauseStep& step, SimTime t) {
-  return step.t + kLongBefore < t || step.kind == Kind::keeps || step.where.function == "setup" ||
-         step.where.function.starts_with("_");
+  const std::string& function = step.where.function;
+  const bool starts_up = function == "setup" || (function.starts_with("_") && !is_handler(function));
+  return step.t + kLongBefore < t || step.kind == Kind::keeps || starts_up;
+}
+
+bool is_in(const std::vector<result::Cause>& chain, const result::SourceLine& where) {
+  return std::any_of(chain.begin(), chain.end(), [&](const result::Cause& cause) {
+    return std::any_of(cause.lines.begin(), cause.lines.end(),
+                       [&](const result::SourceLine& line) { return is_same(line, where); });
+  });
 }
 
 bool is_of_library(const result::SourceLine& line) { return line.file.starts_with("libraries/"); }
@@ -141,9 +161,10 @@ void Inquiry::save_between(std::size_t moment) {
   moments_.insert(moment, between);
 }
 
-std::vector<std::uint8_t> Inquiry::bytes_at(std::size_t moment, const std::vector<std::uint16_t>& addresses) {
+/// Returns the values of bytes; all nullopt if the chip has no power.
+Inquiry::Bytes Inquiry::bytes_at(std::size_t moment, const std::vector<std::uint16_t>& addresses) {
   simulation_.restore(moments_[moment].snapshot);
-  std::vector<std::uint8_t> values;
+  Bytes values;
   for (const std::uint16_t address : addresses) values.push_back(causes_.byte(address));
   return values;
 }
@@ -152,10 +173,11 @@ std::vector<std::uint8_t> Inquiry::bytes_at(std::size_t moment, const std::vecto
 /// is written repeatedly, such as a sum, would repeat the run for each write.
 void Inquiry::give_up_what_changes(std::size_t from) {
   const std::vector<std::uint16_t> open = causes_.open_bytes();
-  const std::vector<std::uint8_t> now = bytes_at(from, open);
+  const Bytes now = bytes_at(from, open);
   std::set<std::uint16_t> changing;
   for (std::size_t moment = from; moment-- > 0 && moments_[moment].t + kSecond >= moments_[from].t;) {
-    const std::vector<std::uint8_t> then = bytes_at(moment, open);
+    const Bytes then = bytes_at(moment, open);
+    if (!then.empty() && !then.front()) break;  // the chip had no power
     for (std::size_t i = 0; i < open.size(); ++i)
       if (then[i] != now[i]) changing.insert(open[i]);
   }
@@ -164,9 +186,9 @@ void Inquiry::give_up_what_changes(std::size_t from) {
 
 bool Inquiry::go_back(std::size_t& from, bool for_registers) {
   const std::vector<std::uint16_t> open = causes_.open_bytes();
-  std::vector<std::uint8_t> later = bytes_at(from, open);
+  const Bytes later = bytes_at(from, open);
   for (std::size_t moment = from; moment-- > 0;) {
-    std::vector<std::uint8_t> earlier = bytes_at(moment, open);
+    const Bytes earlier = bytes_at(moment, open);
     const bool adjoins = for_registers && moment + 1 == from && causes_.open_registers();
     if (earlier == later && !adjoins) continue;
     if (const std::size_t before = moments_.size();
@@ -179,7 +201,9 @@ bool Inquiry::go_back(std::size_t& from, bool for_registers) {
     }
     run_again(moment, moments_[moment + 1].t);
     causes_.follow(moment + 1 == from);
-    from = moment;
+    // Nothing that happened before the chip had power is a cause.
+    const bool is_off = !earlier.empty() && !earlier.front();
+    from = is_off ? 0 : moment;
     return true;
   }
   return false;
@@ -221,12 +245,16 @@ std::vector<result::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
     const auto gap = blind_around(t);
     const SimTime last = gap.first, next = gap.second;
     const bool blind = next - last >= kBlind && looks_.size() > 1;
-    const SimTime asked = decisive.off_since == t ? std::min(t + kStillOff, end - kTick) : t;
+    const exec::CauseFinder::Effect effect = driving(wiring_, unpowered_side());
+    SimTime asked = decisive.off_since == t ? std::min(t + kStillOff, end - kTick) : t;
+    // The chip sends a two-wire device a command once. Pins keep it.
+    if (const auto command = commands_at(asked); effect.sends_two_wire && command)
+      asked = std::min(asked, command->t);
     const SimTime until = std::min(end, whole_ticks(blind ? std::max(asked, next) : asked) + kTick);
     result::SourceLine pause;
     exec::CauseFinder::Share handlers;
-    const Steps steps = trace(t, until, [&] {
-      causes_.ask(motor_pins(wiring_), asked + kTick);
+    const Steps steps = trace(std::min(t, asked), until, [&] {
+      causes_.ask(effect, asked + kTick);
       if (blind) pause = causes_.busiest(last, std::min(next, until));
       handlers = causes_.handlers(std::max<SimTime>(0, t - kHistory), until);
     });
@@ -244,10 +272,11 @@ std::vector<result::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
     const bool stops_later = decisive.off_since != kNever && decisive.off_since != t;
     // If nothing drives the motors, many lines contribute. The chain then has fewer lines of each file, and
     // more files.
+    const SimTime moment = std::min(t, asked);
     if (decisive.off_since == t)
-      add_links(steps, t, kMostLinks + kMostOfStopping, kFewLines, chain);
+      add_links(steps, moment, kMostLinks + kMostOfStopping, kFewLines, chain);
     else
-      add_links(steps, t, kMostLinks, stops_later ? kFewLines : kMostLines, chain);
+      add_links(steps, moment, kMostLinks, stops_later ? kFewLines : kMostLines, chain);
     if (stops_later) tell_of_stopping(std::min(decisive.off_since, end), end, chain);
   } else {
     chain.push_back({seconds(t), decisive.text, {}});
@@ -259,11 +288,23 @@ std::vector<result::Cause> Inquiry::chain_of(const judge::Decisive& decisive) {
   return chain;
 }
 
+/// Returns the wheel that never got power in the run, if the other wheel did.
+std::optional<world::Side> Inquiry::unpowered_side() const {
+  double left = 0.0, right = 0.0;
+  for (const Command& command : commands_) {
+    left = std::max(left, std::abs(command.left));
+    right = std::max(right, std::abs(command.right));
+  }
+  if (left <= robot::kSmallestPulse && right > robot::kSmallestPulse) return world::left;
+  if (right <= robot::kSmallestPulse && left > robot::kSmallestPulse) return world::right;
+  return std::nullopt;
+}
+
 /// Adds the reasons why the robot stopped: why the motors were switched off, and why they stayed off.
 void Inquiry::tell_of_stopping(SimTime t, SimTime end, std::vector<result::Cause>& chain) {
   const SimTime asked = std::min(t + kStillOff, end - kTick);
-  const Steps steps =
-      trace(t, whole_ticks(asked) + kTick, [&] { causes_.ask(motor_pins(wiring_), asked + kTick); });
+  const Steps steps = trace(t, whole_ticks(asked) + kTick,
+                            [&] { causes_.ask(driving(wiring_, unpowered_side()), asked + kTick); });
   chain.push_back(motors_at(t, judge::kMotorsStayOff));
   add_links(steps, t, chain.size() + kMostOfStopping, kFewLines, chain);
 }
@@ -271,13 +312,8 @@ void Inquiry::tell_of_stopping(SimTime t, SimTime end, std::vector<result::Cause
 void Inquiry::add_links(const Steps& steps, SimTime t, std::size_t most, std::size_t lines,
                         std::vector<result::Cause>& chain) const {
   Steps news;
-  std::copy_if(steps.begin(), steps.end(), std::back_inserter(news), [&](const CauseStep& step) {
-    return std::none_of(chain.begin(), chain.end(), [&](const result::Cause& cause) {
-      return std::any_of(cause.lines.begin(), cause.lines.end(), [&](const result::SourceLine& line) {
-        return line.file == step.where.file && line.line == step.where.line;
-      });
-    });
-  });
+  std::copy_if(steps.begin(), steps.end(), std::back_inserter(news),
+               [&](const CauseStep& step) { return !is_in(chain, step.where); });
   for (result::Cause& link : links_of(news, t, most - std::min(most, chain.size()), lines))
     chain.push_back(std::move(link));
 }
@@ -302,19 +338,27 @@ void Inquiry::tell_of_interrupts(SimTime t, std::vector<result::Cause>& chain) {
         {seconds(step->t), "interrupts were disabled here, and were off at all later checks", {step->where}});
 }
 
-result::Cause Inquiry::motors_at(SimTime t, const std::string& text) const {
+/// Returns the motors' commands at `t`, with the time since which they have been about the same. Returns
+/// nullopt before the first sample.
+std::optional<Inquiry::Command> Inquiry::commands_at(SimTime t) const {
   const auto behind = std::upper_bound(commands_.begin(), commands_.end(), t + kSampleEvery,
                                        [](SimTime at, const Command& command) { return at < command.t; });
-  if (behind == commands_.begin()) return {seconds(t), text, {}};
-  const auto percent = [](double command) { return std::lround(100.0 * command); };
+  if (behind == commands_.begin()) return std::nullopt;
   auto since = behind - 1;
   const Command now = *since;
   while (since != commands_.begin() && std::abs((since - 1)->left - now.left) < kSameCommand &&
          std::abs((since - 1)->right - now.right) < kSameCommand)
     --since;
+  return Command{since->t, now.left, now.right};
+}
+
+result::Cause Inquiry::motors_at(SimTime t, const std::string& text) const {
+  const std::optional<Command> command = commands_at(t);
+  if (!command) return {seconds(t), text, {}};
+  const auto percent = [](double share) { return std::lround(100.0 * share); };
   return {seconds(t),
-          fmt::format("{}; motors: left {} %, right {} % since {:.2f} s", text, percent(now.left),
-                      percent(now.right), seconds(since->t)),
+          fmt::format("{}; motors: left {} %, right {} % since {:.2f} s", text, percent(command->left),
+                      percent(command->right), seconds(command->t)),
           {}};
 }
 
@@ -342,12 +386,19 @@ std::vector<result::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std:
   std::vector<std::string> names;                // file of each link without extension: x.h counts as x.cpp
   std::vector<std::set<std::string>> functions;  // functions of each link
   std::vector<result::SourceLine> of_libraries;
+  const auto reads_here = [&](const CauseStep& step) {
+    return std::any_of(steps.begin(), steps.end(), [&](const CauseStep& other) {
+      return other.kind == Kind::reads && is_same(other.where, step.where);
+    });
+  };
   for (const CauseStep& step : steps) {
     if (step.where.function.starts_with("_GLOBAL__")) continue;  // its line is the end of the file
     if (step.kind == Kind::reads) {
       read.text += (read.lines.empty() ? " " : ", ") + read_at(step);
       read_at_t = std::max(read_at_t, step.t);
       add_line(read.lines, step.where, lines);
+    } else if (reads_here(step)) {
+      continue;
     } else if (is_before(step, t)) {
       set_at = std::max(set_at, step.t);
       add_line(is_of_library(step.where) ? of_libraries : before.lines, step.where, kMostLines);
@@ -363,7 +414,8 @@ std::vector<result::Cause> Inquiry::links_of(const Steps& steps, SimTime t, std:
       const std::string& function = step.where.function;
       if (links[number].lines.size() < lines && function != "main" &&
           functions[number].insert(function).second)
-        links[number].text += (functions[number].size() > 1 ? ", " : " ") + function + "()";
+        links[number].text += (functions[number].size() > 1 ? ", " : " ") +
+                              (is_handler(function) ? "an interrupt handler" : function + "()");
       links[number].t_s = std::max(links[number].t_s, seconds(step.t));
       add_line(links[number].lines, step.where, lines);
     }

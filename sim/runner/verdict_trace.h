@@ -34,6 +34,7 @@ class Inquiry final : run::Listener {
     SimTime t = 0;
     double left = 0.0, right = 0.0;
   };
+  using Bytes = std::vector<std::optional<std::uint8_t>>;
   using Steps = std::vector<exec::CauseStep>;
 
   bool wants_inputs() const override { return true; }
@@ -46,9 +47,10 @@ class Inquiry final : run::Listener {
   template <typename Ask>
   Steps trace(SimTime t, SimTime until, Ask ask);
   void save_between(std::size_t moment);
-  std::vector<std::uint8_t> bytes_at(std::size_t moment, const std::vector<std::uint16_t>& addresses);
+  Bytes bytes_at(std::size_t moment, const std::vector<std::uint16_t>& addresses);
   void give_up_what_changes(std::size_t from);
   bool go_back(std::size_t& from, bool for_registers);
+  std::optional<world::Side> unpowered_side() const;
   std::pair<SimTime, SimTime> blind_around(SimTime t) const;
 
   std::vector<result::Cause> chain_of(const judge::Decisive& decisive);
@@ -60,6 +62,7 @@ class Inquiry final : run::Listener {
   void tell_of_interrupts(SimTime t, std::vector<result::Cause>& chain);
   std::vector<result::Cause> links_of(const Steps& steps, SimTime t, std::size_t most,
                                       std::size_t lines) const;
+  std::optional<Command> commands_at(SimTime t) const;
   result::Cause motors_at(SimTime t, const std::string& text) const;
   std::string name_of(Pin pin) const;
   std::string read_at(const exec::CauseStep& step) const;

@@ -1,7 +1,10 @@
 // Tests `robosim why`, which traces a verdict back to the lines of the sketch.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "sim/base/file.h"
@@ -10,6 +13,8 @@
 
 namespace robosim::test {
 namespace cli_why_test {
+
+namespace fs = std::filesystem;
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -160,11 +165,12 @@ TEST_F(CliWhy, ShowsTheReadingsOfTheTimeThatItPrints) {
 TEST_F(CliWhy, NamesTheLinesFromTheMotorsToTheReading) {
   const Ended why = robosim_command({"why", "./Once", "--map", "oval", "--all"}, folder_.path());
   EXPECT_EQ(why.status, 1) << why.err;
-  EXPECT_THAT(why.out, AllOf(StartsWith("lost: The robot lost the line"),
-                             HasSubstr("the robot left the line; motors: left 79 %, right 68 %"),
-                             HasSubstr("Once.ino:7 "), HasSubstr("analogWrite(5, left);"),
-                             HasSubstr("Once.ino:14 "), HasSubstr("read S3 (A2) "), HasSubstr("Once.ino:12 "),
-                             HasSubstr("Once.ino:2                  const int FAST = 200;")));
+  EXPECT_THAT(why.out,
+              AllOf(StartsWith("lost: The robot lost the line"),
+                    HasSubstr("the robot left the line; motors: left 79 %, right 68 %"),
+                    HasSubstr("Once.ino:7 "), HasSubstr("analogWrite(5, left);"), HasSubstr("Once.ino:14 "),
+                    HasSubstr("read S3 (A2) "), HasSubstr("Once.ino:12 "),
+                    HasSubstr("Once.ino:1,2                const int MIDDLE = A2 · const int FAST = 200\n")));
 
   const Ended json = robosim_command({"why", "./Once", "--map", "oval", "--json"}, folder_.path());
   const auto chain = nlohmann::json::parse(json.out);
@@ -184,7 +190,7 @@ TEST_F(CliWhy, PrintsTheTenMostDirectLinesAndHowManyMoreThereAre) {
   for (std::size_t at = 0; (at = why.out.find("  Once.ino:", at)) != std::string::npos; ++at) ++lines;
   EXPECT_EQ(lines, 10u) << why.out;
   EXPECT_THAT(why.out, AllOf(HasSubstr("Once.ino:8 "), HasSubstr("Once.ino:12 "), HasSubstr("Once.ino:14 "),
-                             HasSubstr(" more lines: --all\n")));
+                             HasSubstr(" more line: --all\n")));
   const Ended host = robosim_command({"why", "./Once", "--target", "host"}, folder_.path());
   EXPECT_EQ(host.status, 2);
   EXPECT_THAT(host.err, HasSubstr("--target"));
@@ -259,6 +265,64 @@ TEST_F(CliWhy, HasNothingToTellOfASuccess) {
   const Ended why = robosim_command({"why", "./Once", "--goal", "none", "--for", "100ms"}, folder_.path());
   EXPECT_EQ(why.status, 0) << why.err;
   EXPECT_THAT(why.out, AllOf(StartsWith("reached: "), Not(HasSubstr("←"))));
+}
+
+TEST_F(CliWhy, FollowsFirstTheMotorThatNeverGotPower) {
+  std::string text = kLooksOnce;
+  text.replace(text.find("digitalWrite(7"), 14, "digitalWrite(4");
+  folder_.write("Side/Side.ino", text);
+  const Ended why = robosim_command({"why", "./Side", "--map", "oval", "--all"}, folder_.path());
+  // Lines 5 and 7 drive the left motor, lines 6 and 8 the right one.
+  const std::size_t left = why.out.find("Side.ino:7 "), right = why.out.find("Side.ino:8 ");
+  EXPECT_LT(left, right) << why.out;
+  const Ended both = robosim_command({"why", "./Once", "--map", "oval", "--all"}, folder_.path());
+  EXPECT_GT(both.out.find("Once.ino:7 "), both.out.find("Once.ino:8 ")) << both.out;
+}
+
+// The motors' commands go to the shield in bytes.
+TEST_F(CliWhy, FollowsTheBytesThatWereSentToAMotorShield) {
+  const fs::path shield = folder_.path() / "MotorShieldV2";
+  fs::copy(fs::path(ROBOSIM_SAMPLES) / "MotorShieldV2", shield);
+  std::string sketch = read_file(shield / "MotorShieldV2.ino");
+  const std::size_t at = sketch.find("right.run(constrain(");
+  const auto line = 1 + std::count(sketch.begin(), sketch.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  sketch.replace(at, 5, "left");
+  write_file(shield / "MotorShieldV2.ino", sketch);
+  const Ended why = robosim_command({"why", ".", "--map", "oval", "--goal", "laps:1"}, shield);
+  EXPECT_THAT(why.out, HasSubstr(fmt::format("MotorShieldV2.ino:{} ", line))) << why.err;
+}
+
+TEST_F(CliWhy, FollowsTheServoThatSteers) {
+  const fs::path car = folder_.path() / "ServoSteering";
+  fs::copy(fs::path(ROBOSIM_SAMPLES) / "ServoSteering", car);
+  std::string sketch = read_file(car / "ServoSteering.ino");
+  sketch.replace(sketch.find("steer(constrain(error"), 21, "steer(constrain(-error");
+  write_file(car / "ServoSteering.ino", sketch);
+  const Ended why = robosim_command({"why", ".", "--map", "oval", "--goal", "laps:1"}, car);
+  EXPECT_THAT(why.out, HasSubstr("steer(constrain(-error")) << why.err;
+}
+
+// Before a power cut, the chip has no state from which a cause could come.
+TEST_F(CliWhy, EndsAtAPowerCut) {
+  folder_.write("cut.txt", "at 50ms power off for 40ms\n");
+  const Ended why =
+      robosim_command({"why", "./Once", "--map", "oval", "--script", "cut.txt", "--all"}, folder_.path());
+  EXPECT_THAT(why.out, AllOf(StartsWith("lost: "), HasSubstr("Once.ino:8 "), HasSubstr("Once.ino:12 "),
+                             HasSubstr("Once.ino:14 ")))
+      << why.err;
+  folder_.write("cut.txt", "at 50ms power off for 300ms\n");
+  const Ended longer =
+      robosim_command({"why", "./Once", "--map", "oval", "--script", "cut.txt", "--all"}, folder_.path());
+  EXPECT_THAT(longer.out, AllOf(StartsWith("lost: "), HasSubstr("Once.ino:12 ")));
+}
+
+TEST_F(CliWhy, ShowsLinesOfItsOwnLibraryAfterThoseOfTheSketch) {
+  const Ended why = robosim_command(
+      {"why", "PidFollower", "--map", "oval", "--goal", "laps:50", "--for", "8s"}, folder_.path());
+  EXPECT_THAT(why.out, Not(HasSubstr("libraries/")));
+  const Ended all = robosim_command(
+      {"why", "PidFollower", "--map", "oval", "--goal", "laps:50", "--for", "8s", "--all"}, folder_.path());
+  EXPECT_THAT(all.out, testing::ContainsRegex("libraries/LineKit/src/PidController.cpp:[0-9]+ +[a-z]"));
 }
 
 TEST_F(CliWhy, IsOfTheAvrOnly) {

@@ -120,6 +120,9 @@ const Case kCases[] = {
      "void setup() {\n  for (byte i = 0; i < 2; i++) {\n    number = digitalPinToInterrupt(pins[i]);\n"
      "    attachInterrupt(number, count, CHANGE);  //!\n  }\n  attachInterrupt(1, count, RISING);\n"
      "}\nvoid loop() { delay(5); }\n"},
+    {"ANumberThatIsNoPin", "missing_pin", "digitalRead() got pin 30, which the uno does not have",
+     "volatile byte eyes[] = {4, 30}, n;\nvoid setup() {}\n"
+     "void loop() {\n  for (byte i = 0; i < 2; i++)\n    n += digitalRead(eyes[i]);  //!\n  delay(5);\n}\n"},
     {"InterruptsOnPinsThatHaveThem", "", "",
      "const byte pins[] = {2, 3};\nvolatile byte n;\nvoid count() { n++; }\n"
      "void setup() {\n  for (byte i = 0; i < 2; i++)\n"

@@ -5,6 +5,7 @@
 #include <deque>
 #include <regex>
 #include <sstream>
+#include <string_view>
 
 #include "sim/base/error.h"
 #include "sim/base/file.h"
@@ -154,6 +155,14 @@ std::string SourceText::line(const result::SourceLine& where) {
   return number == 0 || number > lines.size() ? "" : trimmed(lines[number - 1]);
 }
 
+std::string SourceText::declaration(const result::SourceLine& where) {
+  std::string text = trimmed(without_comment(line(where)));
+  constexpr std::string_view kDefine = "#define ";
+  if (text.starts_with(kDefine)) text = trimmed(text.substr(kDefine.size()));
+  if (text.ends_with(';')) text.pop_back();
+  return text;
+}
+
 bool SourceText::says_nothing(const result::SourceLine& where) {
   const std::string text = line(where);
   return !text.empty() &&
@@ -235,7 +244,7 @@ result::Cause SourceText::without_value_in(const std::deque<result::SourceLine>&
 }
 
 result::Cause SourceText::named_in(std::deque<result::SourceLine> chain) {
-  result::Cause named{0.0, "named in these lines", {}};
+  result::Cause named{0.0, kNamed, {}};
   for (; !chain.empty(); chain.pop_front()) {
     const result::SourceLine where = chain.front();
     const std::vector<std::string> used = names_in(without_comment(line(where)));
@@ -342,6 +351,7 @@ std::vector<fs::path> SourceText::paths_of(const fs::path& file) const {
     add(folder, within_all);
     add(folder, within_one);
   }
+  if (*within_all.begin() == "LineKit") add(data_folder() / "firmware", within_one);
   return paths;
 }
 

@@ -14,6 +14,9 @@
 
 namespace robosim::cli {
 
+/// The text of a cause that contains declarations of names.
+inline constexpr const char* kNamed = "named in these lines";
+
 class SourceText {
  public:
   /// Looks for the files in `sketch`, the sketch's folder, and in `folders`: folders of single libraries, and
@@ -22,6 +25,8 @@ class SourceText {
 
   /// Returns a line without blanks at its ends; empty if the line is unknown.
   std::string line(const result::SourceLine& where);
+  /// Returns the line without its comment, its `#define` and its semicolon.
+  std::string declaration(const result::SourceLine& where);
   /// Removes lines without information, except the first line of a cause. Adds facts from the source that
   /// instructions do not show:
   /// - functions that write the `volatile` variables in these lines, and lines with these functions' names,

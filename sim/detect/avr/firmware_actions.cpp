@@ -37,15 +37,17 @@ void FirmwareActions::converted(int pin, double error) {
 }
 
 void FirmwareActions::find_functions() {
-  for (const auto& [name, kind] : {std::pair{"analogWrite", Kind::analog_write},
-                                   {"attachInterrupt", Kind::attach_interrupt},
-                                   {"delay", Kind::delay}}) {
+  const auto find = [&](const char* name, Kind kind, int number) {
     for (exec::DebugInfo::Entry& entry : program_.debug.entries_of(name)) {
       const std::uint32_t address = entry.address;
-      functions_.insert({address, {kind, std::move(entry)}});
-      program_.machine.chip().show(*this, address);
+      if (!functions_.contains(address)) program_.machine.chip().show(*this, address);
+      functions_.insert({address, {kind, number, std::move(entry)}});
     }
-  }
+  };
+  find("analogWrite", Kind::analog_write, 0);
+  find("attachInterrupt", Kind::attach_interrupt, 0);
+  find("delay", Kind::delay, 0);
+  for (int number = 0; const char* const name : kPinFunctions) find(name, Kind::missing_pin, number++);
 }
 
 void FirmwareActions::find_stores() {
@@ -100,6 +102,12 @@ void FirmwareActions::called(const Function& function) {
   const std::optional<std::int64_t> first = value(0, function.kind == Kind::delay ? kLong : kByte),
                                     second = value(1, kInt);
   if (!first || (function.kind == Kind::analog_write && !second)) return;
+  if (function.kind == Kind::missing_pin) {
+    const BoardSpec& board = program_.board;
+    if (*first >= board.pin_count || !board.pins[*first].digital)
+      tell(function.kind, *first, function.number, 0, caller);
+    return;
+  }
   tell(function.kind, *first, function.kind == Kind::analog_write ? static_cast<std::int16_t>(*second) : 0, 0,
        caller);
 }

@@ -39,6 +39,7 @@ class FirmwareActions final : public ChipDetector {
   /// A place where a function of the API begins.
   struct Function {
     FirmwareAction::Kind kind;
+    int number;  ///< for Kind::missing_pin: index in kPinFunctions
     exec::DebugInfo::Entry entry;
   };
 

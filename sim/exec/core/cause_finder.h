@@ -2,7 +2,7 @@
 // value, to the inputs that the firmware read.
 //
 //   begin()         starts to record each instruction
-//   ask()           starts a search for the reason why the chip drives certain pins
+//   ask()           starts a search for the reason why the chip drives certain pins, or sent certain bytes
 //   ask_place()     starts a search for the reason why the firmware was at a certain line
 //   follow()        follows the values of the search back to the beginning of the record
 //   open_bytes()    returns the followed bytes that were written before the record began. To trace these
@@ -38,15 +38,22 @@ struct CauseStep {
 
 class CauseFinder {
  public:
+  /// An effect of the firmware on the board.
+  struct Effect {
+    std::vector<Pin> pins;        ///< pins that the chip drives
+    bool sends_two_wire = false;  ///< also the bytes that the chip sent as two-wire master
+  };
+
   virtual ~CauseFinder() = default;
 
-  /// Drops the record and starts a new one. The chip runs more slowly while recording.
+  /// Drops the record and starts a new one. The chip runs more slowly while recording. If the chip loses its
+  /// power, the record starts again at power-on.
   virtual void begin() = 0;
   virtual void end() = 0;
 
-  /// Starts a new search for the reason why the chip drives `pins` as it does at `t`. The record must
-  /// include `t`.
-  virtual void ask(const std::vector<Pin>& pins, SimTime t) = 0;
+  /// Starts a new search for the causes of an effect at `t`: the pins' states at `t`, and the bytes that were
+  /// sent between the beginning of the record and `t`. The record must include `t`.
+  virtual void ask(const Effect& effect, SimTime t) = 0;
   /// Starts a new search for the reason why the firmware ran the line that was running at `t`.
   virtual void ask_place(SimTime t) = 0;
   /// Follows values back to the beginning of the record. `adjoins` is true if the record ends where the
@@ -59,8 +66,8 @@ class CauseFinder {
   virtual void give_up(const std::vector<std::uint16_t>& bytes) = 0;
   /// Returns whether a followed value was in a register when the record began.
   virtual bool open_registers() const = 0;
-  /// Returns the present value of the byte at an address of data memory.
-  virtual std::uint8_t byte(std::uint16_t address) const = 0;
+  /// Returns the present value of the byte at an address of data memory; nullopt if the chip has no power.
+  virtual std::optional<std::uint8_t> byte(std::uint16_t address) const = 0;
   /// Ends the search. All bytes that are still followed count as unchanged since the program's start.
   /// Therefore the declarations of these bytes become steps.
   virtual void close() = 0;

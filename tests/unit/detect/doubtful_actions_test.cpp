@@ -47,6 +47,20 @@ TEST_F(Actions, FullPowerAndNoneNeedNoPwm) {
   EXPECT_THAT(found(), IsEmpty());
 }
 
+TEST_F(Actions, ANumberThatIsNoPinIsOneFinding) {
+  act(Kind::missing_pin, 90, 1);
+  act(Kind::missing_pin, 90, 0);
+  act(Kind::missing_pin, 19, 1);
+  ASSERT_THAT(found(), SizeIs(1));
+  EXPECT_EQ(found()[0].detector, "missing_pin");
+  EXPECT_EQ(found()[0].what, "digitalWrite() got pin 90, which the uno does not have; it was called");
+  DoubtfulActions nano(*find_board("nano"));
+  nano.acted({Kind::missing_pin, {20, 2, 0}}, 0, [] { return exec::SourceLine{}; });
+  ASSERT_THAT(nano.found(0), SizeIs(1));
+  EXPECT_EQ(nano.found(0)[0].what,
+            "digitalRead() got pin A6, which can only be read with analogRead(); it was called");
+}
+
 TEST_F(Actions, AValueOutOfRangeHasTheEffectOfItsLowByteOrOfFullPowerOnAWideTimer) {
   act(Kind::analog_write, 6, -30);
   act(Kind::analog_write, 9, 300);

@@ -47,7 +47,7 @@ class CausesTest : public AvrTest {
     causes_->begin();
     run(8 * kMillisecond);
     causes_->end();
-    causes_->ask({5}, now_);
+    causes_->ask({.pins = {5}}, now_);
     causes_->follow(true);
     causes_->close();
     return by_line();
@@ -110,7 +110,7 @@ void loop() {
   causes_->begin();
   run(10 * kMillisecond);
   causes_->end();
-  causes_->ask({5}, now_);
+  causes_->ask({.pins = {5}}, now_);
   causes_->follow(true);
   ASSERT_FALSE(causes_->open_bytes().empty());
   for (const CauseStep& step : causes_->steps()) EXPECT_NE(step.where.line, 4);

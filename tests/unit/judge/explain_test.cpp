@@ -643,6 +643,44 @@ TEST_F(Explain, MotorPinsThatWereNeverMadeOutputsAreNamedThoughPullUpsMoveThem) 
   EXPECT_THAT(next(Verdict::lost), HasSubstr("slow motion"));
 }
 
+TEST_F(Explain, AMotorThatNeverGotPowerIsNamedWithItsPinsIfTheOtherOneDid) {
+  lose_the_line();
+  e.wiring = {{"left", "motor", "en", 5, false, world::left},
+              {"left", "motor", "in1", 7, false, world::left},
+              {"left", "motor", "in2", 8, false, world::left},
+              {"right", "motor", "en", 6, false, world::right},
+              {"right", "motor", "in1", 9, false, world::right}};
+  for (const Pin pin : {5, 6, 7, 8, 9}) e.was_output[pin] = true;
+  e.went_high[6] = e.went_high[9] = e.went_high[7] = true;
+  e.strongest_command[world::right] = 0.4;
+  for (const Verdict verdict : {Verdict::lost, Verdict::stuck, Verdict::timeout})
+    EXPECT_EQ(next(verdict), "the left motor never got power; motor pin 5 stayed LOW")
+        << "in2 may stay low, since in1 was high";
+  EXPECT_THAT(next(Verdict::crashed), Not(HasSubstr("never got power")));
+  e.was_output[5] = false;
+  EXPECT_THAT(next(Verdict::lost),
+              HasSubstr("never got power; motor pin 5 is an input: no pinMode(…, OUTPUT)"));
+  e.went_high[5] = e.went_high[8] = true;
+  EXPECT_EQ(next(Verdict::lost),
+            "the left motor never got power: with equal levels at both inputs, a driver brakes its motor");
+  std::swap(e.strongest_command[world::left], e.strongest_command[world::right]);
+  EXPECT_EQ(next(Verdict::lost), "the right motor never got power") << "all its pins were high at some time";
+  e.strongest_command[world::right] = 0.02;
+  EXPECT_THAT(next(Verdict::lost), Not(HasSubstr("never got power"))) << "weak power is power";
+  e.strongest_command[world::left] = e.strongest_command[world::right] = 0.0;
+  EXPECT_THAT(next(Verdict::lost), Not(HasSubstr("never got power"))) << "neither wheel got power";
+}
+
+TEST_F(Explain, ACrashInAPinFunctionIsDueToItsNumber) {
+  e.board = find_board("uno");
+  e.crash = exec::Crash{"read of address 0x930F", {}};
+  EXPECT_EQ(next(Verdict::crashed), "");
+  e.crash->calls = {{"digitalWrite", "arduino/wiring_digital.c", 159}, {"loop", "My.ino", 6}};
+  EXPECT_EQ(next(Verdict::crashed), "digitalWrite() got a number that is not a pin of the uno");
+  e.crash->calls[0].function = "drive";
+  EXPECT_EQ(next(Verdict::crashed), "");
+}
+
 TEST_F(Explain, NothingIsAdvisedWhereTheVerdictSaysItAll) {
   EXPECT_EQ(next(Verdict::reached), "");
   EXPECT_EQ(next(Verdict::interrupted), "");

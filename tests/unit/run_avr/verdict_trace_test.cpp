@@ -6,7 +6,7 @@
 #include "sim/base/file.h"
 #include "sim/build/sketch.h"
 #include "sim/exec/avr/avr_executor.h"
-#include "sim/robot/describe.h"
+#include "sim/robot/robot.h"
 #include "tests/support/one_robot.h"
 #include "tests/support/require_target.h"
 #include "tests/support/temporary_folder.h"
@@ -38,11 +38,8 @@ void loop() { )" + loop + " }\n");
     exec::AvrExecutor executor(board, build::build({folder, board, "avr"}).image);
     test::OneRobot one(executor, "laps:1");
     one.setup.limit = 10 * kSecond;
-    std::vector<robot::WiredPin> wiring;
-    for (const robot::PartSummary& part : robot::describe(one.robot).parts)
-      for (const auto& [role, pin] : part.pins) wiring.push_back({part.name, part.type, role, pin});
     std::string texts;
-    for (const result::Cause& cause : Inquiry(one.setup, board, wiring).go().because)
+    for (const result::Cause& cause : Inquiry(one.setup, board, robot::wiring_of(one.robot)).go().because)
       texts += cause.text + "\n";
     return texts;
   }

@@ -23,6 +23,7 @@ using Touch = InstructionLog::Touch;
 void BackwardSlice::plug_into(Machine& machine) {
   machine_ = &machine;
   branches_.emplace(machine.chip().chip().cpu());
+  if (records_) begin();
 }
 
 void BackwardSlice::unplug() {
@@ -36,7 +37,8 @@ void BackwardSlice::unplug() {
 void BackwardSlice::begin() {
   frames_.clear();
   calls_before_.clear();
-  if (!machine_) return;
+  records_ = true;
+  if (!machine_) return log_.reset();
   log_.emplace(machine_->chip(), machine_->adapter());
   log_->begin();
   machine_->log_into(&*log_);
@@ -44,6 +46,7 @@ void BackwardSlice::begin() {
 }
 
 void BackwardSlice::end() {
+  records_ = false;
   if (machine_) machine_->log_into(nullptr);
 }
 
@@ -54,6 +57,7 @@ void BackwardSlice::forget() {
   bits_.clear();
   pending_.clear();
   steps_.clear();
+  sends_two_wire_ = false;
 }
 
 // --- calls in the log
@@ -118,15 +122,22 @@ void BackwardSlice::set_out(SimTime t) {
   }
 }
 
-void BackwardSlice::ask(const std::vector<Pin>& pins, SimTime t) {
+void BackwardSlice::ask(const Effect& effect, SimTime t) {
   if (!log_) return forget();
   set_out(t);
+  sends_two_wire_ = effect.sends_two_wire;
   const ChipSpec& chip = *firmware_.chip;
-  for (const Pin pin : pins) {
+  for (const Pin pin : effect.pins) {
     const int number = machine_->adapter().chip_pin(pin);
     if (number < 0 || chip.pins[number].port < 0) continue;
     const ChipPin& place = chip.pins[number];
-    const auto latch = static_cast<std::uint16_t>(chip.ports[place.port].address + 2);
+    const std::uint32_t port = chip.ports[place.port].address;
+    const auto directions = static_cast<std::uint16_t>(port + 1),
+               latch = static_cast<std::uint16_t>(port + 2);
+    if ((*byte(directions) & (1u << place.bit)) == 0) {  // no output: only its direction matters
+      bytes_[directions] = {};
+      continue;
+    }
     bytes_[latch] = {};
     bits_[latch] |= static_cast<std::uint8_t>(1u << place.bit);
     if (place.timer < 0) continue;
@@ -170,8 +181,20 @@ void BackwardSlice::follow(bool adjoins) {
       if (wanted) wanted->by = kLater;
     for (auto& [address, wanted] : bytes_) wanted.by = kLater;
   }
-  for (Index index = from_; index >= 0; --index) visit(index);
+  for (Index index = from_; index >= 0; --index) {
+    if (sends_two_wire_ && sends(index)) take(index, {}, CauseStep::Kind::computes);
+    visit(index);
+  }
   from_ = kNone;
+  sends_two_wire_ = false;
+}
+
+/// Returns whether an entry stores a byte to send in TWDR.
+bool BackwardSlice::sends(Index index) const {
+  constexpr std::uint16_t kTwdr = 3;  // after TWBR
+  const Entry& e = log_->entries()[static_cast<std::size_t>(index)];
+  const std::uint16_t twi = firmware_.chip->twi.address;
+  return twi != 0 && e.touch == Touch::store && e.address == twi + kTwdr;
 }
 
 std::optional<BackwardSlice::Want> BackwardSlice::take_wanted(Index index) {
@@ -304,6 +327,10 @@ std::vector<std::uint16_t> BackwardSlice::open_bytes() const {
   std::vector<std::uint16_t> addresses;
   for (const auto& [far, address] : open) addresses.push_back(address);
   return addresses;
+}
+
+std::optional<std::uint8_t> BackwardSlice::byte(std::uint16_t address) const {
+  return machine_ ? std::optional(machine_->chip().data(address)) : std::nullopt;
 }
 
 void BackwardSlice::give_up(const std::vector<std::uint16_t>& bytes) {

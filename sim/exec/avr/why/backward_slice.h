@@ -39,13 +39,13 @@ class BackwardSlice final : public CauseFinder {
 
   void begin() override;
   void end() override;
-  void ask(const std::vector<Pin>& pins, SimTime t) override;
+  void ask(const Effect& effect, SimTime t) override;
   void ask_place(SimTime t) override;
   void follow(bool adjoins) override;
   std::vector<std::uint16_t> open_bytes() const override;
   void give_up(const std::vector<std::uint16_t>& bytes) override;
   bool open_registers() const override;
-  std::uint8_t byte(std::uint16_t address) const override { return machine_->chip().data(address); }
+  std::optional<std::uint8_t> byte(std::uint16_t address) const override;
   void close() override;
   std::vector<CauseStep> steps() const override;
   SourceLine busiest(SimTime from, SimTime to) const override;
@@ -83,6 +83,7 @@ class BackwardSlice final : public CauseFinder {
   void visit_skipped_writes(Index index);
   Index meeting_behind(Index branch, std::uint32_t meets) const;
   std::optional<std::uint16_t> pointer_at(Index index, unsigned pair) const;
+  bool sends(Index index) const;
   std::optional<Want> take_wanted(Index index);
   void take(Index index, Want want, CauseStep::Kind kind);
   void want_operands(Index index, Want want);
@@ -96,12 +97,14 @@ class BackwardSlice final : public CauseFinder {
   const Firmware& firmware_;
   const SketchLines sketch_;
   ClockedBoard& board_;
-  Machine* machine_ = nullptr;
+  Machine* machine_ = nullptr;  ///< null = the chip has no power
+  bool records_ = false;        ///< between begin() and end()
   std::optional<InstructionLog> log_;
   std::optional<Branches> branches_;
   std::vector<std::uint32_t> calls_before_;  ///< word addresses of the calls open when the log began
-  std::vector<Index> frames_;  ///< for each entry, the entry of the enclosing call or interrupt; or kNone
-  Index from_ = kNone;         ///< entry at which the next follow() starts
+  std::vector<Index> frames_;    ///< for each entry, the entry of the enclosing call or interrupt; or kNone
+  Index from_ = kNone;           ///< entry at which the next follow() starts
+  bool sends_two_wire_ = false;  ///< the next follow() starts from each byte that the chip sent
 
   std::array<std::optional<Want>, 32> registers_;
   std::array<std::optional<Want>, 8> flags_;

@@ -1,6 +1,16 @@
 #include "sim/exec/avr/why/sketch_lines.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace robosim::exec::avr {
+namespace {
+
+/// Functions of the core that wait for the clock, or for room in a buffer, and return in any case.
+constexpr const char* kPauses[] = {"delay", "micros",  "write",       "print",
+                                   "flush", "println", "printNumber", "printFloat"};
+
+}  // namespace
 
 SketchLines::Line SketchLines::line(const SourceLine& where) const {
   return &lines_.try_emplace({where.file, where.line}, where).first->second;
@@ -13,7 +23,7 @@ const SketchLines::Place& SketchLines::at(std::uint32_t pc) const {
     known->second.is_described = true;
     if (!is_core_file(frame.file))
       known->second.lines.push_back(line(frame));
-    else if (frame.function == "delay" || frame.function == "micros")
+    else if (std::find(std::begin(kPauses), std::end(kPauses), frame.function) != std::end(kPauses))
       known->second.is_pause = true;
   }
   return known->second;

@@ -19,7 +19,7 @@ class SketchLines {
 
   struct Place {
     bool is_described = false;  ///< has debug information; false in routines of the compiler's library
-    bool is_pause = false;      ///< in delay() or micros(), whose branches are not causes
+    bool is_pause = false;      ///< in a core function that only pauses: its branches are not causes
     std::vector<Line> lines;    ///< lines in the sketch, innermost first
   };
   /// Returns the place of the instruction at word address `pc`.
