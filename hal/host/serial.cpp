@@ -53,17 +53,6 @@ void transmit(uint8_t byte) {
 
 }  // namespace
 
-namespace robosim {
-namespace host {
-
-void reset_uart() {
-  uart = Uart();
-  received.head = received.tail = 0;
-}
-
-}  // namespace host
-}  // namespace robosim
-
 extern "C" void robosim_serial_receive() {
   host::spend(cost::kSerialReceiveHandler);
   const uint8_t byte = host::uart.take();

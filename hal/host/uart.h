@@ -67,8 +67,6 @@ class Uart {
 extern Uart uart;
 /// Returns whether arriving bytes are received by Serial, not by an ISR of the sketch.
 bool serial_receives();
-/// Resets the UART, and empties the buffers of Serial.
-void reset_uart();
 
 }  // namespace ROBOSIM_WITHIN
 }  // namespace robosim

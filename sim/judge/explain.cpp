@@ -526,7 +526,12 @@ NextStep next_step(const Evidence& e) {
   if (e.moved)
     if (const std::string forgotten = forgotten_outputs(e); !forgotten.empty()) return {forgotten};
   if (e.verdict == Verdict::lost || e.verdict == Verdict::stuck || e.verdict == Verdict::timeout)
-    if (const std::string unpowered = unpowered_side(e); !unpowered.empty()) return {unpowered};
+    if (const std::string unpowered = unpowered_side(e); !unpowered.empty()) {
+      // A number that exceeds a narrow int can hold a motor's power at 0.
+      if (e.verdict == Verdict::lost && e.int_bits == 16)
+        return {unpowered + result::kAlso + result::kTryHost, NextStep::By::host};
+      return {unpowered};
+    }
   if (reads_no_more(e))
     return {
         fmt::format("the sketch has read no line sensor since {}: it must read them repeatedly, in loop()",

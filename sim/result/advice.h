@@ -10,6 +10,7 @@ inline constexpr const char* kTryHost =
     "run it on the host as well: if it keeps the line there, look for an int that exceeds 32767, as in 1000 "
     "* analogRead(A1); on the chip, an int has 16 bits, and the compiler does not warn about it";
 inline constexpr const char* kIfNot = ". If not, ";  ///< joins kTryHost and further advice
+inline constexpr const char* kAlso = "; ";           ///< joins other advice and kTryHost
 inline constexpr const char* kWatch = "watch it in slow motion, or record what the sensors saw";
 
 inline constexpr const char* kTryWirings =

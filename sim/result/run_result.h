@@ -198,7 +198,8 @@ void fields(V& v, Same<V, Metrics>& m) {
     {.unit = "mm"});
   v("cross_track_max_mm", m.cross_track_max_mm, "maximum of this distance", {.unit = "mm"});
   v("off_line_s", m.off_line_s, "time with no sensor over a line", {.unit = "s"});
-  v("collisions", m.collisions, "contacts with walls and the map's edge; a lasting contact counts once");
+  v("collisions", m.collisions,
+    "contacts with walls, obstacles, robots and the map's edge; a lasting contact counts once");
   v("energy_j", m.energy_j, "energy that the motors drew from the battery", {.unit = "J"});
   v("energy_back_j", m.energy_back_j,
     "energy that braking motors returned to the battery; absent if zero, for example if the "

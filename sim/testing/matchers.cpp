@@ -192,9 +192,9 @@ Requirement NeverCollides() {
       for (const Moment& moment : drive.moments())
         if (moment.t <= t) there = moment;
       return {false,
-              fmt::format("at {} it hit a wall, an obstacle or the map's edge, at {}; {} time{} in total",
-                          seconds(t), place_of(there.pose), drive.collisions(),
-                          drive.collisions() == 1 ? "" : "s"),
+              fmt::format(
+                  "at {} it hit a wall, an obstacle, a robot or the map's edge, at {}; {} time{} in total",
+                  seconds(t), place_of(there.pose), drive.collisions(), drive.collisions() == 1 ? "" : "s"),
               t};
     }
     return {false, fmt::format("it collided {} times", drive.collisions()), drive.end()};

@@ -38,7 +38,6 @@ class World {
   std::size_t add_body(const BodyParams&, const Pose&);
   /// Returns the first body with a lower number that overlaps body `number`, or nothing.
   std::optional<std::size_t> first_overlap(std::size_t number) const;
-  std::size_t body_count() const { return bodies_.size(); }
   Body& body(std::size_t number) { return *bodies_[number]; }
   const Body& body(std::size_t number) const { return *bodies_[number]; }
 

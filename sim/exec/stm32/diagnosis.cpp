@@ -143,7 +143,6 @@ std::string Diagnosis::api_call(std::uint32_t pc) const {
 }
 
 std::string Diagnosis::stopped_by() const {
-  if (machine_.is_off()) return "sleeping with interrupts off";
   const Symbol* const stop = firmware_.symbols.find("robosim_stop_program");
   return stop && firmware_.symbols.function_at(cpu_.pc()) == stop ? "exit()" : "";
 }

@@ -84,7 +84,7 @@ void Machine::run_until(SimTime t) {
   clock.limit = t;
   look_at_heap();
   if (debug_port_) debug_port_->begin_tick();
-  while (clock.now < clock.cycle_at(t) && !cpu_.fault() && !state_.off) {
+  while (clock.now < clock.cycle_at(t) && !cpu_.fault()) {
     const bool is_due = clock.now >= bus_.next_event();
     bus_.update();
     bus_.take_inputs();

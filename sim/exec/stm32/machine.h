@@ -28,11 +28,8 @@ class Machine {
   /// Returns the calls that have not returned, innermost first. Every word on the stack that points after a
   /// BL or BLX instruction counts as a return address.
   std::vector<std::uint32_t> open_calls() const;
-  /// Returns whether the firmware sleeps forever.
-  bool is_off() const { return state_.off; }
 
   struct State {
-    bool off = false;
     WatchdogResets watchdog_resets;
   };
   /// All state that changes while the chip runs, except the state of its board and the content of flash.

@@ -70,7 +70,6 @@ class Timer final : public Peripheral {
   int number() const { return index_ + 1; }
   bool write_register(Address offset, std::uint32_t value);
   bool write_compare(std::size_t channel, std::uint32_t value);
-  bool modes_are_modelled() const;
   bool slave_is_modelled() const;
   /// Applies the written modes and outputs. Called after the write, or at a commutation (14.3.15).
   void commutate();

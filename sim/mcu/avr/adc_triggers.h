@@ -34,7 +34,6 @@ class AdcTriggers {
   void raised(int vector, Cycle at) const {
     if (vector == state.awaited && started_.call) started_.call(started_.self, at);
   }
-  bool is_awaited(int vector) const { return vector == state.awaited; }
 
   // --- for the waiting peripheral
   /// Registers void Owner::Method(Cycle), which is called when the awaited flag is set.

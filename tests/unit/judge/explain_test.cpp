@@ -657,6 +657,14 @@ TEST_F(Explain, AMotorThatNeverGotPowerIsNamedWithItsPinsIfTheOtherOneDid) {
     EXPECT_EQ(next(verdict), "the left motor never got power; motor pin 5 stayed LOW")
         << "in2 may stay low, since in1 was high";
   EXPECT_THAT(next(Verdict::crashed), Not(HasSubstr("never got power")));
+  e.int_bits = 16;
+  EXPECT_THAT(next(Verdict::lost),
+              StartsWith("the left motor never got power; motor pin 5 stayed LOW; run it "
+                         "on the host as well: "));
+  EXPECT_EQ(next_step(e).by, NextStep::By::host);
+  EXPECT_EQ(result::without_host(next(Verdict::lost)),
+            "the left motor never got power; motor pin 5 stayed LOW");
+  e.int_bits = 32;
   e.was_output[5] = false;
   EXPECT_THAT(next(Verdict::lost),
               HasSubstr("never got power; motor pin 5 is an input: no pinMode(…, OUTPUT)"));

@@ -89,7 +89,7 @@ TEST(NeverCollides, TellsWhenAndWhereItDid) {
   EXPECT_GT(drive.collisions(), 0);
   EXPECT_THAT(drive, Not(NeverCollides()));
   EXPECT_THAT(explanation(NeverCollides(), drive),
-              HasSubstr("it hit a wall, an obstacle or the map's edge, at column 1"));
+              HasSubstr("it hit a wall, an obstacle, a robot or the map's edge, at column 1"));
 }
 
 TEST(Collides, IsNotWhatTheRobotIsToldInWords) {
