@@ -41,8 +41,11 @@ bool is_whole_body(std::string_view line, std::size_t at) {
   return false;
 }
 
+constexpr std::string_view kIncluded = "In file included from";
+
 bool is_context(std::string_view line) {
-  return line.starts_with("In file included from") || has(line, ": In ") || has(line, ": At global scope");
+  return line.starts_with(kIncluded) || has(line, ": In ") || has(line, ": At global scope") ||
+         has(line, ":   required from ");
 }
 
 /// Returns the function whose result a statement ignores, if Arduino defines it as a macro. gcc then reports
@@ -80,11 +83,18 @@ bool is_slip(const std::vector<std::string>& message) {
   return caret >= message[1].size() || is_whole_body(message[1], caret);
 }
 
+/// Returns the lines of a text. Removes the includes that gcc lists before a note on a line in another file.
+/// The note then follows its message.
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
+  const auto lists_include = [](const std::string& line) {
+    return line.starts_with(kIncluded) || line.starts_with("                 from ");
+  };
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(text.substr(at, end - at));
+    std::string line = text.substr(at, end - at);
+    while (has(line, ": note: ") && !lines.empty() && lists_include(lines.back())) lines.pop_back();
+    lines.push_back(std::move(line));
     at = end + 1;
   }
   return lines;

@@ -146,8 +146,8 @@ std::string whereabouts(const Evidence& e) {
                      cell_of(*e.map, stay.place), seconds(since));
 }
 
-// Returns advice on a crash; "" if there is none. The chip's pin functions access memory outside of its RAM
-// only if they get a wrong pin number. On a board with a 16-bit int, a check may have found an overflow.
+// Returns advice on a crash, or "". A pin function of the chip's core crashes only if its pin number is
+// wrong. On a board with a 16-bit int, a failed check may be due to an overflow.
 std::string advice(const Evidence& e) {
   const std::string& check = e.crash->check;
   if (check.empty() && !e.crash->calls.empty() && e.board)

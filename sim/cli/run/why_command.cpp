@@ -42,7 +42,7 @@ bool is_in(const std::string& folder, const result::SourceLine& line) {
   return std::filesystem::exists(std::filesystem::path(folder) / line.file, none);
 }
 
-/// Joins declarations of one file, such as "Robot.ino:3,4" and "#define LEFT 5 · #define RIGHT 6".
+/// Joins the declarations of each file in one row, such as "Robot.ino:3,4" and "LEFT 5 · RIGHT 6".
 std::vector<Row> rows_of_names(std::vector<result::SourceLine> lines, SourceText& source,
                                const std::string& folder) {
   std::sort(lines.begin(), lines.end(), [](const result::SourceLine& a, const result::SourceLine& b) {

@@ -90,6 +90,26 @@ TEST_F(Slips, AVariableThatAPathLeavesUnsetIsToldWhereItIsCompiledWithChecks) {
   EXPECT_EQ(said("int n; if (!Serial.readBytes((char*)&n, 2)) n = 0;\nx = n;"), "");
 }
 
+TEST(SlipsOf, NotesInOtherFilesGoWithTheirMessages) {
+  const std::string shadow =
+      "My.ino: In function 'void f()':\n"
+      "My.ino:9:8: warning: declaration of 'byte' shadows a global declaration [-Wshadow]\n"
+      "   int byte = 1;\n"
+      "        ^\n"
+      "In file included from My.ino:1:0:\n"
+      "Arduino.h:127:17: note: shadowed declaration is here\n"
+      " typedef uint8_t byte;\n"
+      "                 ^\n";
+  const std::string instance =
+      "In file included from My.h:5:0,\n"
+      "                 from My.ino:1:\n"
+      "Path.h: In instantiation of 'void relax() [with int k = 64]':\n"
+      "Path.h:149:12:   required from 'void next() [with int k = 64]'\n"
+      "My.ino:169:63:   required from here\n"
+      "Path.h:80:9: warning: declaration of 'n' shadows a member of 'this' [-Wshadow]\n";
+  EXPECT_EQ(without_style_warnings(shadow + instance), "");
+}
+
 TEST(SlipsOf, MessagesOfAvrGccAreReadToo) {
   const std::string both =
       "My.ino: In function 'void loop()':\n"
